@@ -1,0 +1,75 @@
+#include "analysis/radial_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace poissonlab {
+
+namespace {
+
+/// round(|f|) from |f|^2, in integers: k^2 - k + 1/4 <= |f|^2 < k^2 + k + 1/4 never meets its ends.
+std::int64_t bin_of(std::int64_t squared)
+{
+    auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(squared))); // floor: exact below 2^52
+    return squared <= root * root + root ? root : root + 1;
+}
+
+/// Calls visit(bin, power) for every sample, in storage order.
+template <class Visit>
+void for_each_sample(const Spectrum& spectrum, const Visit& visit)
+{
+    const std::int64_t half = spectrum.size / 2;
+    const std::int64_t slices = spectrum.dimension == 3 ? half : 0;
+    std::size_t at = 0;
+    for (std::int64_t w = -slices; w < std::max<std::int64_t>(slices, 1); ++w) {
+        for (std::int64_t v = -half; v < half; ++v) {
+            for (std::int64_t u = -half; u < half; ++u) {
+                visit(static_cast<std::size_t>(bin_of(u * u + v * v + w * w)), spectrum.power[at++]);
+            }
+        }
+    }
+}
+
+double to_anisotropy_db(double variance, double mean)
+{
+    const double ratio = mean > 0.0 ? variance / (mean * mean) : 0.0;
+    return std::max(10.0 * std::log10(ratio), least_anisotropy_db);
+}
+
+}
+
+std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
+{
+    // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end; so does all beyond bin M/2 - 1.
+    const auto bins = static_cast<std::size_t>(spectrum.size / 2);
+    std::vector<RadialBin> radial(bins);
+    for_each_sample(spectrum, [&](std::size_t k, double power) {
+        if (k >= bins) return;
+        radial[k].power += power;
+        ++radial[k].samples;
+    });
+    for (std::size_t k = 0; k < bins; ++k) {
+        radial[k].frequency = static_cast<double>(k);
+        radial[k].power /= static_cast<double>(radial[k].samples);
+    }
+
+    // The variance in a second pass, about the mean: no cancellation.
+    std::vector<double> squares(bins);
+    for_each_sample(spectrum, [&](std::size_t k, double power) {
+        if (k < bins) squares[k] += (power - radial[k].power) * (power - radial[k].power);
+    });
+    for (std::size_t k = 1; k < bins; ++k) {
+        const double variance = squares[k] / static_cast<double>(radial[k].samples - 1);
+        radial[k].anisotropy_db = to_anisotropy_db(variance, radial[k].power);
+    }
+    if (!radial.empty()) radial.erase(radial.begin());
+    return radial;
+}
+
+double background_anisotropy_db(int realizations)
+{
+    return -10.0 * std::log10(static_cast<double>(realizations));
+}
+
+}

@@ -1,0 +1,34 @@
+// Radially averaged power and anisotropy (dissertation, equations 6.3 to 6.5).
+#pragma once
+
+#include "analysis/spectrum.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace poissonlab {
+
+/// What stands for "no variation at all", a finite number that tables and plots can hold. Bins of constant
+/// power and bins without any power have this anisotropy. The rounding of a mean over a million samples,
+/// relative 1e-10 at worst, lies below it as well.
+inline constexpr double least_anisotropy_db = -200.0;
+
+/// One annulus (2D) or spherical shell (3D) of frequencies.
+struct RadialBin
+{
+    double frequency = 0;     ///< central radius, in cycles per unit length
+    double power = 0;         ///< mean power of its samples, equation 6.3
+    double anisotropy_db = 0; ///< 10 log10 of sample variance (divisor n - 1) over squared mean,
+                              ///< equations 6.4 and 6.5, at least least_anisotropy_db
+    std::size_t samples = 0;  ///< number of frequency samples
+};
+
+/// Bins one frequency sample wide: bin k holds the samples with round(|f|) = k, for k = 1 .. M/2 - 1.
+/// Compared as integers (|f|^2 <= k^2 + k), so that no sample changes its bin by rounding.
+/// The DC sample (f = 0) is left out. Bins that reach beyond the spectrum's border are left out.
+std::vector<RadialBin> radial_statistics(const Spectrum& spectrum);
+
+/// The anisotropy of white noise averaged over K periodograms, the reference line: -10 log10 K dB.
+double background_anisotropy_db(int realizations);
+
+}

@@ -1,0 +1,79 @@
+#include "analysis/spectrum.hpp"
+
+#include "errors/errors.hpp"
+#include "geometry/relative_radius.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace poissonlab {
+
+int spectrum_size(std::size_t points, int dimension)
+{
+    // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
+    const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
+    int size = 2;
+    while (size < samples) size *= 2;
+    return size;
+}
+
+SpectrumEstimate::SpectrumEstimate(int dimension, int size)
+{
+    if (dimension != 2 && dimension != 3)
+        throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
+    if (size <= 0 || size % 2 != 0)
+        throw std::invalid_argument("SpectrumEstimate: size must be even and positive");
+    sum_.dimension = dimension;
+    sum_.size = size;
+}
+
+void SpectrumEstimate::add(const PointSet& points)
+{
+    const std::string name = "realization " + std::to_string(sum_.realizations);
+    if (points.dimension != sum_.dimension) {
+        throw InputError(name + " has dimension " + std::to_string(points.dimension) + ", the spectrum " +
+                         std::to_string(sum_.dimension));
+    }
+    if (points.size() == 0) throw InputError(name + " has no points");
+    if (sum_.realizations > 0 && points.size() != sum_.points) {
+        throw InputError(name + " has " + std::to_string(points.size()) + " points, realization 0 has " +
+                         std::to_string(sum_.points) + ": all must have the same number");
+    }
+
+    std::vector<double> power = exact_periodogram(points, sum_.size);
+    if (sum_.realizations == 0) {
+        sum_.power = std::move(power);
+    } else {
+        for (std::size_t i = 0; i < power.size(); ++i) sum_.power[i] += power[i];
+    }
+    sum_.points = points.size();
+    ++sum_.realizations;
+}
+
+Spectrum SpectrumEstimate::mean() const
+{
+    if (sum_.realizations == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
+    Spectrum mean = sum_;
+    for (double& power : mean.power) power /= sum_.realizations;
+    return mean;
+}
+
+Spectrum coordinate_slice(const Spectrum& volume, int axis)
+{
+    if (volume.dimension != 3 || axis < 0 || axis > 2) {
+        throw std::invalid_argument("coordinate_slice: needs a 3D spectrum and an axis 0, 1 or 2");
+    }
+    Spectrum slice{2, volume.size, volume.points, volume.realizations, {}};
+    const auto size = static_cast<std::size_t>(volume.size);
+    const std::size_t stride[3] = {1, size, size * size};
+    const std::size_t across = stride[axis == 0 ? 1 : 0], up = stride[axis == 2 ? 1 : 2];
+    slice.power.reserve(size * size);
+    for (std::size_t v = 0; v < size; ++v) {
+        for (std::size_t u = 0; u < size; ++u) {
+            slice.power.push_back(volume.power[u * across + v * up + size / 2 * stride[axis]]);
+        }
+    }
+    return slice;
+}
+
+}

@@ -1,0 +1,67 @@
+// The power spectrum of a method, estimated by averaging periodograms (Bartlett).
+//
+// Dissertation, section 6.2.2, equations 6.1, 6.2 and 6.6.
+// Scale, sign and order, fixed here for the whole project:
+// - P(f) = |sum_j exp(-2 pi i f.x_j)|^2 / N on integer frequencies f: a Poisson process has mean power 1.
+// - A spectrum of size M holds f in [-M/2, M/2) along each axis; f = 0 is at index M/2.
+// - Row v holds frequency v - M/2 along y, column u holds u - M/2 along x; 3D: slice, then row, then column.
+#pragma once
+
+#include "geometry/point_set.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The mean of K periodograms. K = 1, or a deterministic method: a periodogram, not an estimate.
+struct Spectrum
+{
+    int dimension = 2;
+    int size = 0;              ///< M: frequency samples along each axis, even
+    std::size_t points = 0;    ///< N of each realization
+    int realizations = 0;      ///< K
+    std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
+
+    double at(int fx, int fy) const
+    {
+        return power[static_cast<std::size_t>(fy + size / 2) * static_cast<std::size_t>(size) +
+                     static_cast<std::size_t>(fx + size / 2)];
+    }
+};
+
+/// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
+/// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
+/// of two. 1,024 for 16,384 points in 2D.
+int spectrum_size(std::size_t points, int dimension);
+
+/// Adds up periodograms of sets of equal size, in the order given.
+class SpectrumEstimate
+{
+public:
+    /// `size` must be even and positive.
+    SpectrumEstimate(int dimension, int size);
+
+    /// Adds the periodogram of one realization, by the exact sum. Throws InputError when the number of points
+    /// or the dimension differs from those before, or when the set is empty.
+    void add(const PointSet& points);
+
+    /// The mean of what was added, at least one realization.
+    Spectrum mean() const;
+
+private:
+    Spectrum sum_;
+};
+
+/// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The
+/// remaining axes keep their order: columns are the first of them, rows the second.
+Spectrum coordinate_slice(const Spectrum& volume, int axis);
+
+/// The periodogram of one set on M x M (x M) integer frequencies, by the exact sum: every transform value is
+/// within 1e-11 N of it (in practice 1e-14 N). Separable phases make it a product of matrices over one
+/// quadrant of frequencies. Coordinates must lie in [0, 1); `size` must be even and positive, the set not
+/// empty (std::invalid_argument). Any number of threads gives the same bytes; OpenBLAS is set to one thread.
+std::vector<double> exact_periodogram(const PointSet& points, int size);
+
+}

@@ -1,0 +1,14 @@
+# Run as a script by cmake/version.cmake: writes OUTPUT from VERSION and the git commit of SOURCE.
+set(commit "")
+find_program(git git)
+if(git)
+  execute_process(COMMAND ${git} -C ${SOURCE} describe --always --dirty --exclude=*
+                  OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+set(text "${VERSION}")
+if(commit)
+  string(APPEND text " (${commit})")
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
+#define POISSONLAB_VERSION_STRING \"${text}\"
+" @ONLY)

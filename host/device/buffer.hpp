@@ -1,0 +1,62 @@
+// Memory on a device.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace poissonlab {
+
+struct BufferImpl;
+
+/// Byte-wise transfers; throw DeviceError. Reads and writes wait for their completion, fills are enqueued.
+void read_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, void* target);
+void write_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, const void* source);
+void zero_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes);
+
+/// `size` values of type T on the device. Copies share the memory.
+template <typename T>
+class Buffer
+{
+    static_assert(std::is_trivially_copyable_v<T>);
+
+public:
+    Buffer() = default;
+    Buffer(std::shared_ptr<BufferImpl> impl, std::size_t size) : impl_(std::move(impl)), size_(size) {}
+
+    std::size_t size() const { return size_; }
+
+    /// The values from `offset`, as many as `target` holds.
+    void read(std::span<T> target, std::size_t offset = 0) const
+    {
+        if (!target.empty()) read_buffer(*impl_, offset * sizeof(T), target.size_bytes(), target.data());
+    }
+
+    std::vector<T> read(std::size_t offset, std::size_t count) const
+    {
+        std::vector<T> values(count);
+        read(std::span<T>(values), offset);
+        return values;
+    }
+
+    void write(std::span<const T> source, std::size_t offset = 0)
+    {
+        if (!source.empty()) write_buffer(*impl_, offset * sizeof(T), source.size_bytes(), source.data());
+    }
+
+    /// Sets every byte to zero.
+    void zero()
+    {
+        if (size_ > 0) zero_buffer(*impl_, 0, size_ * sizeof(T));
+    }
+
+    BufferImpl& impl() const { return *impl_; }
+
+private:
+    std::shared_ptr<BufferImpl> impl_;
+    std::size_t size_ = 0;
+};
+
+}

@@ -1,0 +1,234 @@
+#include "device/device.hpp"
+
+#include "device/kernel_source.hpp"
+#include "device/opencl.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* no_device = "no OpenCL device found: install the package pocl-opencl-icd (runs on the "
+                                  "CPU) or the OpenCL driver of your GPU";
+
+std::string type_name(cl_device_type type)
+{
+    if (type & CL_DEVICE_TYPE_GPU) return "GPU";
+    if (type & CL_DEVICE_TYPE_CPU) return "CPU";
+    return type & CL_DEVICE_TYPE_ACCELERATOR ? "accelerator" : "other";
+}
+
+/// What the kernels need and a device may lack: a compiler for OpenCL C 1.2, 64-bit integers (missing only in
+/// the embedded profile), and the byte order of the host.
+std::string why_unusable(const cl::Device& device)
+{
+    if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the device is not available";
+    if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "the driver has no OpenCL C compiler";
+    // "OpenCL C <major>.<minor> ..."
+    const std::string language = device.getInfo<CL_DEVICE_OPENCL_C_VERSION>();
+    if (language.substr(0, 9) == "OpenCL C " && language.substr(9, 3) < "1.2")
+        return language + " is older than 1.2";
+    if (device.getInfo<CL_DEVICE_PROFILE>() != "FULL_PROFILE")
+        return "the embedded profile may lack 64-bit integers";
+    if (!device.getInfo<CL_DEVICE_ENDIAN_LITTLE>()) return "the device is big-endian";
+    return {};
+}
+
+DeviceInfo describe(const cl::Device& device)
+{
+    DeviceInfo info;
+    info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
+    info.name = device.getInfo<CL_DEVICE_NAME>();
+    info.vendor = device.getInfo<CL_DEVICE_VENDOR>();
+    info.type = type_name(device.getInfo<CL_DEVICE_TYPE>());
+    info.driver_version = device.getInfo<CL_DRIVER_VERSION>();
+    info.device_version = device.getInfo<CL_DEVICE_VERSION>();
+    info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
+    info.global_memory_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    info.local_memory_bytes = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
+    info.max_work_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+    info.unusable = why_unusable(device);
+    return info;
+}
+
+std::vector<cl::Device> all_devices()
+{
+    std::vector<cl::Device> devices;
+    try {
+        std::vector<cl::Platform> platforms;
+        cl::Platform::get(&platforms);
+        for (const cl::Platform& platform : platforms) {
+            std::vector<cl::Device> found;
+            try {
+                platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+            } catch (const cl::Error& error) {
+                if (error.err() != CL_DEVICE_NOT_FOUND) throw;
+            }
+            devices.insert(devices.end(), found.begin(), found.end());
+        }
+    } catch (const cl::Error& error) {
+        // A loader without any driver says so by this code.
+        if (error.err() != -1001) throw device_error("looking for OpenCL devices", error);
+    }
+    return devices;
+}
+
+std::string lower_case(std::string text)
+{
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+bool names(const DeviceInfo& info, const std::string& selector)
+{
+    return lower_case(info.name + "\n" + info.platform).find(lower_case(selector)) != std::string::npos;
+}
+
+bool is_pocl(const DeviceInfo& info) { return info.platform == "Portable Computing Language"; }
+
+std::string list_of_names(const std::vector<DeviceInfo>& infos)
+{
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < infos.size(); ++i) lines.push_back(fmt::format("{}: {}", i, infos[i].name));
+    return fmt::format("{}", fmt::join(lines, ", "));
+}
+
+std::size_t select(const std::vector<DeviceInfo>& infos, const std::string& selector)
+{
+    if (infos.empty()) throw DeviceError(no_device);
+    if (selector.empty()) {
+        const auto usable_pocl = [](const DeviceInfo& i) { return is_pocl(i) && i.unusable.empty(); };
+        const auto usable = [](const DeviceInfo& i) { return i.unusable.empty(); };
+        auto found = std::find_if(infos.begin(), infos.end(), usable_pocl);
+        if (found == infos.end()) found = std::find_if(infos.begin(), infos.end(), usable);
+        if (found == infos.end()) found = infos.begin(); // says below why it is not usable
+        return static_cast<std::size_t>(found - infos.begin());
+    }
+    std::size_t number = 0;
+    const char* end = selector.data() + selector.size();
+    const auto parsed = std::from_chars(selector.data(), end, number);
+    if (parsed.ec == std::errc{} && parsed.ptr == end && number < infos.size()) return number;
+    for (std::size_t i = 0; i < infos.size(); ++i) {
+        if (names(infos[i], selector)) return i;
+    }
+    throw DeviceError(
+        fmt::format("no OpenCL device matches \"{}\"; there are: {}", selector, list_of_names(infos)));
+}
+
+cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned compute_units)
+{
+    if (threads == 0 || threads >= compute_units) return device;
+    const cl_device_partition_property properties[] = {CL_DEVICE_PARTITION_BY_COUNTS, threads,
+                                                       CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0};
+    std::vector<cl::Device> parts;
+    cl::Device whole = device;
+    whole.createSubDevices(properties, &parts);
+    return parts.at(0);
+}
+
+cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file, const std::string& options)
+{
+    const auto start = std::chrono::steady_clock::now();
+    cl::Program program(impl.context, text);
+    try {
+        program.build(impl.device, ("-cl-std=CL1.2 " + options).c_str());
+    } catch (const cl::Error& error) {
+        const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(impl.device);
+        throw DeviceError(
+            device_error(impl.info.name + ": building kernels/" + file + " (" + options + ")", error).what() +
+            std::string("; build log:\n") + log);
+    }
+    impl.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return program;
+}
+
+}
+
+std::vector<DeviceInfo> list_devices()
+{
+    std::vector<DeviceInfo> infos;
+    for (const cl::Device& device : all_devices()) infos.push_back(describe(device));
+    return infos;
+}
+
+Device::Device(std::shared_ptr<DeviceImpl> impl) : impl_(std::move(impl)) {}
+
+Device Device::open(const std::string& selector, unsigned threads)
+{
+    const std::vector<cl::Device> devices = all_devices();
+    std::vector<DeviceInfo> infos;
+    for (const cl::Device& device : devices) infos.push_back(describe(device));
+    const std::size_t chosen = select(infos, selector);
+    if (!infos[chosen].unusable.empty()) {
+        throw DeviceError("the OpenCL device " + infos[chosen].name +
+                          " cannot be used: " + infos[chosen].unusable);
+    }
+
+    auto impl = std::make_shared<DeviceImpl>();
+    try {
+        impl->device = restrict_threads(devices[chosen], threads, infos[chosen].compute_units);
+        impl->info = describe(impl->device);
+        impl->context = cl::Context(impl->device);
+        impl->queue = cl::CommandQueue(impl->context, impl->device);
+    } catch (const cl::Error& error) {
+        throw device_error("opening " + infos[chosen].name, error);
+    }
+    return Device(std::move(impl));
+}
+
+const DeviceInfo& Device::info() const { return impl_->info; }
+double Device::build_seconds() const { return impl_->build_seconds; }
+
+Kernel Device::kernel(const std::string& file, const std::string& name, const std::string& options)
+{
+    return kernel_from_text(kernel_source(file), file, name, options);
+}
+
+Kernel Device::kernel_from_text(const std::string& text, const std::string& file, const std::string& name,
+                                const std::string& options)
+{
+    auto program = impl_->programs.find({text, options});
+    if (program == impl_->programs.end()) {
+        program = impl_->programs.emplace(std::pair(text, options), build(*impl_, text, file, options)).first;
+    }
+    auto impl = std::make_shared<KernelImpl>();
+    impl->device = impl_;
+    impl->name = name;
+    try {
+        impl->kernel = cl::Kernel(program->second, name.c_str());
+    } catch (const cl::Error& error) {
+        throw device_error(impl_->info.name + ": kernels/" + file + ": kernel " + name, error);
+    }
+    return Kernel(std::move(impl));
+}
+
+std::shared_ptr<BufferImpl> Device::allocate(std::size_t bytes)
+{
+    auto impl = std::make_shared<BufferImpl>();
+    impl->device = impl_;
+    try {
+        impl->memory = cl::Buffer(impl_->context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
+    } catch (const cl::Error& error) {
+        throw device_error(fmt::format("{}: allocating {} bytes of {}", impl_->info.name, bytes,
+                                       impl_->info.global_memory_bytes),
+                           error);
+    }
+    return impl;
+}
+
+void Device::finish()
+{
+    try {
+        impl_->queue.finish();
+    } catch (const cl::Error& error) {
+        throw device_error(impl_->info.name + ": waiting for kernels", error);
+    }
+}
+
+}

@@ -1,0 +1,78 @@
+// OpenCL devices: what is there, and one that is open for work.
+//
+// host/device is the only place that knows the OpenCL API. What can fail throws DeviceError with the call,
+// the name of the error code, the kernel and, where there is one, the build log.
+#pragma once
+
+#include "device/buffer.hpp"
+#include "device/kernel.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+struct DeviceInfo
+{
+    std::string platform;
+    std::string name;
+    std::string vendor;
+    std::string type; ///< "CPU", "GPU", "accelerator" or "other"
+    std::string driver_version;
+    std::string device_version;
+    unsigned compute_units = 0;
+    std::uint64_t global_memory_bytes = 0;
+    std::uint64_t local_memory_bytes = 0;
+    std::size_t max_work_group_size = 0;
+    std::string unusable; ///< why the laboratory's kernels cannot run there; empty: they can
+};
+
+/// Every OpenCL device of this machine, in the order of platforms. Empty where there is none.
+std::vector<DeviceInfo> list_devices();
+
+struct DeviceImpl;
+
+/// An open device with one in-order command queue. Copies share the device.
+class Device
+{
+public:
+    /// Opens a device. `selector`: a number as list_devices() counts from 0, a part of a device's or
+    /// platform's name (letter case does not matter), or empty for the default: PoCL where it is there, else
+    /// the first usable one. `threads` > 0 restricts a CPU device to that many compute units; 0 takes all.
+    /// Throws DeviceError when there is no such device.
+    static Device open(const std::string& selector = {}, unsigned threads = 0);
+
+    const DeviceInfo& info() const;
+
+    /// A kernel of an embedded file, for example kernel("dart_throwing.cl", "throw_darts", "-D DIMENSION=2").
+    /// The program is built at its first use with these options, and kept.
+    Kernel kernel(const std::string& file, const std::string& name, const std::string& options = {});
+
+    /// The same for a source text that is not embedded; `file` is what messages call it.
+    Kernel kernel_from_text(const std::string& text, const std::string& file, const std::string& name,
+                            const std::string& options = {});
+
+    /// Seconds spent on building programs so far.
+    double build_seconds() const;
+
+    /// An uninitialised buffer of `count` values.
+    template <typename T>
+    Buffer<T> buffer(std::size_t count)
+    {
+        return Buffer<T>(allocate(count * sizeof(T)), count);
+    }
+
+    /// Waits until everything that was enqueued is done.
+    void finish();
+
+private:
+    explicit Device(std::shared_ptr<DeviceImpl> impl);
+    std::shared_ptr<BufferImpl> allocate(std::size_t bytes);
+
+    std::shared_ptr<DeviceImpl> impl_;
+};
+
+}

@@ -1,0 +1,47 @@
+// The OpenCL headers as host/device uses them, and the objects behind its handles. Not for other folders.
+#pragma once
+
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#include <CL/opencl.hpp>
+
+#include "device/device.hpp"
+#include "errors/errors.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace poissonlab {
+
+/// "CL_OUT_OF_RESOURCES" for -5, and so on; "OpenCL error -n" for codes without a name here.
+std::string opencl_error_name(cl_int code);
+
+/// The DeviceError for a failed call: what was being done, the call, the code's name.
+DeviceError device_error(const std::string& doing, const cl::Error& error);
+
+struct DeviceImpl
+{
+    cl::Device device;
+    cl::Context context;
+    cl::CommandQueue queue;
+    DeviceInfo info;
+    std::map<std::pair<std::string, std::string>, cl::Program> programs; // by source text and options
+    double build_seconds = 0;
+};
+
+struct BufferImpl
+{
+    std::shared_ptr<DeviceImpl> device;
+    cl::Buffer memory;
+};
+
+struct KernelImpl
+{
+    std::shared_ptr<DeviceImpl> device;
+    cl::Kernel kernel;
+    std::string name;
+};
+
+}

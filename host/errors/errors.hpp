@@ -1,0 +1,49 @@
+// What can go wrong, in two kinds: what the user can mend, and what OpenCL reports.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace poissonlab {
+
+/// Something the user can mend: a config key, a point file, an argument. Exit status 2.
+///
+/// The message is one line that names the place, the value and what is allowed.
+class InputError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A failed OpenCL call, a kernel that does not build, no device at all. Exit status 3.
+class DeviceError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A file system operation that failed for reasons outside the input: full disk, no permission. Exit
+/// status 1.
+class StorageError : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A place in an input file. Line 0 means "no line": the whole file, or a command line argument.
+struct SourceLocation
+{
+    std::string file;
+    int line = 0;
+};
+
+/// "file:line", or "file" where there is no line.
+std::string to_string(const SourceLocation& location);
+
+/// The InputError for a key with a value that is not allowed:
+/// `file:line: key = value: allowed`, for example
+/// `quick.toml:12: relative_radius = 1.5: must be a number from 0 to 1`.
+InputError invalid_value(const SourceLocation& location, const std::string& key, const std::string& value,
+                         const std::string& allowed);
+
+}

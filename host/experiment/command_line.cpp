@@ -1,0 +1,243 @@
+#include "experiment/command_line.hpp"
+
+#include "errors/errors.hpp"
+#include "experiment/commands/commands.hpp"
+#include "experiment/interrupt.hpp"
+#include "experiment/nearest_key.hpp"
+#include "version.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+namespace poissonlab {
+namespace {
+
+constexpr int exit_other = 1;
+constexpr int exit_input = 2;
+constexpr int exit_device = 3;
+
+constexpr auto main_footer = R"(Examples:
+  poissonlab run configs/quick.toml                        an experiment and its report, in out/quick
+  poissonlab run configs/quick.toml --set seed=2 --out a   the same with another seed, in a
+  poissonlab analyze points-*.dat --label "My method" --out mine
+  poissonlab report out/quick mine --out both              one report over both
+  poissonlab help samplers                                 every method of making point sets
+
+Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
+3 OpenCL failed; 1 anything else.)";
+
+constexpr auto run_footer =
+    R"(CONFIG is a TOML file; configs/quick.toml explains every key. `poissonlab samplers` lists the methods.
+--set changes the config without editing it; keys have dots, methods count from 0:
+  --set seed=2   --set analysis.points=4096   --set engine=reference
+  --set method.0.label=White   --set "method.relative_radius=[0.6, 0.7]" (every method that has it)
+Results are written to DIR when everything is done; see docs/output-folder.md. Until then, and when something
+fails, a previous result in DIR stays as it is. The last line of output is the path of the report.)";
+
+constexpr auto analyze_footer =
+    R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
+a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
+  poissonlab analyze set-*.dat --label "My method" --out mine)";
+
+/// The program's subcommands with their options, and what was given.
+class CommandLine
+{
+public:
+    explicit CommandLine(const ReportWriter& write_report) : write_report_(write_report)
+    {
+        app_.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
+        app_.footer(main_footer);
+        add_run();
+        add_analyze();
+        add_report();
+        devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
+        samplers_ =
+            app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
+        help_ = app_.add_subcommand("help", "Explain a command, or the samplers");
+        help_->add_option("TOPIC", topic_, "A command; \"samplers\" lists the methods");
+    }
+
+    void parse(int argc, const char* const* argv);
+    void execute();
+    int show_help_or_version(const CLI::ParseError& outcome) { return app_.exit(outcome); }
+
+private:
+    void add_run();
+    void add_analyze();
+    void add_report();
+    void explain();
+    std::vector<std::string> command_names() const;
+
+    const ReportWriter& write_report_;
+    CLI::App app_{"poissonlab: makes Poisson disk point sets on OpenCL devices, analyses them, and reports.",
+                  "poissonlab"};
+    RunOptions run_options_;
+    AnalyzeOptions analyze_options_;
+    ReportOptions report_options_;
+    std::string topic_;
+    bool help_wanted_ = false;
+    CLI::App* run_ = nullptr;
+    CLI::App* analyze_ = nullptr;
+    CLI::App* report_ = nullptr;
+    CLI::App* devices_ = nullptr;
+    CLI::App* samplers_ = nullptr;
+    CLI::App* help_ = nullptr;
+};
+
+void CommandLine::add_run()
+{
+    RunOptions& o = run_options_;
+    run_ = app_.add_subcommand("run", "Run the experiment of a config and write its report");
+    run_->add_option("CONFIG", o.config, "The experiment (.toml)")->required();
+    run_->add_option("--out", o.out, "The output folder; default: out/ and the config's name")
+        ->option_text("DIR");
+    run_->add_option("--device", o.device,
+                     "The OpenCL device: part of its name, or its number in `poissonlab devices`")
+        ->option_text("NAME");
+    run_->add_option("--set", o.overrides, "Change a key of the config; may be repeated")
+        ->option_text("KEY=VALUE")
+        ->allow_extra_args(false);
+    run_->add_option("--threads", o.threads,
+                     "Use so many threads, and compute units of a CPU device; default: all")
+        ->option_text("N")
+        ->check(CLI::Range(1, 4096));
+    run_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+    run_->footer(run_footer);
+}
+
+void CommandLine::add_analyze()
+{
+    AnalyzeOptions& o = analyze_options_;
+    analyze_ = app_.add_subcommand("analyze", "Analyse point sets made elsewhere and write a report");
+    analyze_->add_option("FILE", o.files, "Point sets, one series")->required();
+    analyze_->add_option("--out", o.out, "The output folder; default: out/ and the label")
+        ->option_text("DIR");
+    analyze_->add_option("--label", o.label, "What the report calls them; default: the first file's name")
+        ->option_text("TEXT");
+    analyze_->add_option("--threads", o.threads, "Use so many threads; default: all")
+        ->option_text("N")
+        ->check(CLI::Range(1, 4096));
+    analyze_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+    analyze_->footer(analyze_footer);
+}
+
+void CommandLine::add_report()
+{
+    ReportOptions& o = report_options_;
+    report_ = app_.add_subcommand("report", "Build a report again, or one over several output folders");
+    report_->add_option("DIR", o.folders, "Folders that `run` or `analyze` wrote")->required();
+    report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")
+        ->option_text("DIR");
+    report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+}
+
+std::vector<std::string> CommandLine::command_names() const
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    return names;
+}
+
+/// The command as it would be typed: arguments in quotes where a shell needs them.
+std::string typed_command(int argc, const char* const* argv)
+{
+    std::string text = "poissonlab";
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        const bool plain = !argument.empty() &&
+                           argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                      "0123456789_-+=./:,@%") == std::string::npos;
+        std::string quoted = "'";
+        for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        text += " " + (plain ? argument : quoted + "'");
+    }
+    return text;
+}
+
+void CommandLine::parse(int argc, const char* const* argv)
+{
+    const std::vector<std::string> names = command_names();
+    if (argc < 2)
+        throw InputError(
+            fmt::format("a command is missing: {} (see poissonlab --help)", fmt::join(names, ", ")));
+    const std::string first = argv[1];
+    if (!first.starts_with("-") && std::ranges::find(names, first) == names.end())
+        throw InputError(fmt::format("unknown command \"{}\"{} (commands: {})", first,
+                                     did_you_mean(first, names), fmt::join(names, ", ")));
+    // Topics are names of commands, which the parser would run instead of explaining.
+    if (first == "help" && (argc == 2 || argv[2][0] != '-')) {
+        if (argc > 3) throw InputError("help explains one topic at a time");
+        help_wanted_ = true;
+        topic_ = argc == 3 ? argv[2] : "";
+        return;
+    }
+    run_options_.command = analyze_options_.command = typed_command(argc, argv);
+    app_.parse(argc, argv);
+}
+
+void CommandLine::explain()
+{
+    if (topic_ == "samplers") return samplers_command();
+    if (topic_.empty()) {
+        fmt::print("{}", app_.help());
+        return;
+    }
+    const std::vector<std::string> names = command_names();
+    if (std::ranges::find(names, topic_) == names.end())
+        throw InputError(fmt::format("no help on \"{}\"{} (topics: {})", topic_, did_you_mean(topic_, names),
+                                     fmt::join(names, ", ")));
+    fmt::print("{}", app_.get_subcommand(topic_)->help());
+}
+
+void CommandLine::execute()
+{
+    if (*run_) run_command(run_options_, write_report_);
+    if (*analyze_) analyze_command(analyze_options_, write_report_);
+    if (*report_) report_command(report_options_, write_report_);
+    if (*devices_) devices_command();
+    if (*samplers_) samplers_command();
+    if (help_wanted_) explain();
+}
+
+int fail(int status, const std::string& message)
+{
+    std::fflush(stdout);
+    fmt::print(stderr, "poissonlab: error: {}\n", message);
+    return status;
+}
+
+}
+
+int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report)
+{
+    try {
+        CommandLine command_line(write_report);
+        try {
+            command_line.parse(argc, argv);
+        } catch (const CLI::ParseError& outcome) {
+            if (outcome.get_exit_code() == 0) return command_line.show_help_or_version(outcome);
+            std::string message = outcome.what();
+            std::ranges::replace(message, '\n', ' ');
+            return fail(exit_input, message + " (see poissonlab --help)");
+        }
+        catch_interrupts();
+        command_line.execute();
+        return std::fflush(stdout) == 0 ? 0 : fail(exit_other, "cannot write to standard output");
+    } catch (const InputError& error) {
+        return fail(exit_input, error.what());
+    } catch (const DeviceError& error) {
+        return fail(exit_device, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_other, "there is not enough memory for this");
+    } catch (const std::exception& error) {
+        return fail(exit_other, error.what());
+    }
+}
+
+}

@@ -1,0 +1,21 @@
+// poissonlab analyze: point sets made elsewhere, through the same analysis and report.
+#include "experiment/commands/commands.hpp"
+#include "experiment/imported_points.hpp"
+#include "experiment/runner.hpp"
+#include "experiment/thread_limit.hpp"
+
+namespace poissonlab {
+
+void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report)
+{
+    const ThreadLimit limit(options.threads);
+    Experiment experiment = import_points(options.files, options.label);
+    experiment.command = options.command;
+    const auto out =
+        options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
+    Progress progress(Progress::detect(options.quiet));
+    run_experiment(experiment, out, progress);
+    finish_report({out}, out, write_report, progress);
+}
+
+}

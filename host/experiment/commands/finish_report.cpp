@@ -1,0 +1,19 @@
+#include "experiment/commands/commands.hpp"
+#include "experiment/interrupt.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
+                   const ReportWriter& write_report, Progress& progress)
+{
+    write_report(folders, out, [&](const std::string& step) {
+        stop_if_interrupted();
+        progress.step("report: " + step);
+    });
+    progress.finish();
+    fmt::print("{}\n", (out / "index.html").string());
+}
+
+}

@@ -1,0 +1,24 @@
+// poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
+#include "experiment/commands/commands.hpp"
+#include "experiment/parameter_values.hpp"
+#include "sampling/sampler.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace poissonlab {
+
+void samplers_command()
+{
+    fmt::print(
+        "Samplers of a [[method]] table, and their parameters. A list of values makes one series a value.\n");
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        fmt::print("\n{}: {} ({}D{})\n    {}\n", sampler.name, sampler.title,
+                   fmt::join(sampler.dimensions, "D, "), sampler.deterministic ? ", deterministic" : "",
+                   sampler.summary);
+        for (const ParameterSpec& parameter : sampler.parameters)
+            fmt::print("    {} = {}\n        {}\n", parameter.key, allowed_values(parameter), parameter.help);
+    }
+}
+
+}

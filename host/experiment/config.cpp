@@ -1,0 +1,148 @@
+#include "experiment/config.hpp"
+
+#include "experiment/nearest_key.hpp"
+#include "experiment/overrides.hpp"
+#include "experiment/toml_reader.hpp"
+#include "io/whole_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// Refuses keys that mean nothing.
+void check_keys(const ConfigTable& table, const std::vector<std::string>& known)
+{
+    for (const auto& [key, node] : table)
+        if (std::ranges::find(known, key) == known.end()) throw unknown_key(key, node, known);
+}
+
+std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
+                          std::int64_t maximum, std::int64_t otherwise)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return otherwise;
+    const auto* value = node->get_if<std::int64_t>();
+    if (!value || *value < minimum || *value > maximum)
+        throw invalid_node(key, *node, fmt::format("must be an integer from {} to {}", minimum, maximum));
+    return *value;
+}
+
+std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return otherwise;
+    const auto* value = node->get_if<std::string>();
+    if (!value || value->empty() || value->find('\n') != std::string::npos)
+        throw invalid_node(key, *node, "must be a line of text in quotes");
+    return *value;
+}
+
+Engine read_engine(const ConfigTable& table)
+{
+    const ConfigNode* node = find(table, "engine");
+    if (!node) return Engine::opencl;
+    const std::vector<std::string> words = {"opencl", "reference"};
+    const auto* value = node->get_if<std::string>();
+    if (value && *value == words[0]) return Engine::opencl;
+    if (value && *value == words[1]) return Engine::reference;
+    throw invalid_node("engine", *node,
+                       "must be \"opencl\" or \"reference\"" + (value ? did_you_mean(*value, words) : ""));
+}
+
+void read_analysis(const ConfigTable& top, Config& config)
+{
+    const ConfigNode* node = find(top, "analysis");
+    if (!node) return;
+    const auto* table = node->get_if<ConfigTable>();
+    if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
+    check_keys(*table, {"points", "realizations", "dimension"});
+    config.points = static_cast<std::size_t>(
+        read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
+    config.realizations =
+        static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
+    config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
+    if (config.dimension == 3)
+        throw invalid_node("dimension", *find(*table, "dimension"),
+                           "must be 2: this version has no spectra and no report of 3D sets yet");
+}
+
+const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where)
+{
+    std::vector<std::string> names;
+    for (const SamplerSpec& spec : sampler_registry()) names.push_back(spec.name);
+    const std::string allowed = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
+
+    const ConfigNode* node = find(table, "sampler");
+    if (!node) throw InputError(to_string(where) + ": [[method]]: sampler is missing; it must be " + allowed);
+    const auto* name = node->get_if<std::string>();
+    if (!name) throw invalid_node("sampler", *node, "must be " + allowed);
+    const SamplerSpec* spec = find_sampler(*name);
+    if (!spec) throw invalid_node("sampler", *node, "must be " + allowed + did_you_mean(*name, names));
+    return *spec;
+}
+
+MethodConfig read_method(const ConfigNode& node)
+{
+    const auto* table = node.get_if<ConfigTable>();
+    if (!table) throw invalid_node("method", node, "must be a table, written [[method]]");
+    MethodConfig method;
+    method.where = node.location;
+    method.sampler = &read_sampler(*table, node.location);
+
+    std::vector<std::string> known = {"sampler", "label"};
+    for (const ParameterSpec& spec : method.sampler->parameters) known.push_back(spec.key);
+    check_keys(*table, known);
+
+    method.label = read_text(*table, "label", "");
+    for (const ParameterSpec& spec : method.sampler->parameters)
+        if (const ConfigNode* value = find(*table, spec.key))
+            method.settings.push_back({&spec, parameter_choices(spec, *value)});
+    return method;
+}
+
+void read_methods(const ConfigTable& top, Config& config)
+{
+    const ConfigNode* node = find(top, "method");
+    if (!node) throw InputError(config.file + ": no [[method]] table: a config needs at least one");
+    const auto* list = node->get_if<ConfigList>();
+    if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
+    if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
+    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method));
+}
+
+}
+
+Config parse_config(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& overrides)
+{
+    ConfigTable top = read_toml(text, file);
+    apply_overrides(top, overrides);
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method"});
+
+    Config config;
+    config.file = file;
+    config.text = text;
+    config.overrides = overrides;
+    config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
+    config.seed =
+        static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
+    config.engine = read_engine(top);
+    config.device = read_text(top, "device", "");
+    read_analysis(top, config);
+    read_methods(top, config);
+    return config;
+}
+
+Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    if (std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": is a folder; a config file (.toml) is needed");
+    return parse_config(read_whole_file(file), file.string(), overrides);
+}
+
+}

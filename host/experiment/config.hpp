@@ -1,0 +1,56 @@
+// The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
+#pragma once
+
+#include "experiment/parameter_values.hpp"
+#include "sampling/sampler.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The largest number of points of a set, and of realizations of a series.
+inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
+inline constexpr std::int64_t max_realizations = 10000;
+
+/// A key of a [[method]] table, with every value that it takes.
+struct ParameterSetting
+{
+    const ParameterSpec* parameter = nullptr;
+    std::vector<ParameterChoice> choices; ///< at least one; several make one series each
+};
+
+struct MethodConfig
+{
+    const SamplerSpec* sampler = nullptr;
+    std::string label; ///< empty: made from the sampler's title
+    SourceLocation where;
+    std::vector<ParameterSetting> settings; ///< in the order in which the sampler declares its parameters
+};
+
+struct Config
+{
+    std::string file;                   ///< as the user named it
+    std::string text;                   ///< its content
+    std::vector<std::string> overrides; ///< --set arguments, applied
+
+    std::string title;      ///< default: the file's stem
+    std::uint64_t seed = 1; ///< TOML integers are signed: 0 to 2^63 - 1
+    Engine engine = Engine::opencl;
+    std::string device; ///< part of a device's name, or its number; empty: the default device
+    std::size_t points = 16384;
+    int realizations = 10;
+    int dimension = 2;
+    std::vector<MethodConfig> methods; ///< at least one
+};
+
+/// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
+Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same for a text; `file` is how messages name it.
+Config parse_config(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& overrides = {});
+
+}

@@ -1,0 +1,80 @@
+#include "experiment/config_run.hpp"
+
+#include "device/device.hpp"
+#include "experiment/plan.hpp"
+#include "experiment/thread_limit.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace poissonlab {
+namespace {
+
+/// The device of a run, opened when it is first needed.
+struct LazyDevice
+{
+    std::string selector;
+    unsigned threads = 0;
+    std::optional<Device> device;
+
+    Device& get()
+    {
+        if (!device) device = Device::open(selector, threads);
+        return *device;
+    }
+};
+
+Machine machine_of(const LazyDevice& lazy)
+{
+    Machine machine;
+    machine.threads = ThreadLimit::current();
+    if (!lazy.device) return machine;
+    const DeviceInfo& info = lazy.device->info();
+    machine.device = info.name;
+    machine.platform = info.platform;
+    machine.driver = info.driver_version;
+    machine.device_version = info.device_version;
+    machine.compute_units = info.compute_units;
+    return machine;
+}
+
+SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device)
+{
+    SeriesTask task;
+    task.name = series.name;
+    task.label = series.label;
+    task.sampler = series.sampler->name;
+    task.parameters = series.parameters;
+    task.deterministic = series.sampler->deterministic;
+    task.realizations = series.realizations;
+    task.create = [series, engine, device] {
+        return series.sampler->create(series.parameters, series.request, engine,
+                                      [device]() -> Device& { return device->get(); });
+    };
+    return task;
+}
+
+}
+
+Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
+{
+    auto lazy = std::make_shared<LazyDevice>();
+    lazy->selector = device;
+    lazy->threads = threads;
+
+    Experiment experiment;
+    experiment.title = config.title;
+    experiment.config = config.text;
+    experiment.overrides = config.overrides;
+    experiment.seed = config.seed;
+    experiment.engine = config.engine == Engine::opencl ? "opencl" : "reference";
+    experiment.dimension = config.dimension;
+    experiment.realizations = static_cast<std::uint32_t>(config.realizations);
+    for (const SeriesPlan& series : make_plan(config))
+        experiment.series.push_back(make_task(series, config.engine, lazy));
+    experiment.machine = [lazy] { return machine_of(*lazy); };
+    if (config.engine == Engine::opencl && !device.empty()) lazy->get();
+    return experiment;
+}
+
+}

@@ -1,0 +1,62 @@
+#include "experiment/config_tree.hpp"
+
+#include "experiment/nearest_key.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+const ConfigNode* find(const ConfigTable& table, const std::string& key)
+{
+    const auto entry = std::ranges::find(
+        table, key, [](const auto& pair) -> const auto& { return pair.first; });
+    return entry == table.end() ? nullptr : &entry->second;
+}
+
+ConfigNode* find(ConfigTable& table, const std::string& key)
+{
+    return const_cast<ConfigNode*>(find(std::as_const(table), key));
+}
+
+namespace {
+
+std::string whole_text(const ConfigNode& node)
+{
+    if (node.get_if<ConfigTable>()) return "{...}";
+    const auto* list = node.get_if<ConfigList>();
+    if (!list) return node.text;
+    std::vector<std::string> items;
+    for (const ConfigNode& item : *list) items.push_back(whole_text(item));
+    return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+}
+
+std::string shown(const ConfigNode& node)
+{
+    constexpr std::size_t longest = 60;
+    std::string text = whole_text(node);
+    std::ranges::replace(text, '\n', ' '); // a message is one line
+    if (text.size() <= longest) return text;
+    // Cut between characters, not inside one.
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+    return text.substr(0, end) + "...";
+}
+
+InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed)
+{
+    return invalid_value(node.location, key, shown(node), allowed);
+}
+
+InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known)
+{
+    return invalid_node(key, node,
+                        fmt::format("unknown key{}{} known keys: {}", did_you_mean(key, known),
+                                    nearest_key(key, known).empty() ? ";" : "", fmt::join(known, ", ")));
+}
+
+}

@@ -1,0 +1,85 @@
+#include "experiment/imported_points.hpp"
+
+#include "experiment/config.hpp"
+#include "experiment/plan.hpp"
+#include "experiment/thread_limit.hpp"
+#include "io/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// Hands out sets that are there already.
+class ImportedPoints : public Sampler
+{
+public:
+    explicit ImportedPoints(std::shared_ptr<const std::vector<PointSet>> sets) : sets_(std::move(sets)) {}
+    PointSet sample(std::uint32_t realization) override { return sets_->at(realization); }
+
+private:
+    std::shared_ptr<const std::vector<PointSet>> sets_;
+};
+
+/// Checks a set against the first one. `place` names it in messages.
+void check_set(const PointSet& points, const std::string& place, const PointSet& first,
+               const std::string& first_place)
+{
+    if (points.dimension != 2)
+        throw InputError(place + ": has " + std::to_string(points.dimension) +
+                         "D points: this version analyses 2D sets only");
+    if (points.size() != first.size())
+        throw InputError(
+            fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
+                        points.size(), first_place, first.size()));
+}
+
+/// A folder name that is not one of the output folder's files.
+std::string series_folder_name(const std::string& label)
+{
+    const std::string name = safe_name(label).substr(0, 100);
+    return name == "index.html" || name == "results.json" ? "points-" + name : name;
+}
+
+}
+
+Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label)
+{
+    auto sets = std::make_shared<std::vector<PointSet>>();
+    std::vector<std::string> places;
+    std::vector<std::string> paths;
+    for (const auto& file : files) {
+        if (std::filesystem::is_directory(file))
+            throw InputError(file.string() + ": is a folder; files of points are needed");
+        std::vector<PointSet> read = read_points(file);
+        for (std::size_t i = 0; i < read.size(); ++i) {
+            places.push_back(read.size() == 1 ? file.string()
+                                              : fmt::format("{}: realization {}", file.string(), i + 1));
+            sets->push_back(std::move(read[i]));
+            check_set(sets->back(), places.back(), sets->front(), places.front());
+        }
+        if (sets->size() > static_cast<std::size_t>(max_realizations))
+            throw InputError(fmt::format("{}: with this file there are more than {} realizations",
+                                         file.string(), max_realizations));
+        paths.push_back(file.string());
+    }
+
+    SeriesTask task;
+    task.label = label.empty() ? files.front().stem().string() : label;
+    task.name = series_folder_name(task.label);
+    task.sampler = "file";
+    task.parameters.set("path", paths);
+    task.realizations = static_cast<std::uint32_t>(sets->size());
+    task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
+
+    Experiment experiment;
+    experiment.title = task.label;
+    experiment.realizations = task.realizations;
+    experiment.series.push_back(std::move(task));
+    experiment.machine = [] { return Machine{{}, {}, {}, {}, 0, ThreadLimit::current()}; };
+    return experiment;
+}
+
+}

@@ -1,0 +1,27 @@
+// From config values to sampler parameters: types, ranges, and lists that stand for several series.
+#pragma once
+
+#include "experiment/config_tree.hpp"
+#include "sampling/parameters.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A value of a parameter, and how names and labels show it.
+struct ParameterChoice
+{
+    ParameterValue value;
+    std::string shown; ///< numbers as they were typed, 0.70 and not 0.7
+    SourceLocation location;
+};
+
+/// What a parameter accepts, as messages and the help say it: "a number greater than 0 and at most 1".
+std::string allowed_values(const ParameterSpec& spec);
+
+/// The values that a config key gives a parameter: one, or each item of a list. A list of paths is one value.
+/// Throws InputError for wrong types, values out of range and empty lists.
+std::vector<ParameterChoice> parameter_choices(const ParameterSpec& spec, const ConfigNode& node);
+
+}

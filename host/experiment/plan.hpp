@@ -1,0 +1,32 @@
+// The plan: a config's methods expanded to series, each with its name, label and parameters.
+#pragma once
+
+#include "experiment/config.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// One method with one choice of its parameters.
+struct SeriesPlan
+{
+    std::string name;  ///< the series' folder, unique in the plan: letters, digits, '.', '_', '-'
+    std::string label; ///< for the report
+    const SamplerSpec* sampler = nullptr;
+    Parameters parameters;
+    SampleRequest request;
+    std::uint32_t realizations = 0; ///< as asked; 1 for deterministic samplers; what there is for files
+};
+
+/// Every method's series in order; of lists, the last parameter varies fastest. Throws InputError for
+/// combinations that the sampler refuses, for two series that would be the same, and for more than 1,000
+/// series.
+std::vector<SeriesPlan> make_plan(const Config& config);
+
+/// Text as (part of) a folder name: what is not a letter, digit, '.', '_' or '-' becomes '-'; never empty,
+/// never starting with a dot.
+std::string safe_name(const std::string& text);
+
+}

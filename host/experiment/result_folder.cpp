@@ -1,0 +1,145 @@
+#include "experiment/result_folder.hpp"
+
+#include "errors/errors.hpp"
+#include "experiment/plan.hpp"
+#include "io/whole_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+namespace poissonlab {
+namespace {
+
+void require(const std::error_code& error, const std::string& doing)
+{
+    if (error) throw StorageError("cannot " + doing + ": " + error.message());
+}
+
+void move(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    fs::rename(from, to, error);
+    require(error, "move " + from.string() + " to " + to.string());
+}
+
+/// The series that the results.json of a folder lists; none when there is no readable one.
+std::vector<std::string> series_in(const fs::path& folder)
+{
+    std::vector<std::string> names;
+    try {
+        const auto json = nlohmann::json::parse(read_whole_file(folder / "results.json"));
+        if (json.at("format") != "poissonlab-results") return {};
+        for (const auto& series : json.at("series")) {
+            const std::string name = series.at("name");
+            // A name that leads elsewhere is not one that this program wrote.
+            if (safe_name(name) == name) names.push_back(name);
+        }
+    } catch (const nlohmann::json::exception&) {
+        return {};
+    } catch (const InputError&) {
+        return {};
+    }
+    return names;
+}
+
+/// Whether a folder may be replaced though no results.json lists it: it is empty, or a run that was killed
+/// left it.
+bool looks_like_series(const fs::path& folder)
+{
+    std::error_code error;
+    return fs::is_directory(folder, error) &&
+           (fs::is_empty(folder, error) || fs::exists(folder / "realization-000.dat", error));
+}
+
+}
+
+ResultFolder::ResultFolder(const fs::path& out, const std::vector<std::string>& series)
+    : out_(out), series_(series)
+{
+    std::error_code error;
+    if (fs::exists(out_, error) && !fs::is_directory(out_, error))
+        throw InputError("--out " + out_.string() + ": is a file; a folder is needed");
+    previous_ = series_in(out_);
+    for (const std::string& name : series_) {
+        const fs::path target = out_ / name;
+        const bool known = std::ranges::find(previous_, name) != previous_.end();
+        if (!known && fs::exists(target, error) && !looks_like_series(target))
+            throw InputError("--out " + out_.string() + ": has \"" + name +
+                             "\", which is not a result of poissonlab; choose another folder");
+    }
+    try {
+        create_folders();
+    } catch (...) {
+        remove_staging();
+        throw;
+    }
+}
+
+ResultFolder::~ResultFolder() { remove_staging(); }
+
+void ResultFolder::create_folders()
+{
+    std::error_code error;
+    std::vector<fs::path> missing;
+    for (fs::path folder = fs::absolute(out_, error).lexically_normal(); !fs::exists(folder, error);
+         folder = folder.parent_path()) {
+        if (folder.has_filename()) missing.push_back(folder); // "a/b/" has an empty last element
+        if (folder == folder.parent_path()) break;
+    }
+    for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+        fs::create_directory(*folder, error);
+        require(error, "create the folder " + folder->string());
+        created_.push_back(*folder);
+    }
+    const fs::path staging = out_ / (".unfinished-" + std::to_string(getpid()));
+    fs::remove_all(staging, error); // of an earlier process with this number
+    fs::create_directory(staging, error);
+    require(error, "write to the folder " + out_.string());
+    staging_ = staging;
+}
+
+void ResultFolder::remove_staging() noexcept
+{
+    std::error_code error;
+    if (!staging_.empty()) fs::remove_all(staging_, error);
+    if (published_) return;
+    // Only folders made here, and only while nobody else has put anything into them.
+    for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder) fs::remove(*folder, error);
+}
+
+fs::path ResultFolder::series_folder(const std::string& name) const
+{
+    std::error_code error;
+    fs::path folder = staging_ / name;
+    fs::create_directory(folder, error);
+    require(error, "create the folder " + folder.string());
+    return folder;
+}
+
+void ResultFolder::publish(const std::string& results_json)
+{
+    write_whole_file(staging_ / "results.json", results_json);
+    const fs::path old = staging_ / ".previous";
+    std::error_code error;
+    fs::create_directory(old, error);
+    require(error, "create the folder " + old.string());
+
+    // From here on only names change. results.json goes first and comes last, so that a folder with a
+    // results.json is complete at any moment.
+    std::vector<std::string> leaving = {"results.json", "index.html"};
+    leaving.insert(leaving.end(), previous_.begin(), previous_.end());
+    leaving.insert(leaving.end(), series_.begin(), series_.end());
+    for (const std::string& name : leaving)
+        if (fs::exists(fs::symlink_status(out_ / name, error))) move(out_ / name, old / name);
+    for (const std::string& name : series_) move(staging_ / name, out_ / name);
+    move(staging_ / "results.json", out_ / "results.json");
+    published_ = true;
+    remove_staging();
+}
+
+}

@@ -1,0 +1,117 @@
+#include "experiment/results_json.hpp"
+
+#include "version.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// min, mean, max and each; null when a realization has no such value (a single point has no distance).
+Json spread(const std::vector<double>& each)
+{
+    if (each.empty() || !std::ranges::all_of(each, [](double v) { return std::isfinite(v); })) return nullptr;
+    const double mean = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
+    return {{"min", *std::ranges::min_element(each)},
+            {"mean", mean},
+            {"max", *std::ranges::max_element(each)},
+            {"each", each}};
+}
+
+Json parameters_json(const Parameters& parameters)
+{
+    Json json = Json::object();
+    for (const auto& [key, entry] : parameters.entries())
+        std::visit([&, &name = key](const auto& value) { json[name] = value; }, entry.value);
+    return json;
+}
+
+Json machine_json(const Machine& machine)
+{
+    Json json = Json::object();
+    const auto add = [&](const char* key, const auto& value) {
+        if (value != std::remove_cvref_t<decltype(value)>{}) json[key] = value;
+    };
+    add("device", machine.device);
+    add("platform", machine.platform);
+    add("driver", machine.driver);
+    add("device_version", machine.device_version);
+    add("compute_units", machine.compute_units);
+    add("threads", machine.threads);
+    return json;
+}
+
+Json series_json(const SeriesTask& task, const SeriesResult& result)
+{
+    const auto count = static_cast<int>(result.points.size());
+    const auto total = std::accumulate(result.points.begin(), result.points.end(), std::size_t{0});
+    const bool estimate = count > 1 && !task.deterministic;
+    Json json;
+    json["name"] = task.name;
+    json["label"] = task.label;
+    json["sampler"] = task.sampler;
+    json["parameters"] = parameters_json(task.parameters);
+    json["deterministic"] = task.deterministic;
+    // Sets of a method that does not hit the number of points exactly differ: their mean, and each.
+    json["points"] = count > 0 ? (total + count / 2) / count : 0;
+    if (std::ranges::adjacent_find(result.points, std::ranges::not_equal_to{}) != result.points.end())
+        json["points_each"] = result.points;
+    json["realizations"] = count;
+    json["min_distance"] = spread(result.min_distance);
+    json["relative_radius"] = spread(result.relative_radius);
+    json["covered_fraction"] = spread(result.covered_fraction);
+    json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
+                        {"size", result.spectrum_size},
+                        {"file", task.name + "/spectrum.exr"}};
+    json["radial"] = {{"file", task.name + "/radial.csv"},
+                      {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
+    json["point_files"] = result.point_files;
+    json["timing"] = {{"sample_seconds", result.sample_seconds},
+                      {"build_seconds", result.build_seconds},
+                      {"analysis_seconds", result.analysis_seconds}};
+    return json;
+}
+
+}
+
+std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
+                         const Machine& machine)
+{
+    Json json;
+    json["format"] = "poissonlab-results";
+    json["format_version"] = 1;
+    json["version"] = POISSONLAB_VERSION_STRING;
+    json["title"] = experiment.title;
+    json["command"] = experiment.command;
+    json["config"] = experiment.config;
+    json["overrides"] = experiment.overrides;
+    // Members without a value are left out, as in "machine".
+    if (experiment.seed) json["seed"] = *experiment.seed;
+    if (!experiment.engine.empty()) json["engine"] = experiment.engine;
+    json["dimension"] = experiment.dimension;
+    json["realizations"] = experiment.realizations;
+    json["machine"] = machine_json(machine);
+    json["series"] = Json::array();
+    for (std::size_t i = 0; i < results.size(); ++i)
+        json["series"].push_back(series_json(experiment.series[i], results[i]));
+    // Arguments can hold any bytes; JSON is UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string radial_csv(const std::vector<RadialBin>& bins)
+{
+    std::string text = "frequency,power,anisotropy_db,samples\n";
+    for (const RadialBin& bin : bins)
+        text += fmt::format("{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples);
+    return text;
+}
+
+}

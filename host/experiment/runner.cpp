@@ -1,0 +1,144 @@
+#include "experiment/runner.hpp"
+
+#include "analysis/radial_statistics.hpp"
+#include "analysis/spectrum_file.hpp"
+#include "experiment/interrupt.hpp"
+#include "experiment/result_folder.hpp"
+#include "experiment/results_json.hpp"
+#include "experiment/series_analysis.hpp"
+#include "io/point_file.hpp"
+#include "io/whole_file.hpp"
+#include "version.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+namespace poissonlab {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin)
+{
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// A point set and how long it took, without the time for building kernels meanwhile.
+PointSet timed_sample(Sampler& sampler, std::uint32_t realization, double& seconds)
+{
+    const double built_before = sampler.build_seconds();
+    const auto begin = Clock::now();
+    PointSet points = sampler.sample(realization);
+    seconds = std::max(0.0, seconds_since(begin) - (sampler.build_seconds() - built_before));
+    return points;
+}
+
+/// What identifies a spectrum's origin; nothing that differs between two runs of the same config.
+std::map<std::string, std::string> spectrum_metadata(const Experiment& experiment, const SeriesTask& task)
+{
+    std::map<std::string, std::string> metadata = {{"title", experiment.title},
+                                                   {"label", task.label},
+                                                   {"sampler", task.sampler},
+                                                   {"version", POISSONLAB_VERSION_STRING}};
+    std::vector<std::string> parameters;
+    for (const auto& [key, entry] : task.parameters.entries())
+        parameters.push_back(key + " = " + to_string(entry.value));
+    const std::map<std::string, std::string> optional = {
+        {"parameters", fmt::format("{}", fmt::join(parameters, ", "))},
+        {"config", experiment.config},
+        {"overrides", fmt::format("{}", fmt::join(experiment.overrides, "\n"))},
+        {"seed", experiment.seed ? fmt::format("{}", *experiment.seed) : ""},
+        {"engine", experiment.engine}};
+    for (const auto& [key, text] : optional)
+        if (!text.empty()) metadata[key] = text;
+    return metadata;
+}
+
+std::string point_file_comment(const Experiment& experiment, const SeriesTask& task,
+                               std::uint32_t realization)
+{
+    const std::string seed = experiment.seed ? fmt::format("seed {}, ", *experiment.seed) : "";
+    return fmt::format("{}; {}realization {}", task.label, seed, realization);
+}
+
+/// One line for the log: "random: 10 realizations of 16384 points, relative radius 0.012 to 0.034, 0.1 s
+/// + 8.0 s ...".
+std::string summary(const SeriesTask& task, const SeriesResult& result, double seconds)
+{
+    const auto [fewest, most] = std::ranges::minmax_element(result.points);
+    const auto [smallest, largest] = std::ranges::minmax_element(result.relative_radius);
+    const auto count = result.points.size();
+    std::string line =
+        fmt::format("{}: {} realization{} of {}", task.label, count, count == 1 ? "" : "s", *fewest);
+    if (*most != *fewest) line += fmt::format(" to {}", *most);
+    line += *most == 1 ? " point" : " points";
+    if (std::isfinite(*largest)) {
+        line += fmt::format(", relative radius {:.3f}", *smallest);
+        if (fmt::format("{:.3f}", *smallest) != fmt::format("{:.3f}", *largest))
+            line += fmt::format(" to {:.3f}", *largest);
+    }
+    return line + ", " + duration_text(seconds);
+}
+
+/// Makes, analyses and stores one series in `folder`.
+SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
+                        const std::filesystem::path& folder, Progress& progress)
+{
+    const auto begin = Clock::now();
+    const auto sampler = task.create();
+    SeriesAnalysis analysis(task.label, sampler->sizes_vary());
+    std::vector<std::string> point_files;
+    std::vector<double> sample_seconds;
+    progress.start_series(task.label, task.realizations);
+    for (std::uint32_t k = 0; k < task.realizations; ++k) {
+        stop_if_interrupted();
+        double seconds = 0;
+        const PointSet points = timed_sample(*sampler, k, seconds);
+        sample_seconds.push_back(seconds);
+        const std::string file = fmt::format("realization-{:03}.dat", k);
+        analysis.add(points);
+        write_points(folder / file, points, point_file_comment(experiment, task, k));
+        point_files.push_back(task.name + "/" + file);
+        progress.realization_done(points.size(), seconds);
+    }
+
+    const auto averaging = Clock::now();
+    const Spectrum spectrum = analysis.mean_spectrum();
+    write_spectrum(folder / "spectrum.exr", spectrum, spectrum_metadata(experiment, task));
+    write_whole_file(folder / "radial.csv", radial_csv(radial_statistics(spectrum)));
+
+    SeriesResult result = analysis.result();
+    result.point_files = std::move(point_files);
+    // Reading a file is not sampling: imported sets have no times.
+    if (!experiment.engine.empty()) result.sample_seconds = std::move(sample_seconds);
+    result.build_seconds = sampler->build_seconds();
+    result.analysis_seconds += seconds_since(averaging);
+    progress.finish_series(summary(task, result, seconds_since(begin)));
+    return result;
+}
+
+}
+
+void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+{
+    std::vector<std::string> names;
+    std::uint64_t total = 0;
+    for (const SeriesTask& task : experiment.series) {
+        names.push_back(task.name);
+        total += task.realizations;
+    }
+    ResultFolder folder(out, names);
+    progress.start(total);
+    std::vector<SeriesResult> results;
+    for (const SeriesTask& task : experiment.series)
+        results.push_back(run_series(experiment, task, folder.series_folder(task.name), progress));
+    stop_if_interrupted();
+    folder.publish(results_json(experiment, results, experiment.machine ? experiment.machine() : Machine{}));
+}
+
+}

@@ -1,0 +1,38 @@
+// What is measured on the realizations of a series, one after the other.
+#pragma once
+
+#include "analysis/spectrum.hpp"
+#include "experiment/experiment.hpp"
+
+#include <string>
+
+namespace poissonlab {
+
+/// Collects distances and adds up periodograms, in the order in which realizations come: sums of floating
+/// point numbers depend on it.
+///
+/// Where realizations differ in size, as saturated sets do, each periodogram is normalised by the number of
+/// points of its own set. The first set's size decides the spectrum's.
+class SeriesAnalysis
+{
+public:
+    /// `label` is for messages; `sizes_vary` as the sampler says it.
+    SeriesAnalysis(std::string label, bool sizes_vary) : label_(std::move(label)), sizes_vary_(sizes_vary) {}
+
+    /// Throws InputError for sets that are empty, not 2D, or of another size where sizes must not vary.
+    void add(const PointSet& points);
+
+    /// The mean of the periodograms; at least one set must have been added.
+    Spectrum mean_spectrum() const;
+
+    /// Sizes, distances and seconds so far, and the spectrum's size.
+    const SeriesResult& result() const { return result_; }
+
+private:
+    std::string label_;
+    bool sizes_vary_;
+    SeriesResult result_;
+    Spectrum sum_;
+};
+
+}

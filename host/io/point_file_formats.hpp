@@ -1,0 +1,42 @@
+// The readers behind read_points, one a format, and the errors that they share.
+#pragma once
+
+#include "geometry/point_set.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poissonlab {
+
+/// The content of a point file, and the name by which errors call it.
+struct PointFileContent
+{
+    std::string name;
+    std::string_view bytes;
+};
+
+// Each throws InputError; what they accept is described at read_points.
+std::vector<PointSet> read_text_points(const PointFileContent& file);
+std::vector<PointSet> read_ply_points(const PointFileContent& file);
+std::vector<PointSet> read_npy_points(const PointFileContent& file);
+
+inline constexpr std::string_view ply_magic = "ply";
+inline constexpr std::string_view npy_magic = "\x93NUMPY";
+
+/// False for NaN as well.
+inline bool is_coordinate(double value) { return value >= 0 && value < 1; }
+
+/// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
+void append_coordinate(const PointFileContent& file, int line, std::string_view word,
+                       std::vector<double>& coordinates);
+
+/// Throws InputError for a coordinate of a binary file.
+[[noreturn]] void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value);
+
+/// Throws InputError `file:line: value: allowed`; line 0 is left out.
+[[noreturn]] void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,
+                                     std::string_view allowed);
+
+}

@@ -1,0 +1,109 @@
+#include "io/whole_file.hpp"
+
+#include "errors/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace poissonlab {
+
+namespace {
+
+using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+std::string last_system_error() { return std::generic_category().message(errno); }
+
+/// A name beside `path` that no other thread or process uses, hidden, with the same extension.
+std::filesystem::path temporary_beside(const std::filesystem::path& path)
+{
+    static std::atomic<unsigned> counter = 0;
+    const std::string name = fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), ::getpid(), ++counter,
+                                         path.extension().string());
+    return path.parent_path() / name;
+}
+
+/// Removes the temporary file at the end of the scope, unless it was renamed by then.
+class TemporaryFile
+{
+public:
+    explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target)) {}
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile()
+    {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Throws StorageError. Names `target`, the file that the user knows of, not `file`.
+void write_content(const std::filesystem::path& file, const std::filesystem::path& target,
+                   std::string_view content)
+{
+    const auto fail = [&target] {
+        throw StorageError(fmt::format("{}: cannot be written: {}", target.string(), last_system_error()));
+    };
+    FileHandle handle(std::fopen(file.c_str(), "wb"), &std::fclose);
+    if (!handle) fail();
+    if (std::fwrite(content.data(), 1, content.size(), handle.get()) != content.size()) fail();
+    // What is still buffered is written here, so a full disk may show up only now.
+    if (std::fclose(handle.release()) != 0) fail();
+}
+
+}
+
+void write_whole_file(const std::filesystem::path& path, std::string_view content)
+{
+    write_whole_file(
+        path, [&](const std::filesystem::path& temporary) { write_content(temporary, path, content); });
+}
+
+void write_whole_file(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& write)
+{
+    const TemporaryFile temporary(path);
+    write(temporary.path());
+
+    std::error_code error;
+    std::filesystem::rename(temporary.path(), path, error);
+    if (error) throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+std::string read_whole_file(const std::filesystem::path& path)
+{
+    const auto fail = [&path] {
+        throw InputError(fmt::format("{}: cannot be read: {}", path.string(), last_system_error()));
+    };
+    const FileHandle handle(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!handle) fail();
+
+    // The size is a hint only: pipes have none, and a file may grow while it is read.
+    std::error_code no_size;
+    const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+    constexpr std::size_t chunk = 1 << 16;
+    std::string content;
+    if (!no_size) content.reserve(size + chunk);
+    for (bool more = true; more;) {
+        const std::size_t end = content.size();
+        content.resize(end + chunk);
+        const std::size_t got = std::fread(content.data() + end, 1, chunk, handle.get());
+        content.resize(end + got);
+        more = got == chunk;
+    }
+    if (std::ferror(handle.get()) != 0) fail();
+    return content;
+}
+
+}

@@ -1,0 +1,23 @@
+// Files that are there whole or not at all: written to a temporary name beside the target, then renamed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace poissonlab {
+
+/// Writes `content` to `path`, replacing what is there. Throws StorageError and leaves nothing behind on
+/// failure.
+void write_whole_file(const std::filesystem::path& path, std::string_view content);
+
+/// For libraries that write files themselves: calls `write` with a temporary path that has the extension of
+/// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
+void write_whole_file(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// The content of a file. Throws InputError when it cannot be read.
+std::string read_whole_file(const std::filesystem::path& path);
+
+}

@@ -1,0 +1,252 @@
+// Runs kernels/dart_throwing.cl: one batch of darts after the other, until there are points enough or no open
+// cells.
+#include "sampling/dart_throwing.hpp"
+
+#include "geometry/torus.hpp"
+#include "sampling/cell_hierarchy.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t default_work_group_size = 64;
+
+/// Resolution rounds that are enqueued before the host looks whether all darts are decided.
+constexpr int rounds_at_once = 4;
+
+/// Darts that one work-item of insert_points owns.
+constexpr std::uint32_t insertion_run = 16;
+
+/// Positions in the counters buffer, as in the kernel file.
+enum Counter : std::size_t
+{
+    open_cells,
+    darts,
+    points,
+    undecided_darts,
+    counter_count
+};
+
+/// An accepted dart, as insert_points writes it.
+template <int D>
+struct Point
+{
+    TorusPoint<D> position;
+    std::uint32_t time;
+
+    bool operator<(const Point& other) const
+    {
+        return std::tie(time, position) < std::tie(other.time, other.position);
+    }
+};
+
+using Words = Buffer<std::uint32_t>;
+
+/// A buffer that is replaced by a larger one when asked for more than it holds; its content is not kept.
+void reserve(Device& device, Words& buffer, std::size_t words)
+{
+    if (buffer.size() < words) buffer = device.buffer<std::uint32_t>(words);
+}
+
+}
+
+struct DartThrower::Buffers
+{
+    Words thresholds;                               ///< of the batch at hand
+    Words slots, masks, positions;                  ///< a level 0 cell each
+    Words parents, open;                            ///< open cells before and after a batch
+    Words darts, next, states, next_states, rivals; ///< a dart of the batch each
+    Words points, counters;
+};
+
+namespace {
+
+template <int D, typename Buffers>
+class Throwing
+{
+public:
+    Throwing(Device& device, Buffers& buffers, const DartThrowingRequest& request, std::size_t group_size)
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
+          hierarchy_(cell_hierarchy(request.min_distance, D)),
+          squared_min_distance_(squared_threshold(request.min_distance))
+    {
+        const std::string file = "dart_throwing.cl";
+        const std::string options = fmt::format("-D DIMENSION={} -D REACH={}", D, hierarchy_.reach);
+        throw_ = device.kernel(file, "throw_darts", options);
+        link_ = device.kernel(file, "link_darts", options);
+        resolve_ = device.kernel(file, "resolve_conflicts", options);
+        insert_ = device.kernel(file, "insert_points", options);
+
+        Buffers& b = buffers_;
+        const std::size_t cells = power(hierarchy_.size);
+        reserve(device, b.slots, cells);
+        reserve(device, b.masks, cells * mask_words());
+        reserve(device, b.positions, cells * D);
+        reserve(device, b.points, packing_bound(request.min_distance, D) * (D + 1));
+        reserve(device, b.counters, counter_count);
+        for (Words* cleared : {&b.slots, &b.masks, &b.counters}) cleared->zero();
+
+        // A guess that is rarely too small: throw_batch() mends it.
+        reserve(device, b.parents, cells * D);
+        reserve(device, b.open, cells * D);
+        reserve(device, b.darts, cells * dart_words);
+    }
+
+    PointSet run()
+    {
+        const std::size_t target = request_.points.value_or(SIZE_MAX);
+        std::size_t parent_count = power(hierarchy_.size);
+        int level = 0;
+        for (std::uint32_t batch = 0; result_.size() < target && parent_count > 0; ++batch) {
+            write_thresholds(batch);
+            const bool split = splits_cells(batch) && level < hierarchy_.last_level;
+            if (split) ++level;
+            const auto [open_count, dart_count] = throw_batch(parent_count, level, split, batch);
+            resolve(dart_count);
+            collect(dart_count);
+            std::swap(buffers_.parents, buffers_.open);
+            parent_count = open_count;
+        }
+        if (result_.size() > target) result_.resize(target);
+        return to_point_set<D>(std::span<const TorusPoint<D>>(result_));
+    }
+
+private:
+    static constexpr std::size_t dart_words = D + 2;  // as in the kernel file
+    static constexpr std::size_t rival_words = 7 + 1; // likewise
+
+    static std::size_t power(std::size_t base)
+    {
+        std::size_t result = 1;
+        for (int k = 0; k < D; ++k) result *= base;
+        return result;
+    }
+
+    std::size_t mask_words() const
+    {
+        const std::size_t window = power(2 * static_cast<std::size_t>(hierarchy_.reach) + 1);
+        return (window + 31) / 32;
+    }
+
+    void write_thresholds(std::uint32_t batch)
+    {
+        if (batch > 0 && darts_per_cell(batch) == darts_per_cell(batch - 1)) return;
+        const auto thresholds = poisson_thresholds(darts_per_cell(batch));
+        threshold_count_ = u32(thresholds.size());
+        reserve(device_, buffers_.thresholds, thresholds.size());
+        buffers_.thresholds.write(thresholds);
+    }
+
+    struct Counts
+    {
+        std::size_t open_cells;
+        std::size_t darts;
+    };
+
+    /// throw_darts, repeated with larger lists where they did not suffice.
+    Counts throw_batch(std::size_t parent_count, int level, bool split, std::uint32_t batch)
+    {
+        Buffers& b = buffers_;
+        const std::size_t staged = group_size_ * (std::size_t{1} << D);
+        const bool is_last_level = !split && level == hierarchy_.last_level;
+        for (;;) {
+            const std::uint32_t none[2] = {0, 0};
+            b.counters.write(none, open_cells);
+            throw_.run(parent_count, group_size_, b.parents, u32(parent_count), u32(batch == 0), b.masks, b.positions,
+                       hierarchy_.size, hierarchy_.step, level, u32(split), u32(is_last_level), batch,
+                       squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds,
+                       threshold_count_, b.open, u32(b.open.size() / D), b.darts,
+                       u32(b.darts.size() / dart_words), b.counters,
+                       LocalMemory{staged * D * sizeof(std::uint32_t)}, u32(staged),
+                       LocalMemory{staged * dart_words * sizeof(std::uint32_t)}, u32(staged),
+                       LocalMemory{4 * sizeof(std::uint32_t)});
+            std::array<std::uint32_t, 2> counts;
+            b.counters.read(counts, open_cells);
+            const bool fits = counts[0] <= b.open.size() / D && counts[1] <= b.darts.size() / dart_words;
+            if (fits) return {counts[0], counts[1]};
+            reserve(device_, b.open, counts[0] * D);
+            reserve(device_, b.darts, counts[1] * dart_words);
+        }
+    }
+
+    /// Decides all darts of the batch.
+    void resolve(std::size_t dart_count)
+    {
+        Buffers& b = buffers_;
+        reserve(device_, b.next, dart_count);
+        reserve(device_, b.states, dart_count);
+        reserve(device_, b.next_states, dart_count);
+        reserve(device_, b.rivals, dart_count * rival_words);
+        if (first_dart_ + dart_count >= UINT32_MAX) throw DeviceError("dart throwing: more than 2^32 darts");
+        link_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), b.slots, b.next,
+                  b.states);
+        std::uint32_t undecided = dart_count > 0;
+        for (bool first_round = true; undecided != 0;) {
+            for (int round = 0; round < rounds_at_once; ++round) {
+                const std::uint32_t none = 0;
+                if (round + 1 == rounds_at_once) b.counters.write({&none, 1}, undecided_darts);
+                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_),
+                             u32(first_round), b.slots, b.next, hierarchy_.size, squared_min_distance_,
+                             b.rivals, b.states, b.next_states, b.counters);
+                std::swap(b.states, b.next_states);
+                first_round = false;
+            }
+            b.counters.read({&undecided, 1}, undecided_darts);
+        }
+        first_dart_ += dart_count;
+    }
+
+    /// Moves the accepted darts to the grid and, in dart order, to the result.
+    void collect(std::size_t dart_count)
+    {
+        if (dart_count == 0) return;
+        Buffers& b = buffers_;
+        insert_.run((dart_count + insertion_run - 1) / insertion_run, group_size_, b.darts, u32(dart_count),
+                    insertion_run, b.states, hierarchy_.size, hierarchy_.step, squared_min_distance_, b.masks,
+                    b.positions, b.points, b.counters);
+        std::uint32_t total = 0;
+        b.counters.read({&total, 1}, points);
+        std::vector<Point<D>> accepted(total - result_.size());
+        static_assert(sizeof(Point<D>) == (D + 1) * sizeof(std::uint32_t));
+        b.points.read({reinterpret_cast<std::uint32_t*>(accepted.data()), accepted.size() * (D + 1)},
+                      result_.size() * (D + 1));
+        tbb::parallel_sort(accepted.begin(), accepted.end());
+        for (const Point<D>& point : accepted) result_.push_back(point.position);
+    }
+
+    static std::uint32_t u32(std::size_t value) { return static_cast<std::uint32_t>(value); }
+
+    Device& device_;
+    Buffers& buffers_;
+    const DartThrowingRequest& request_;
+    std::size_t group_size_;
+    CellHierarchy hierarchy_;
+    std::uint64_t squared_min_distance_;
+    Kernel throw_, link_, resolve_, insert_;
+    std::uint32_t threshold_count_ = 0;
+    std::size_t first_dart_ = 0; ///< number of the batch's first dart
+    std::vector<TorusPoint<D>> result_;
+};
+
+}
+
+DartThrower::DartThrower(Device device, std::size_t work_group_size)
+    : device_(std::move(device)),
+      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
+      buffers_(std::make_unique<Buffers>())
+{}
+
+DartThrower::~DartThrower() = default;
+
+PointSet DartThrower::throw_darts(const DartThrowingRequest& request)
+{
+    return request.dimension == 2 ? Throwing<2, Buffers>(device_, *buffers_, request, work_group_size_).run()
+                                  : Throwing<3, Buffers>(device_, *buffers_, request, work_group_size_).run();
+}
+
+}

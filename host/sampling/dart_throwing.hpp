@@ -1,0 +1,55 @@
+// Dart throwing on the unit torus: to a number of points, or until no further point fits (saturation).
+//
+// Dissertation, section 4.2.4.1 and 6.3; maximal sets after Ebeida et al. 2012. Darts fall as a Poisson
+// process in space and time; a dart becomes a point when no earlier point is nearer than the minimum
+// distance. That is the textbook algorithm (random sequential addition): darts that fall on covered cells are
+// simply not drawn.
+#pragma once
+
+#include "device/device.hpp"
+#include "geometry/point_set.hpp"
+#include "sampling/random.hpp"
+#include "sampling/sampler.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+namespace poissonlab {
+
+struct DartThrowingRequest
+{
+    int dimension = 2;
+    double min_distance = 0;           ///< 2 r, in (0, 1], unit lengths
+    std::optional<std::size_t> points; ///< stop at so many points; empty: at saturation
+    StreamKey stream{};
+};
+
+/// Points in dart order (every prefix is a dart throwing of its own). Coordinates are multiples of 2^-32.
+/// Fewer points than asked for: the set is saturated, no further point of that grid of coordinates fits.
+namespace reference {
+PointSet throw_darts(const DartThrowingRequest& request);
+}
+
+/// The same, by kernels/dart_throwing.cl: the same bytes as the reference on every device.
+class DartThrower
+{
+public:
+    /// `work_group_size` 0: the default.
+    explicit DartThrower(Device device, std::size_t work_group_size = 0);
+    ~DartThrower();
+
+    PointSet throw_darts(const DartThrowingRequest& request);
+
+private:
+    struct Buffers;
+
+    Device device_;
+    std::size_t work_group_size_;
+    std::unique_ptr<Buffers> buffers_; ///< kept from call to call: first touch of memory is slow
+};
+
+/// The sampler "dart-throwing": relative_radius, or stop = "saturation" with min_distance.
+SamplerSpec dart_throwing_sampler();
+
+}

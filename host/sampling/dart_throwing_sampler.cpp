@@ -1,0 +1,186 @@
+// The sampler "dart-throwing": what the config can ask of dart throwing, and what it is told when that is
+// impossible.
+#include "geometry/relative_radius.hpp"
+#include "sampling/cell_hierarchy.hpp"
+#include "sampling/dart_throwing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Saturated sets on tori of equal size differ in their number of points: its variance is S(0) N, with the
+/// structure factor at zero frequency S(0) = 0.059 in 2D and 0.050 in 3D (Zhang and Torquato 2013).
+constexpr double saturation_structure_factor = 0.06;
+
+bool to_saturation(const Parameters& parameters)
+{
+    return parameters.has("stop") && parameters.text("stop") == "saturation";
+}
+
+/// The minimum distance of the sets: asked for, or derived from the number of points.
+double min_distance_of(const Parameters& parameters, const SampleRequest& request)
+{
+    if (!to_saturation(parameters)) {
+        return min_distance_for(parameters.number("relative_radius"), request.points, request.dimension);
+    }
+    if (parameters.has("min_distance")) return parameters.number("min_distance");
+    return min_distance_for(saturation_relative_radius(request.dimension), request.points, request.dimension);
+}
+
+/// Is a relative radius out of reach by more than six standard deviations of the number of points at
+/// saturation?
+bool is_hopeless(double relative_radius, const SampleRequest& request)
+{
+    const auto n = static_cast<double>(request.points);
+    const double expected =
+        n * std::pow(saturation_relative_radius(request.dimension) / relative_radius, request.dimension);
+    return expected + 6.0 * std::sqrt(saturation_structure_factor * expected) < n;
+}
+
+void check_points(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
+{
+    if (!parameters.has("relative_radius")) {
+        throw InputError(to_string(where) +
+                         ": sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
+    }
+    if (parameters.has("min_distance")) {
+        throw parameters.error(
+            "min_distance", "goes with stop = \"saturation\" only; relative_radius sets the distance here");
+    }
+    if (is_hopeless(parameters.number("relative_radius"), request)) {
+        throw parameters.error(
+            "relative_radius",
+            fmt::format("dart throwing of {} points saturates at a relative radius of about {:.4f} "
+                        "in {}D; ask for less",
+                        request.points, saturation_relative_radius(request.dimension), request.dimension));
+    }
+}
+
+void check_saturation(const Parameters& parameters)
+{
+    if (parameters.has("relative_radius")) {
+        throw parameters.error("relative_radius",
+                               "does not go with stop = \"saturation\"; min_distance sets the distance here");
+    }
+}
+
+/// The grid of cells grows as the distance shrinks, whatever the number of points.
+void check_memory(const Parameters& parameters, const SampleRequest& request)
+{
+    const double min_distance = min_distance_of(parameters, request);
+    if (level_0_cells(min_distance, request.dimension) <= max_level_0_cells) return;
+    const double smallest = std::sqrt(static_cast<double>(request.dimension)) /
+                            std::pow(max_level_0_cells, 1.0 / request.dimension) * 1.001;
+    for (const char* key : {"min_distance", "relative_radius"}) {
+        if (!parameters.has(key)) continue;
+        const double scale = parameters.number(key) / min_distance;
+        throw parameters.error(
+            key, fmt::format("needs a finer grid than memory has room for; at least {:.3g} for {} "
+                             "points in {}D",
+                             smallest * scale, request.points, request.dimension));
+    }
+    throw parameters.error("stop", fmt::format("{} points are too many", request.points));
+}
+
+class DartThrowingSampler final : public Sampler
+{
+public:
+    DartThrowingSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
+                        const DeviceProvider& device)
+        : parameters_(parameters), request_(request)
+    {
+        if (engine == Engine::opencl) {
+            device_ = &device();
+            thrower_ = std::make_unique<DartThrower>(*device_);
+        }
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        DartThrowingRequest request;
+        request.dimension = request_.dimension;
+        request.min_distance = min_distance_of(parameters_, request_);
+        if (!sizes_vary()) request.points = request_.points;
+        request.stream = stream_key(request_.seed, Purpose::dart_throwing, realization);
+        PointSet points = thrower_ ? thrower_->throw_darts(request) : reference::throw_darts(request);
+        if (!sizes_vary() && points.size() < request_.points)
+            throw saturated_early(points.size(), realization);
+        return points;
+    }
+
+    bool sizes_vary() const override { return to_saturation(parameters_); }
+    double build_seconds() const override { return device_ ? device_->build_seconds() : 0; }
+
+private:
+    /// The radius at which the set would have reached its size grows with the number of points as a length
+    /// does.
+    InputError saturated_early(std::size_t reached, std::uint32_t realization) const
+    {
+        const double asked = parameters_.number("relative_radius");
+        const double share = static_cast<double>(reached) / static_cast<double>(request_.points);
+        return parameters_.error(
+            "relative_radius",
+            fmt::format(
+                "realization {} is saturated with {} of {} points: no further one fits; a relative radius of "
+                "about {:.4f} can be reached",
+                realization, reached, request_.points, asked * std::pow(share, 1.0 / request_.dimension)));
+    }
+
+    Parameters parameters_;
+    SampleRequest request_;
+    Device* device_ = nullptr;
+    std::unique_ptr<DartThrower> thrower_;
+};
+
+}
+
+SamplerSpec dart_throwing_sampler()
+{
+    SamplerSpec spec;
+    spec.name = "dart-throwing";
+    spec.title = "Dart throwing";
+    spec.summary = "random darts, rejected where nearer than the minimum distance to an earlier one";
+    spec.dimensions = {2, 3};
+
+    ParameterSpec radius;
+    radius.key = "relative_radius";
+    radius.help =
+        "minimum distance over that of the densest packing of as many points; at most about 0.77 in 2D";
+    radius.maximum = 1;
+    radius.exclusive_minimum = true;
+    radius.symbol = "rho";
+
+    ParameterSpec stop;
+    stop.key = "stop";
+    stop.kind = ParameterSpec::Kind::choice;
+    stop.help = "when to stop: at analysis.points points (the default), or when no further point fits";
+    stop.choices = {"points", "saturation"};
+
+    ParameterSpec distance;
+    distance.key = "min_distance";
+    distance.help = "with stop = \"saturation\": in units of the torus' side; by default what gives about "
+                    "analysis.points points";
+    distance.maximum = 1;
+    distance.exclusive_minimum = true;
+    distance.symbol = "d";
+
+    spec.parameters = {radius, stop, distance};
+    spec.check = [](const Parameters& parameters, const SampleRequest& request, const SourceLocation& where) {
+        if (to_saturation(parameters)) {
+            check_saturation(parameters);
+        } else {
+            check_points(parameters, request, where);
+        }
+        check_memory(parameters, request);
+    };
+    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<DartThrowingSampler>(parameters, request, engine, device);
+    };
+    return spec;
+}
+
+}

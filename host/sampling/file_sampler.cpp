@@ -1,0 +1,171 @@
+#include "sampling/file_sampler.hpp"
+
+#include "io/point_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+
+#include <glob.h>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr const char* path_key = "path";
+
+InputError path_error(const Parameters& parameters, const std::string& path, const std::string& allowed)
+{
+    return invalid_value(parameters.location(path_key), path_key, path, allowed);
+}
+
+/// `text` as a glob that matches only itself.
+std::string escaped_for_glob(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) {
+        if (std::string_view("*?[\\").find(c) != std::string_view::npos) result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+/// The files that a glob matches, sorted by the bytes of their names (not by the rules of a locale).
+std::vector<std::filesystem::path> matches(const std::string& pattern)
+{
+    glob_t found{};
+    std::vector<std::filesystem::path> files;
+    if (::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
+        files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    }
+    ::globfree(&found);
+    std::ranges::sort(files, {}, &std::filesystem::path::native);
+    return files;
+}
+
+/// The files that one entry of `path` stands for: at least one.
+std::vector<std::filesystem::path> resolve(const Parameters& parameters, const std::string& entry)
+{
+    const std::filesystem::path folder =
+        std::filesystem::path(parameters.location(path_key).file).parent_path();
+
+    // A file of just that name wins, so that names with brackets need no escapes.
+    const std::filesystem::path literal = folder / entry;
+    if (std::filesystem::exists(literal)) return {literal};
+
+    const bool absolute = std::filesystem::path(entry).is_absolute();
+    const std::filesystem::path pattern =
+        absolute ? std::filesystem::path(entry)
+                 : escaped_for_glob(folder.string()) / std::filesystem::path(entry);
+    std::vector<std::filesystem::path> files = matches(pattern.string());
+    if (files.empty()) {
+        throw path_error(parameters, entry,
+                         absolute
+                             ? "no such file"
+                             : fmt::format("no such file in {}, the folder of the config",
+                                           std::filesystem::absolute(folder).lexically_normal().string()));
+    }
+    return files;
+}
+
+/// All files in the order of their realizations. A set that counts twice would make an average look better
+/// than it is, so a file that is named twice is an error.
+std::vector<std::filesystem::path> files_of(const Parameters& parameters)
+{
+    std::vector<std::filesystem::path> files;
+    std::set<std::filesystem::path> seen;
+    for (const std::string& entry : parameters.texts(path_key)) {
+        for (std::filesystem::path& file : resolve(parameters, entry)) {
+            if (!seen.insert(std::filesystem::weakly_canonical(file)).second) {
+                throw path_error(parameters, entry, file.string() + " is named twice");
+            }
+            files.push_back(std::move(file));
+        }
+    }
+    return files;
+}
+
+std::string size_in_words(const std::filesystem::path& file, const PointSet& points)
+{
+    return fmt::format("{} has {} {}D points", file.string(), points.size(), points.dimension);
+}
+
+/// Reads every realization. Throws InputError where they do not have the same size and dimension.
+std::vector<PointSet> read_realizations(const Parameters& parameters)
+{
+    std::vector<PointSet> realizations;
+    std::filesystem::path first_file;
+    for (const std::filesystem::path& file : files_of(parameters)) {
+        if (realizations.empty()) first_file = file;
+        for (PointSet& points : read_points(file)) {
+            realizations.push_back(std::move(points));
+            const PointSet& first = realizations.front();
+            const PointSet& last = realizations.back();
+            if (first.size() == last.size() && first.dimension == last.dimension) continue;
+            throw path_error(
+                parameters, to_string(ParameterValue(parameters.texts(path_key))),
+                fmt::format("all realizations must be of one size, but {}, and {} (realization {})",
+                            size_in_words(first_file, first), size_in_words(file, last),
+                            realizations.size()));
+        }
+    }
+    return realizations;
+}
+
+void check(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
+{
+    if (!parameters.has(path_key) || parameters.texts(path_key).empty()) {
+        throw InputError(to_string(where) + ": path: must be given: a file, a glob, or a list of these");
+    }
+    const std::vector<PointSet> realizations = read_realizations(parameters);
+    if (realizations.front().dimension != request.dimension) {
+        throw parameters.error(path_key, fmt::format("holds {}D points; the experiment has dimension = {}",
+                                                     realizations.front().dimension, request.dimension));
+    }
+}
+
+class FileSampler : public Sampler
+{
+public:
+    explicit FileSampler(std::vector<PointSet> realizations) : realizations_(std::move(realizations)) {}
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        if (realization >= realizations_.size())
+            throw std::logic_error("more realizations asked than files hold");
+        return realizations_[realization];
+    }
+
+private:
+    std::vector<PointSet> realizations_;
+};
+
+}
+
+SamplerSpec file_sampler()
+{
+    ParameterSpec path;
+    path.key = path_key;
+    path.kind = ParameterSpec::Kind::paths;
+    path.help = "point files: names and globs, relative to the folder of the config";
+
+    SamplerSpec spec;
+    spec.name = "file";
+    spec.title = "File";
+    spec.summary = "point sets from text, PLY or NumPy files";
+    spec.dimensions = {2, 3};
+    spec.parameters = {path};
+    spec.check = check;
+    spec.available_realizations = [](const Parameters& parameters) {
+        return read_realizations(parameters).size();
+    };
+    spec.create = [](const Parameters& parameters, const SampleRequest&, Engine, const DeviceProvider&) {
+        return std::make_unique<FileSampler>(read_realizations(parameters));
+    };
+    return spec;
+}
+
+}

@@ -1,0 +1,32 @@
+// Random numbers as a function of what they are for: Philox4x32-10 of Random123, keyed and counted.
+//
+// No generator has state, so the order in which numbers are asked for, the number of threads and the number
+// of processes change nothing. kernels/common/philox.clh is the same function on the device.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace poissonlab {
+
+/// What random numbers are used for. Values are part of the results: never renumber, only append.
+enum class Purpose : std::uint32_t
+{
+    random_points = 1,
+    jittered_points = 2,
+    dart_throwing = 3,
+};
+
+/// The 64-bit key of one independent stream.
+using StreamKey = std::array<std::uint32_t, 2>;
+
+/// Four independent uniform 32-bit words for a 128-bit counter: Philox4x32-10
+/// (Salmon, Moraes, Dror, Shaw: Parallel random numbers: as easy as 1, 2, 3, SC 2011).
+std::array<std::uint32_t, 4> philox(const std::array<std::uint32_t, 4>& counter, const StreamKey& key);
+
+/// The stream of a purpose and a realization under a seed: the seed is the Philox key, the rest its counter,
+/// so that streams that differ in anything share nothing.
+StreamKey stream_key(std::uint64_t seed, Purpose purpose, std::uint32_t realization,
+                     std::uint32_t attempt = 0);
+
+}

@@ -1,0 +1,273 @@
+// Dart throwing, plain and sequential: what the kernels must reproduce.
+#include "sampling/dart_throwing.hpp"
+#include "geometry/torus.hpp"
+#include "sampling/cell_hierarchy.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace poissonlab::reference {
+namespace {
+
+template <int D>
+using Cell = std::array<std::uint32_t, D>;
+
+/// A box of fixed-point coordinates: low, low + 1, ..., low + extent along each axis.
+template <int D>
+struct Box
+{
+    TorusPoint<D> low;
+    std::array<std::uint32_t, D> extent;
+};
+
+template <int D>
+struct Dart
+{
+    std::uint32_t time;
+    TorusPoint<D> position;
+    Cell<D> cell; ///< of level 0
+
+    bool operator<(const Dart& other) const
+    {
+        return std::tie(time, position) < std::tie(other.time, other.position);
+    }
+};
+
+/// The toroidal distance of two coordinates.
+std::uint32_t axis_distance(std::uint32_t difference) { return std::min(difference, 0u - difference); }
+
+/// The squared distance from a point to the farthest point of a box.
+template <int D>
+std::uint64_t squared_farthest(const TorusPoint<D>& point, const Box<D>& box)
+{
+    std::uint64_t sum = 0;
+    for (int k = 0; k < D; ++k) {
+        const std::uint32_t forward = point[k] - box.low[k];
+        const bool antipode_inside = (forward ^ 0x80000000u) <= box.extent[k];
+        const std::uint64_t farthest =
+            antipode_inside ? 0x80000000u
+                            : std::max(axis_distance(forward), axis_distance(forward - box.extent[k]));
+        sum += farthest * farthest;
+    }
+    return sum;
+}
+
+/// Points by level 0 cell (at most one in each), and the tests against them.
+template <int D>
+class PointGrid
+{
+public:
+    PointGrid(const CellHierarchy& hierarchy, std::uint64_t squared_min_distance)
+        : hierarchy_(hierarchy), squared_min_distance_(squared_min_distance)
+    {
+        std::size_t cells = 1;
+        for (int k = 0; k < D; ++k) cells *= hierarchy.size;
+        occupied_.resize(cells);
+        points_.resize(cells);
+    }
+
+    void insert(const TorusPoint<D>& point, const Cell<D>& cell)
+    {
+        occupied_[index(cell)] = true;
+        points_[index(cell)] = point;
+    }
+
+    /// Is a point nearer to `position`, which lies in `cell`, than the minimum distance?
+    bool conflicts(const TorusPoint<D>& position, const Cell<D>& cell) const
+    {
+        return any_near(cell, [&](const TorusPoint<D>& p) {
+            return squared_distance<D>(p, position) < squared_min_distance_;
+        });
+    }
+
+    /// Does the disk of one point cover the whole box, which lies in `cell`?
+    bool covers(const Box<D>& box, const Cell<D>& cell) const
+    {
+        return any_near(cell, [&](const TorusPoint<D>& p) {
+            return squared_farthest<D>(p, box) < squared_min_distance_;
+        });
+    }
+
+private:
+    std::size_t index(const Cell<D>& cell) const
+    {
+        std::size_t result = 0;
+        for (int k = D - 1; k >= 0; --k) result = result * hierarchy_.size + cell[k];
+        return result;
+    }
+
+    template <typename Predicate>
+    bool any_near(const Cell<D>& cell, Predicate&& predicate) const
+    {
+        const int reach = hierarchy_.reach;
+        std::array<int, D> offset;
+        offset.fill(-reach);
+        for (;;) {
+            Cell<D> other;
+            for (int k = 0; k < D; ++k) other[k] = wrapped(cell[k], offset[k]);
+            const std::size_t i = index(other);
+            if (occupied_[i] && predicate(points_[i])) return true;
+            int k = 0;
+            while (k < D && ++offset[k] > reach) offset[k++] = -reach;
+            if (k == D) return false;
+        }
+    }
+
+    std::uint32_t wrapped(std::uint32_t cell, int offset) const
+    {
+        const auto size = static_cast<std::int64_t>(hierarchy_.size);
+        std::int64_t c = static_cast<std::int64_t>(cell) + offset;
+        while (c < 0) c += size;
+        while (c >= size) c -= size;
+        return static_cast<std::uint32_t>(c);
+    }
+
+    CellHierarchy hierarchy_;
+    std::uint64_t squared_min_distance_;
+    std::vector<char> occupied_;
+    std::vector<TorusPoint<D>> points_;
+};
+
+template <int D>
+class Throwing
+{
+public:
+    explicit Throwing(const DartThrowingRequest& request)
+        : request_(request), hierarchy_(cell_hierarchy(request.min_distance, D)),
+          grid_(hierarchy_, squared_threshold(request.min_distance))
+    {}
+
+    PointSet run()
+    {
+        const std::size_t target = request_.points.value_or(SIZE_MAX);
+        std::vector<Cell<D>> open = all_cells(hierarchy_.size);
+        int level = 0;
+        for (std::uint32_t batch = 0; points_.size() < target && !open.empty(); ++batch) {
+            thresholds_ = poisson_thresholds(darts_per_cell(batch));
+            const bool split = splits_cells(batch) && level < hierarchy_.last_level;
+            if (split) ++level;
+            std::vector<Dart<D>> darts;
+            open = split_and_throw(open, split, level, batch, darts);
+            std::sort(darts.begin(), darts.end());
+            for (const Dart<D>& dart : darts) {
+                if (points_.size() == target) break;
+                if (grid_.conflicts(dart.position, dart.cell)) continue;
+                grid_.insert(dart.position, dart.cell);
+                points_.push_back(dart.position);
+            }
+        }
+        return to_point_set<D>(std::span<const TorusPoint<D>>(points_));
+    }
+
+private:
+    static std::vector<Cell<D>> all_cells(std::uint32_t size)
+    {
+        std::vector<Cell<D>> cells;
+        Cell<D> cell{};
+        for (;;) {
+            cells.push_back(cell);
+            int k = 0;
+            while (k < D && ++cell[k] == size) cell[k++] = 0;
+            if (k == D) return cells;
+        }
+    }
+
+    Box<D> box_of(const Cell<D>& cell, int level) const
+    {
+        Box<D> box;
+        for (int k = 0; k < D; ++k) {
+            const std::uint64_t low = hierarchy_.lower_bound(cell[k], level);
+            const std::uint64_t high = hierarchy_.lower_bound(std::uint64_t{cell[k]} + 1, level);
+            box.low[k] = static_cast<std::uint32_t>(low);
+            box.extent[k] = static_cast<std::uint32_t>(high - low - 1);
+        }
+        return box;
+    }
+
+    /// At the last level single coordinates are looked at, so that saturation is exact.
+    bool closed(const Box<D>& box, const Cell<D>& base, int level) const
+    {
+        if (level < hierarchy_.last_level) return grid_.covers(box, base);
+        for (int corner = 0; corner < 1 << D; ++corner) {
+            TorusPoint<D> position = box.low;
+            for (int k = 0; k < D; ++k) {
+                if (corner >> k & 1) position[k] += box.extent[k];
+            }
+            if (!grid_.conflicts(position, base)) return false;
+        }
+        return true;
+    }
+
+    /// Replaces the open cells, or their children, by those that are still open, and draws the darts of the
+    /// batch there.
+    std::vector<Cell<D>> split_and_throw(const std::vector<Cell<D>>& parents, bool split, int level,
+                                         std::uint32_t batch, std::vector<Dart<D>>& darts) const
+    {
+        std::vector<Cell<D>> open;
+        for (const Cell<D>& parent : parents) {
+            const auto counts = dart_counts(parent, batch);
+            for (std::size_t c = 0; c < (split ? std::size_t{1} << D : 1); ++c) {
+                Cell<D> child = parent;
+                for (int k = 0; split && k < D; ++k) child[k] = 2 * parent[k] + (c >> k & 1);
+                Cell<D> base = child;
+                for (int k = 0; k < D; ++k) base[k] = child[k] >> level;
+                const Box<D> box = box_of(child, level);
+                if (closed(box, base, level)) continue;
+                open.push_back(child);
+                for (std::uint32_t i = 0; i < counts[c]; ++i)
+                    darts.push_back(draw(child, base, box, batch, i));
+            }
+        }
+        return open;
+    }
+
+    /// The number of darts in each child: one random word each, from the parent's own counters.
+    std::array<std::uint32_t, 1 << D> dart_counts(const Cell<D>& parent, std::uint32_t batch) const
+    {
+        std::array<std::uint32_t, 1 << D> counts;
+        for (std::uint32_t c = 0; c < 1 << D; c += 4) {
+            const auto words = random_words(parent, batch, 0xfffc + c / 4);
+            for (std::uint32_t i = 0; i < 4; ++i) {
+                counts[c + i] = static_cast<std::uint32_t>(std::count_if(
+                    thresholds_.begin(), thresholds_.end(), [&](std::uint32_t t) { return t <= words[i]; }));
+            }
+        }
+        return counts;
+    }
+
+    Dart<D> draw(const Cell<D>& cell, const Cell<D>& base, const Box<D>& box, std::uint32_t batch,
+                 std::uint32_t number) const
+    {
+        const auto words = random_words(cell, batch, number);
+        Dart<D> dart{words[0], box.low, base};
+        for (int k = 0; k < D; ++k) {
+            const std::uint64_t width = std::uint64_t{box.extent[k]} + 1;
+            dart.position[k] += static_cast<std::uint32_t>((words[k + 1] * width) >> 32);
+        }
+        return dart;
+    }
+
+    std::array<std::uint32_t, 4> random_words(const Cell<D>& cell, std::uint32_t batch,
+                                              std::uint32_t number) const
+    {
+        std::array<std::uint32_t, 4> counter{};
+        std::copy(cell.begin(), cell.end(), counter.begin());
+        counter[3] = batch << 16 | number;
+        return philox(counter, request_.stream);
+    }
+
+    DartThrowingRequest request_;
+    CellHierarchy hierarchy_;
+    std::vector<std::uint32_t> thresholds_; ///< of the batch at hand
+    PointGrid<D> grid_;
+    std::vector<TorusPoint<D>> points_;
+};
+
+}
+
+PointSet throw_darts(const DartThrowingRequest& request)
+{
+    return request.dimension == 2 ? Throwing<2>(request).run() : Throwing<3>(request).run();
+}
+
+}

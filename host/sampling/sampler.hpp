@@ -1,0 +1,84 @@
+// What every method of making point sets looks like to the rest of the laboratory.
+//
+// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in sampler_registry.cpp.
+// Config keys, checks, help, series names and the report follow from the description.
+#pragma once
+
+#include "geometry/point_set.hpp"
+#include "sampling/parameters.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+class Device;
+
+/// Which of the two twins does the work.
+enum class Engine
+{
+    opencl,
+    reference
+};
+
+/// What the experiment asks of each point set of a series.
+struct SampleRequest
+{
+    std::size_t points = 0; ///< target size; methods that cannot hit it exactly come as near as they can
+    int dimension = 2;      ///< 2 or 3
+    std::uint64_t seed = 0;
+};
+
+/// Makes the point sets of one series.
+class Sampler
+{
+public:
+    virtual ~Sampler() = default;
+
+    /// The point set of a realization: the same bytes for the same request and realization, always.
+    virtual PointSet sample(std::uint32_t realization) = 0;
+
+    /// True where realizations differ in size by the nature of the method (saturation), rather than by
+    /// mistake.
+    virtual bool sizes_vary() const { return false; }
+
+    /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.
+    virtual double build_seconds() const { return 0; }
+};
+
+/// Gives the OpenCL device, opened at the first call. Throws DeviceError when there is none.
+using DeviceProvider = std::function<Device&()>;
+
+/// A sampler's description: all that the config, the help and the report need to know of it.
+struct SamplerSpec
+{
+    std::string name;    ///< the word in the config
+    std::string title;   ///< the name in reports, for example "Dart throwing"
+    std::string summary; ///< one line for the help
+    std::vector<int> dimensions;
+    std::vector<ParameterSpec> parameters;
+
+    /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
+    bool deterministic = false;
+
+    /// Checks what single values cannot show (missing keys, impossible combinations). Throws InputError.
+    /// `where` is the place of the [[method]] table.
+    std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
+
+    /// How many realizations there are, where the method decides that (files); empty: as many as asked.
+    std::function<std::size_t(const Parameters&)> available_realizations;
+
+    std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine,
+                                           const DeviceProvider&)>
+        create;
+};
+
+/// All samplers, in the order in which help and errors list them.
+const std::vector<SamplerSpec>& sampler_registry();
+
+/// The sampler of that name, or null.
+const SamplerSpec* find_sampler(const std::string& name);
+
+}

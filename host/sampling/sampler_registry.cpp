@@ -1,0 +1,27 @@
+// The list of all samplers. To add one, describe it and put it here.
+#include "sampling/baselines.hpp"
+#include "sampling/dart_throwing.hpp"
+#include "sampling/file_sampler.hpp"
+#include "sampling/sampler.hpp"
+
+#include <algorithm>
+
+namespace poissonlab {
+
+const std::vector<SamplerSpec>& sampler_registry()
+{
+    static const std::vector<SamplerSpec> registry = {
+        random_sampler(), regular_sampler(), jittered_sampler(), dart_throwing_sampler(), file_sampler(),
+    };
+    return registry;
+}
+
+const SamplerSpec* find_sampler(const std::string& name)
+{
+    const auto& registry = sampler_registry();
+    const auto found =
+        std::find_if(registry.begin(), registry.end(), [&](const SamplerSpec& s) { return s.name == name; });
+    return found == registry.end() ? nullptr : &*found;
+}
+
+}

@@ -1,0 +1,52 @@
+// The curves of a report: radially averaged power and anisotropy over frequency, alone and overlaid.
+#pragma once
+
+#include "analysis/radial_statistics.hpp"
+#include "reports/gnuplot.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// What is drawn of one series.
+struct Curve
+{
+    std::string label;
+    std::vector<RadialBin> bins;
+    double background_db = 0;                  ///< anisotropy of white noise, -10 log10 K
+    int realizations = 0;                      ///< K
+    std::optional<double> principal_frequency; ///< 1 / minimum distance
+    double max_frequency = 0;                  ///< end of the axis
+};
+
+/// The vertical axes, the same in all plots of a report so that plots compare.
+struct CurveScales
+{
+    double max_power = 2;
+    double min_db = -15;
+    double max_db = 10;
+};
+
+/// Scales that show all curves; power up to 5 and anisotropy up to 30 dB, so that the single peaks of a
+/// regular grid do not flatten everything else.
+CurveScales common_scales(const std::vector<Curve>& curves);
+
+/// The colour of the series with that number, as "#rrggbb"; the first of few are told apart by everyone.
+std::string curve_color(std::size_t index);
+
+/// The plots of the series with that number, in its colour.
+GnuplotPicture plot_radial_power(const Curve& curve, std::size_t index, const CurveScales& scales,
+                                 const std::filesystem::path& stem);
+GnuplotPicture plot_anisotropy(const Curve& curve, std::size_t index, const CurveScales& scales,
+                               const std::filesystem::path& stem);
+
+/// All series in one plot, with a key.
+GnuplotPicture overlay_radial_power(const std::vector<Curve>& curves, const CurveScales& scales,
+                                    const std::filesystem::path& stem);
+GnuplotPicture overlay_anisotropy(const std::vector<Curve>& curves, const CurveScales& scales,
+                                  const std::filesystem::path& stem);
+
+}

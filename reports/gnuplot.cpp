@@ -1,0 +1,173 @@
+#include "reports/gnuplot.hpp"
+
+#include "errors/errors.hpp"
+#include "io/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace poissonlab {
+
+namespace {
+
+// A new folder for scripts and pictures, removed at the end.
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        auto name = (std::filesystem::temp_directory_path() / "poissonlab-plots-XXXXXX").string();
+        if (!mkdtemp(name.data()))
+            throw StorageError(name + ": cannot make a temporary folder: " + std::strerror(errno));
+        path_ = name;
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+// The two kinds of picture, and how gnuplot is told about them.
+struct Terminal
+{
+    std::string extension;
+    std::string options;
+    int scale;
+};
+
+const std::array terminals = {
+    Terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1},
+    Terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2}};
+
+std::string script_for(const Terminal& terminal, const std::vector<GnuplotPicture>& pictures)
+{
+    std::string script = "set encoding utf8\n";
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        script +=
+            fmt::format("reset session\nset terminal {} size {},{}\nset output '{}.{}'\n{}\nset output\n",
+                        terminal.options, terminal.scale * pictures[i].width,
+                        terminal.scale * pictures[i].height, i, terminal.extension, pictures[i].commands);
+    return script;
+}
+
+// The environment without the user's language, which would change number formats and messages.
+std::vector<std::string> neutral_environment()
+{
+    std::vector<std::string> result{"LC_ALL=C.UTF-8"};
+    for (char** entry = environ; *entry; ++entry) {
+        const std::string_view text = *entry;
+        if (!text.starts_with("LC_") && !text.starts_with("LANG") && !text.starts_with("GNUTERM"))
+            result.emplace_back(text);
+    }
+    return result;
+}
+
+// A running gnuplot: script.EXT in the folder, messages to messages.EXT. Waited for by finish() or at the
+// end.
+class GnuplotProcess
+{
+public:
+    GnuplotProcess(const std::filesystem::path& folder, const std::string& extension)
+        : messages_(folder / ("messages." + extension))
+    {
+        const auto script = "script." + extension;
+        std::array<std::string, 3> arguments{"gnuplot", "--default-settings", script};
+        std::array<char*, 4> argv{arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
+        auto environment = neutral_environment();
+        std::vector<char*> envp;
+        for (auto& entry : environment) envp.push_back(entry.data());
+        envp.push_back(nullptr);
+
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions, 1, messages_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_adddup2(&actions, 1, 2);
+        const int error = posix_spawnp(&pid_, "gnuplot", &actions, nullptr, argv.data(), envp.data());
+        posix_spawn_file_actions_destroy(&actions);
+        if (error == 0) return;
+
+        pid_ = -1;
+        if (error == ENOENT)
+            throw StorageError("gnuplot is not installed; the report's curves need it: "
+                               "install the package gnuplot-nox");
+        throw StorageError(std::string("gnuplot cannot be started: ") + std::strerror(error));
+    }
+    ~GnuplotProcess() { wait(); }
+    GnuplotProcess(const GnuplotProcess&) = delete;
+    GnuplotProcess& operator=(const GnuplotProcess&) = delete;
+
+    void finish()
+    {
+        const int status = wait();
+        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+            throw StorageError("gnuplot failed: " + read_whole_file(messages_));
+    }
+
+private:
+    int wait()
+    {
+        int status = 0;
+        if (pid_ > 0)
+            while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+            }
+        pid_ = -1;
+        return status;
+    }
+
+    std::filesystem::path messages_;
+    pid_t pid_ = -1;
+};
+
+}
+
+void draw_with_gnuplot(const std::vector<GnuplotPicture>& pictures)
+{
+    const TemporaryFolder folder;
+    for (const auto& terminal : terminals)
+        write_whole_file(folder.path() / ("script." + terminal.extension), script_for(terminal, pictures));
+    {
+        GnuplotProcess svg(folder.path(), "svg");
+        GnuplotProcess png(folder.path(), "png");
+        svg.finish();
+        png.finish();
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        for (const auto& terminal : terminals) {
+            const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
+            auto target = pictures[i].stem;
+            target += "." + terminal.extension;
+            write_whole_file(target, read_whole_file(drawn));
+        }
+}
+
+std::string gnuplot_quoted(const std::string& text)
+{
+    std::string quoted = "'";
+    for (const char c : text) {
+        if (c == '\'') quoted += '\'';
+        quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return quoted + "'";
+}
+
+}

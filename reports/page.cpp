@@ -1,0 +1,167 @@
+#include "reports/page.hpp"
+
+#include "reports/embedding.hpp"
+#include "reports/number_format.hpp"
+#include "reports/page_parts.hpp"
+#include "reports/page_template.hpp"
+#include "reports/tone_mapping.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace poissonlab {
+
+namespace {
+
+std::string engine_words(const std::string& engine)
+{
+    return engine == "opencl" ? "OpenCL" : engine == "reference" ? "the sequential reference" : engine;
+}
+
+// "16,384", or "256 to 16,384" where series differ.
+template <typename Value>
+std::string range_of(const std::vector<ReportSeries>& series, Value StoredSeries::*member)
+{
+    const auto values = [&](const ReportSeries& entry) { return entry.stored->*member; };
+    const auto [low, high] = std::ranges::minmax(series, {}, values);
+    const auto from = format_count(static_cast<std::uint64_t>(values(low)));
+    const auto to = format_count(static_cast<std::uint64_t>(values(high)));
+    return from == to ? from : from + " to " + to;
+}
+
+// The devices of all runs, each once.
+std::string devices(const std::vector<StoredRun>& runs)
+{
+    std::string text;
+    std::set<std::string> seen;
+    for (const auto& run : runs) {
+        const auto device = run.machine_member("device");
+        if (!device.empty() && seen.insert(device).second) text += (text.empty() ? "" : "; ") + device;
+    }
+    return text;
+}
+
+std::string title_of(const std::vector<StoredRun>& runs)
+{
+    std::string title = runs.size() > 1 ? "Comparison: " : "";
+    for (std::size_t i = 0; i < runs.size(); ++i) title += (i > 0 ? "; " : "") + runs[i].title;
+    return title;
+}
+
+std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series)
+{
+    const auto realizations = range_of(series, &StoredSeries::realizations);
+    const auto dimension = runs.front().dimension;
+    auto text = fmt::format("{} series of {} points on the unit torus in {}D, {} realization{}{}",
+                            series.size() == 1 ? "One" : format_count(series.size()),
+                            range_of(series, &StoredSeries::points), dimension, realizations,
+                            realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
+    const auto& engine = runs.front().engine;
+    const bool one_engine = std::ranges::all_of(runs, [&](const auto& run) { return run.engine == engine; });
+    if (!engine.empty() && one_engine) text += fmt::format(", made with {}", engine_words(engine));
+    return text + ".";
+}
+
+PageData overlay_panel(const std::filesystem::path& out, const std::string& stem, const std::string& title,
+                       const std::vector<ReportSeries>& series)
+{
+    PageData data;
+    data.set("title", title);
+    data.set("is_power", stem == power_overlay);
+    auto alt = title + " of all series over frequency: ";
+    for (std::size_t i = 0; i < series.size(); ++i) alt += (i > 0 ? ", " : "") + series[i].label;
+    data.set("alt", alt);
+    data.set("source", data_uri(out / (stem + ".svg")));
+    data.set("svg", stem + ".svg");
+    data.set("png", stem + ".png");
+    return data;
+}
+
+}
+
+PageData provenance(const StoredRun& run)
+{
+    PageData facts{PageData::type::list};
+    const auto add = [&](const std::string& name, const std::string& value) {
+        if (value.empty()) return;
+        PageData fact;
+        fact.set("name", name);
+        fact.set("value", value);
+        facts << fact;
+    };
+    add("Program", "poissonlab " + run.version);
+    add("Seed", run.seed);
+    add("Engine", engine_words(run.engine));
+    for (const auto& [name, value] : run.machine) {
+        auto words = name;
+        std::ranges::replace(words, '_', ' ');
+        words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+        add(words, value);
+    }
+    std::string overrides;
+    for (const auto& text : run.overrides) overrides += (overrides.empty() ? "" : "  ") + text;
+    add("Overrides", overrides);
+
+    PageData data;
+    data.set("run_title", run.title);
+    data.set("command", optional_text(run.command));
+    data.set("config", optional_text(run.config));
+    data.set("facts", facts);
+    return data;
+}
+
+PageData tone_scale()
+{
+    PageData ticks{PageData::type::list};
+    for (const double power : {0.01, 0.1, 1.0, 10.0}) {
+        PageData tick;
+        tick.set("power", format_exact(power));
+        tick.set("percent", fmt::format("{:.2f}", 100 * report_tone_mapping.position(power)));
+        ticks << tick;
+    }
+    PageData data;
+    data.set("scale_ticks", ticks);
+    data.set("black_power", format_exact(report_tone_mapping.black_power));
+    data.set("white_power", format_exact(report_tone_mapping.white_power));
+    return data;
+}
+
+std::string render_page(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
+                        const std::filesystem::path& out)
+{
+    PageData page;
+    page.set("style", std::string(page_template_file("report.css")));
+    page.set("title", title_of(runs));
+    page.set("summary", summary_of(runs, series));
+    page.set("tone_scale", tone_scale());
+
+    PageData rows{PageData::type::list};
+    PageData sections{PageData::type::list};
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        rows << overview_row(series[i], i);
+        sections << series_section(series[i], i, out);
+    }
+    page.set("rows", rows);
+    page.set("sections", sections);
+    page.set("several_devices", runs.size() > 1);
+    page.set("devices", optional_text(devices(runs)));
+
+    PageData overlays{PageData::type::list};
+    if (series.size() > 1) {
+        overlays << overlay_panel(out, power_overlay, "Radially averaged power", series);
+        overlays << overlay_panel(out, anisotropy_overlay, "Anisotropy", series);
+    }
+    page.set("compared", series.size() > 1);
+    page.set("overlays", overlays);
+
+    PageData sources{PageData::type::list};
+    for (const auto& run : runs) sources << provenance(run);
+    page.set("provenance", sources);
+
+    kainjow::mustache::mustache text{std::string(page_template_file("report.mustache"))};
+    return text.render(page);
+}
+
+}

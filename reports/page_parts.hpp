@@ -1,0 +1,34 @@
+// The parts of the page as data for the template; names are those in templates/report.mustache.
+#pragma once
+
+#include "reports/report_layout.hpp"
+
+#include <kainjow/mustache.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+using PageData = kainjow::mustache::data;
+
+/// A text, or false (the section is left out) where it is empty.
+PageData optional_text(const std::string& text);
+
+/// What every mention of a series needs: label, anchor, color, sampler, parameters, points, realizations.
+PageData series_identity(const ReportSeries& series, std::size_t index);
+
+/// One row of the overview table: identity, radius, distance, covered fraction, time.
+PageData overview_row(const ReportSeries& series, std::size_t index);
+
+/// One section: identity, the four panels with captions, links to the stored files.
+PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out);
+
+/// Where one run comes from: version, command, seed, device, config.
+PageData provenance(const StoredRun& run);
+
+/// The scale bar of the report's tone mapping: its powers and where they stand.
+PageData tone_scale();
+
+}

@@ -1,0 +1,168 @@
+// One series' section of the page: four panels, their captions, and the stored files.
+#include "reports/embedding.hpp"
+#include "reports/number_format.hpp"
+#include "reports/page_parts.hpp"
+#include "reports/radial_table.hpp"
+#include "reports/spectrum_image.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr std::size_t most_point_files_linked = 20;
+
+const char* spectrum_word(const ReportSeries& series)
+{
+    return series.stored->is_estimate ? "Power spectrum estimate" : "Periodogram";
+}
+
+// Title, alternative text, the picture itself, and a link to it at full size.
+PageData panel(const ReportSeries& series, const std::filesystem::path& out, const std::string& shown,
+               const std::string& linked, const std::string& title, const std::string& caption)
+{
+    PageData data;
+    data.set("title", title);
+    data.set("caption", caption);
+    data.set("alt", fmt::format("{}: {}. {}", series.label, title, caption));
+    data.set("source", data_uri(series.pictures / shown));
+    data.set("link", relative_link(out, series.pictures / linked));
+    return data;
+}
+
+PageData points_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    const auto& view = series.view;
+    const auto side = format_significant(view.window, 2);
+    std::string part = fmt::format("All {} points", format_count(view.total));
+    if (view.shown() != view.total)
+        part = fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
+    if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
+    if (series.run->dimension == 3)
+        part += fmt::format(", those with z below {}, seen along z", format_significant(view.depth, 2));
+    if (series.stored->realizations > 1)
+        part += fmt::format(" (first of {} realizations)", series.stored->realizations);
+    auto data = panel(series, out, "points.svg", "points.png", "Points", part + ".");
+    data.set("window", side);
+    return data;
+}
+
+// Ticks at plus and minus the principal frequency, in percent of the picture's width.
+PageData principal_ticks(const Curve& curve, int size)
+{
+    PageData ticks{PageData::type::list};
+    if (!curve.principal_frequency || *curve.principal_frequency >= size / 2) return ticks;
+    for (const double sign : {-1.0, 1.0})
+        ticks << PageData(
+            "percent",
+            fmt::format("{:.2f}", 100 * (size / 2 + 0.5 + sign * *curve.principal_frequency) / size));
+    return ticks;
+}
+
+PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    const int size = series.stored->spectrum_size;
+    if (series.stored->spectrum_file.empty()) return false;
+    auto caption = series.stored->is_estimate
+                       ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
+                       : std::string("Of one set,");
+    caption += fmt::format(" {0} × {0} frequencies", format_count(static_cast<std::uint64_t>(size)));
+    if (const int block = page_block(size); block > 1)
+        caption += fmt::format("; a pixel here is the mean of {0} × {0}, full size one click away", block);
+    auto data =
+        panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series), caption + ".");
+    data.set("lowest", format_fixed(-size / 2, 0));
+    data.set("highest", format_fixed(size / 2 - 1, 0));
+    data.set("ticks", principal_ticks(series.curve, size));
+    return data;
+}
+
+PageData radial_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    const auto& curve = series.curve;
+    const auto peak = peak_power(curve.bins);
+    auto caption = fmt::format("Highest {} at frequency {}. ", format_significant(peak.power, 3),
+                               format_exact(peak.frequency));
+    if (!curve.principal_frequency)
+        caption += "There is no principal frequency.";
+    else
+        caption += fmt::format("Principal frequency {}{}.", format_significant(*curve.principal_frequency, 4),
+                               *curve.principal_frequency > curve.max_frequency ? ", beyond the axis" : "");
+    return panel(series, out, "radial.svg", "radial.png", "Radially averaged power", caption);
+}
+
+PageData anisotropy_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    const auto& curve = series.curve;
+    return panel(series, out, "anisotropy.svg", "anisotropy.png", "Anisotropy",
+                 fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
+                             format_fixed(curve.background_db, 1), curve.realizations));
+}
+
+PageData file_link(const std::string& text, const std::filesystem::path& out,
+                   const std::filesystem::path& file)
+{
+    PageData data;
+    data.set("text", text);
+    data.set("link", relative_link(out, file));
+    return data;
+}
+
+PageData file_group(const std::string& title, const std::vector<PageData>& links,
+                    const std::string& more = {})
+{
+    PageData data;
+    data.set("group", title);
+    data.set("links", PageData(kainjow::mustache::list(links.begin(), links.end())));
+    data.set("more", optional_text(more));
+    return data;
+}
+
+// Pictures lie in the report's folder, stored results in the run's.
+PageData file_groups(const ReportSeries& series, const std::filesystem::path& out)
+{
+    const auto& stored = *series.stored;
+    const auto picture = [&](const std::string& text, const char* name) {
+        return file_link(text, out, series.pictures / name);
+    };
+    const auto result = [&](const std::string& text, const std::string& name) {
+        return file_link(text, out, series.run->folder / name);
+    };
+    PageData groups{PageData::type::list};
+    groups << file_group("Points", {picture("svg", "points.svg"), picture("png", "points.png")});
+    if (!stored.spectrum_file.empty())
+        groups << file_group(spectrum_word(series),
+                             {result("exr", stored.spectrum_file), picture("png", "spectrum.png")});
+    groups << file_group(
+        "Radially averaged power",
+        {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
+    groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
+                                        picture("png", "anisotropy.png")});
+
+    std::vector<PageData> sets;
+    for (const auto& file : stored.point_files)
+        if (sets.size() < most_point_files_linked)
+            sets.push_back(result(std::to_string(sets.size() + 1), file));
+    const auto hidden = stored.point_files.size() - sets.size();
+    groups << file_group("Point sets", sets,
+                         hidden > 0 ? fmt::format("and {} more", format_count(hidden)) : "");
+    return groups;
+}
+
+}
+
+PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out)
+{
+    auto data = overview_row(series, index);
+    data.set("points_panel", points_panel(series, out));
+    data.set("spectrum_panel", spectrum_panel(series, out));
+    data.set("radial_panel", radial_panel(series, out));
+    data.set("anisotropy_panel", anisotropy_panel(series, out));
+    data.set("file_groups", file_groups(series, out));
+    return data;
+}
+
+}

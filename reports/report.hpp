@@ -1,0 +1,19 @@
+// The report: an HTML page with the field's classic figure for every series, made from stored results only.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Reads the result folders (results.json and what it names), draws every picture, and writes out/index.html.
+///
+/// With one folder that is also `out`, pictures go beside the results; with several, below out/<folder
+/// name>/. `progress` is called with a word on each step. Throws InputError for folders without readable
+/// results.
+void write_report(const std::vector<std::filesystem::path>& result_folders, const std::filesystem::path& out,
+                  const std::function<void(const std::string&)>& progress = {});
+
+}

@@ -1,0 +1,33 @@
+// Which series a report shows, under what name, and where its pictures go.
+#pragma once
+
+#include "reports/curves.hpp"
+#include "reports/points_image.hpp"
+#include "reports/stored_results.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Files of the plots of all series, in the report's folder, without extension.
+inline constexpr auto power_overlay = "radial-all";
+inline constexpr auto anisotropy_overlay = "anisotropy-all";
+
+/// One series of the report: what is stored, and what was read or drawn for the page.
+struct ReportSeries
+{
+    const StoredRun* run = nullptr; ///< the runs outlive this
+    const StoredSeries* stored = nullptr;
+    std::string label; ///< as stored; with the run's folder where several runs use the same label
+    std::filesystem::path pictures; ///< folder of its pictures
+    Curve curve;
+    PointsView view;
+};
+
+/// The series of all runs in order. With one run that lies in `out`, pictures go to out/<series>, else to
+/// out/<name of the run's folder>/<series>; equal folder names are told apart by a number.
+std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+
+}

@@ -1,0 +1,54 @@
+#include "reports/series_pictures.hpp"
+
+#include "analysis/spectrum_file.hpp"
+#include "errors/errors.hpp"
+#include "io/point_file.hpp"
+#include "io/whole_file.hpp"
+#include "reports/grey_image.hpp"
+#include "reports/radial_table.hpp"
+#include "reports/spectrum_image.hpp"
+
+namespace poissonlab {
+
+void read_curve(ReportSeries& series)
+{
+    const auto& stored = *series.stored;
+    auto& curve = series.curve;
+    curve.label = series.label;
+    curve.bins = read_radial_table(series.run->folder / stored.radial_file);
+    curve.background_db = stored.background_anisotropy_db;
+    curve.realizations = stored.realizations;
+    if (stored.min_distance && stored.min_distance->mean > 0)
+        curve.principal_frequency = 1 / stored.min_distance->mean;
+    curve.max_frequency = stored.spectrum_size > 0 ? stored.spectrum_size / 2 : curve.bins.back().frequency;
+}
+
+void draw_points_pictures(ReportSeries& series)
+{
+    const auto file = series.run->folder / series.stored->point_files.front();
+    const auto sets = read_points(file);
+    if (sets.empty() || sets.front().size() != series.stored->points ||
+        sets.front().dimension != series.run->dimension)
+        throw InputError(file.string() + ": must hold " + std::to_string(series.stored->points) +
+                         " points with " + std::to_string(series.run->dimension) +
+                         " coordinates, as results.json says");
+    series.view = choose_points_view(sets.front());
+    write_png(series.pictures / "points.png", draw_points(series.view));
+    write_whole_file(series.pictures / "points.svg", points_svg(series.view));
+}
+
+void draw_spectrum_picture(const ReportSeries& series)
+{
+    if (series.stored->spectrum_file.empty()) return;
+    const auto file = series.run->folder / series.stored->spectrum_file;
+    const auto spectrum = read_spectrum(file);
+    if (spectrum.size != series.stored->spectrum_size || spectrum.dimension != 2)
+        throw InputError(file.string() + ": must be an image of " +
+                         std::to_string(series.stored->spectrum_size) + " x " +
+                         std::to_string(series.stored->spectrum_size) + ", as results.json says");
+    write_png(series.pictures / "spectrum.png", draw_spectrum(spectrum, report_tone_mapping));
+    write_png(series.pictures / "spectrum-small.png",
+              draw_spectrum(spectrum, report_tone_mapping, page_block(spectrum.size)));
+}
+
+}

@@ -1,0 +1,19 @@
+// Reads a series' stored files and draws its own pictures: points and spectrum.
+#pragma once
+
+#include "reports/report_layout.hpp"
+
+namespace poissonlab {
+
+/// Reads radial.csv into series.curve. Throws InputError.
+void read_curve(ReportSeries& series);
+
+/// Reads the first realization, sets series.view, and writes points.png and points.svg.
+/// Throws InputError when the set is not what results.json says.
+void draw_points_pictures(ReportSeries& series);
+
+/// Reads spectrum.exr and writes spectrum.png and, for the page, spectrum-small.png, both with the report's
+/// tone mapping; nothing for a series without.
+void draw_spectrum_picture(const ReportSeries& series);
+
+}

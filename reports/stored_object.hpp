@@ -1,0 +1,56 @@
+// A JSON object that knows its place, so that every complaint names the file and the member.
+#pragma once
+
+#include "errors/errors.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A view of one object inside a parsed file; the parsed file must outlive it.
+///
+/// Getters throw InputError, `file: member: must be ...`, when the member is missing or of another kind.
+class StoredObject
+{
+public:
+    /// `member` is the object's own place, for example "series[2].spectrum"; empty for the whole file.
+    StoredObject(const nlohmann::json& value, std::filesystem::path file, std::string member = {});
+
+    /// True when the member is there and not null.
+    bool has(const std::string& name) const;
+
+    std::string text(const std::string& name) const;
+    bool boolean(const std::string& name) const;
+    double number(const std::string& name) const;
+    std::int64_t integer(const std::string& name, std::int64_t minimum) const;
+    std::vector<double> numbers(const std::string& name) const;
+    std::vector<std::string> texts(const std::string& name) const;
+    StoredObject object(const std::string& name) const;
+    std::vector<StoredObject> objects(const std::string& name) const;
+
+    /// A scalar or list as it would be typed: strings without quotes.
+    std::string shown(const std::string& name) const;
+    std::vector<std::string> names() const;
+
+    /// A file name inside the result folder: relative, without "..". `names` of the files that must be there.
+    std::string file_name(const std::string& name) const;
+    std::vector<std::string> file_names(const std::string& name) const;
+
+    /// The InputError for a member of this object.
+    InputError error(const std::string& name, const std::string& problem) const;
+
+private:
+    const nlohmann::json& at(const std::string& name) const;
+    std::string checked_file_name(const std::string& name, const std::string& value) const;
+
+    const nlohmann::json* value_;
+    std::filesystem::path file_;
+    std::string member_;
+};
+
+}

@@ -1,0 +1,152 @@
+#include "reports/stored_results.hpp"
+
+#include "io/whole_file.hpp"
+#include "reports/stored_object.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr int supported_format_version = 1;
+constexpr auto kind_estimate = "power spectrum estimate";
+constexpr auto kind_periodogram = "periodogram";
+
+nlohmann::json parse(const std::filesystem::path& file)
+{
+    try {
+        return nlohmann::json::parse(read_whole_file(file));
+    } catch (const nlohmann::json::exception& error) {
+        throw InputError(file.string() + ": is not JSON: " + error.what());
+    }
+}
+
+void check_format(const StoredObject& root)
+{
+    if (!root.has("format") || root.text("format") != "poissonlab-results")
+        throw root.error("format", "must be \"poissonlab-results\"; this file is of another kind");
+    if (const auto version = root.integer("format_version", 1); version != supported_format_version)
+        throw root.error("format_version", std::to_string(version) + ": this program reads version " +
+                                               std::to_string(supported_format_version));
+}
+
+std::optional<StoredStatistic> read_statistic(const StoredObject& series, const std::string& name)
+{
+    if (!series.has(name)) return std::nullopt;
+    const auto object = series.object(name);
+    return StoredStatistic{object.number("min"), object.number("mean"), object.number("max")};
+}
+
+NamedTexts read_named_texts(const StoredObject& parent, const std::string& name)
+{
+    NamedTexts result;
+    if (!parent.has(name)) return result;
+    const auto object = parent.object(name);
+    for (const auto& key : object.names())
+        if (object.has(key)) result.emplace_back(key, object.shown(key));
+    return result;
+}
+
+// The pictures go into a folder of this name.
+std::string read_series_name(const StoredObject& object)
+{
+    const auto name = object.text("name");
+    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
+        throw object.error("name", "'" + name + "' must be the name of a folder");
+    return name;
+}
+
+void read_spectrum_members(const StoredObject& object, StoredSeries& series)
+{
+    if (!object.has("spectrum")) return;
+    const auto spectrum = object.object("spectrum");
+    const auto kind = spectrum.text("kind");
+    if (kind != kind_estimate && kind != kind_periodogram)
+        throw spectrum.error("kind", "'" + kind + "' must be \"" + kind_estimate + "\" or \"" +
+                                         kind_periodogram + "\"");
+    series.is_estimate = kind == kind_estimate;
+    if (series.is_estimate && (series.deterministic || series.realizations < 2))
+        throw spectrum.error("kind", "one realization has a periodogram, not an estimate");
+    series.spectrum_size = static_cast<int>(spectrum.integer("size", 2));
+    series.spectrum_file = spectrum.file_name("file");
+}
+
+StoredSeries read_series(const StoredObject& object)
+{
+    StoredSeries series;
+    series.name = read_series_name(object);
+    series.label = object.text("label");
+    series.sampler = object.text("sampler");
+    series.parameters = read_named_texts(object, "parameters");
+    series.deterministic = object.boolean("deterministic");
+    series.points = static_cast<std::size_t>(object.integer("points", 1));
+    series.realizations = static_cast<int>(object.integer("realizations", 1));
+
+    series.min_distance = read_statistic(object, "min_distance");
+    series.relative_radius = read_statistic(object, "relative_radius");
+    series.covered_fraction = read_statistic(object, "covered_fraction");
+
+    read_spectrum_members(object, series);
+    const auto radial = object.object("radial");
+    series.radial_file = radial.file_name("file");
+    series.background_anisotropy_db = radial.number("background_anisotropy_db");
+    series.point_files = object.file_names("point_files");
+    if (series.point_files.empty()) throw object.error("point_files", "must name at least one file");
+
+    if (object.has("timing")) {
+        const auto timing = object.object("timing");
+        if (timing.has("sample_seconds")) series.sample_seconds = timing.numbers("sample_seconds");
+        if (timing.has("build_seconds")) series.build_seconds = timing.number("build_seconds");
+    }
+    return series;
+}
+
+std::vector<StoredSeries> read_all_series(const StoredObject& root)
+{
+    std::vector<StoredSeries> result;
+    std::set<std::string> names;
+    for (const auto& object : root.objects("series")) {
+        result.push_back(read_series(object));
+        if (!names.insert(result.back().name).second)
+            throw object.error("name", "'" + result.back().name + "' is used twice");
+    }
+    if (result.empty()) throw root.error("series", "must hold at least one series");
+    return result;
+}
+
+}
+
+std::string StoredRun::machine_member(const std::string& name) const
+{
+    for (const auto& [key, value] : machine)
+        if (key == name) return value;
+    return {};
+}
+
+StoredRun read_stored_run(const std::filesystem::path& folder)
+{
+    const auto file = folder / "results.json";
+    const auto json = parse(file);
+    const StoredObject root(json, file);
+    check_format(root);
+
+    StoredRun run;
+    run.folder = folder;
+    run.title = root.text("title");
+    run.version = root.text("version");
+    run.command = root.text("command");
+    run.config = root.text("config");
+    if (root.has("overrides")) run.overrides = root.texts("overrides");
+    if (root.has("seed")) run.seed = root.shown("seed");
+    if (root.has("engine")) run.engine = root.text("engine");
+    run.dimension = static_cast<int>(root.integer("dimension", 2));
+    if (run.dimension > 3) throw root.error("dimension", "must be 2 or 3");
+    run.machine = read_named_texts(root, "machine");
+    run.series = read_all_series(root);
+    return run;
+}
+
+}

@@ -1,0 +1,70 @@
+// The results of a run as they lie on disk: results.json of docs/output-folder.md, checked.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poissonlab {
+
+/// A quantity over the realizations of a series.
+struct StoredStatistic
+{
+    double min = 0;
+    double mean = 0;
+    double max = 0;
+};
+
+/// Names and values in the order in which they are shown.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// One series: N points, K realizations of one method with one set of parameters.
+struct StoredSeries
+{
+    std::string name; ///< its folder
+    std::string label;
+    std::string sampler;
+    NamedTexts parameters;
+    bool deterministic = false;
+    std::size_t points = 0;
+    int realizations = 0;
+    std::optional<StoredStatistic> min_distance; ///< unit lengths; empty for one point
+    std::optional<StoredStatistic> relative_radius;
+    std::optional<StoredStatistic> covered_fraction;
+    bool is_estimate = false;  ///< true: "power spectrum estimate", false: "periodogram"
+    int spectrum_size = 0;     ///< frequency samples along each axis
+    std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
+    std::string radial_file;
+    double background_anisotropy_db = 0;
+    std::vector<std::string> point_files;
+    std::vector<double> sample_seconds; ///< one a realization
+    double build_seconds = 0;
+};
+
+/// One result folder.
+struct StoredRun
+{
+    std::filesystem::path folder;
+    std::string title;
+    std::string version;
+    std::string command;
+    std::string config; ///< verbatim; empty for imported point sets
+    std::vector<std::string> overrides;
+    std::string seed;   ///< as stored; empty when there is none
+    std::string engine; ///< "opencl" or "reference"; empty when nothing was sampled
+    int dimension = 2;
+    NamedTexts machine; ///< the members of "machine" that are there
+    std::vector<StoredSeries> series;
+
+    /// A member of `machine`, or an empty string.
+    std::string machine_member(const std::string& name) const;
+};
+
+/// Reads and checks folder/results.json, and that the files it names are there.
+/// Throws InputError that names the file and the member.
+StoredRun read_stored_run(const std::filesystem::path& folder);
+
+}

@@ -1,0 +1,28 @@
+// The one tone mapping of a report: power to grey, logarithmic, the same for every spectrum image.
+#pragma once
+
+#include <cstdint>
+
+namespace poissonlab {
+
+/// Grey is linear in log10(power) from black_power (0) to white_power (255), and clamped beyond.
+///
+/// The grey value is the stored one, which viewers treat as sRGB, so equal ratios of power look like about
+/// equal steps. With power 1 for white noise, the range covers the dark centre of the best sets and their
+/// ring.
+struct ToneMapping
+{
+    double black_power = 0.01;
+    double white_power = 10;
+
+    /// Zero, negative and not-a-number powers are black.
+    std::uint8_t grey(double power) const;
+
+    /// Where a power stands on the scale from black (0) to white (1).
+    double position(double power) const;
+};
+
+/// Fixed, so that images of different reports compare as well.
+inline constexpr ToneMapping report_tone_mapping{};
+
+}

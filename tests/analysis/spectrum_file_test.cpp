@@ -1,0 +1,108 @@
+#include "analysis/spectrum_file.hpp"
+
+#include "errors/errors.hpp"
+#include "support/point_patterns.hpp"
+
+#include <OpenEXR/ImfRgbaFile.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace poissonlab {
+namespace {
+
+using namespace test;
+
+/// A folder of its own for each test, removed at the end.
+class SpectrumFile : public testing::Test
+{
+protected:
+    SpectrumFile()
+        : folder_(std::filesystem::temp_directory_path() /
+                  ("spectrum-file-" + std::to_string(::getpid()) + "-" +
+                   testing::UnitTest::GetInstance()->current_test_info()->name()))
+    {
+        std::filesystem::create_directories(folder_);
+    }
+    ~SpectrumFile() override { std::filesystem::remove_all(folder_); }
+
+    const std::filesystem::path folder_;
+};
+
+Spectrum random_spectrum(int size)
+{
+    std::mt19937_64 random(1);
+    Spectrum spectrum{2, size, 16'384, 10, {}};
+    for (int i = 0; i < size * size; ++i) spectrum.power.push_back(10.0 * uniform(random));
+    return spectrum;
+}
+
+TEST_F(SpectrumFile, ComesBackAsFloats)
+{
+    Spectrum expected = random_spectrum(50);
+    const auto path = folder_ / "spectrum.exr";
+    write_spectrum(path, expected, {});
+    for (double& power : expected.power) power = static_cast<float>(power);
+    const Spectrum read = read_spectrum(path);
+    EXPECT_EQ(read.dimension, 2);
+    EXPECT_EQ(read.size, 50);
+    EXPECT_EQ(read.points, 16'384u);
+    EXPECT_EQ(read.realizations, 10);
+    EXPECT_EQ(read.power, expected.power);
+    // Nothing else is left in the folder.
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(SpectrumFile, KeepsMetadata)
+{
+    // "type" and "compression" mean something to OpenEXR itself; ours must not get in the way.
+    const std::map<std::string, std::string> metadata{{"seed", "18446744073709551615"},
+                                                      {"type", "periodogram"},
+                                                      {"compression", "none"},
+                                                      {"config", "title = \"caf\xc3\xa9\"\n[analysis]\n"},
+                                                      {"label", ""}};
+    const auto path = folder_ / "spectrum.exr";
+    write_spectrum(path, random_spectrum(8), metadata);
+    EXPECT_EQ(read_spectrum_metadata(path), metadata);
+    EXPECT_EQ(read_spectrum(path).size, 8);
+}
+
+TEST_F(SpectrumFile, RefusesForeignFiles)
+{
+    EXPECT_THROW(read_spectrum(folder_ / "missing.exr"), InputError);
+
+    const auto text = folder_ / "text.exr";
+    std::ofstream(text) << "0.1 0.2\n";
+    EXPECT_THROW(read_spectrum(text), InputError);
+    EXPECT_THROW(read_spectrum_metadata(text), InputError);
+
+    const auto image = folder_ / "image.exr";
+    {
+        const std::vector<Imf::Rgba> pixels(64);
+        Imf::RgbaOutputFile file(image.c_str(), 8, 8, Imf::WRITE_Y); // "Y", but half floats
+        file.setFrameBuffer(pixels.data(), 1, 8);
+        file.writePixels(8);
+    }
+    EXPECT_THROW(read_spectrum(image), InputError);
+}
+
+TEST_F(SpectrumFile, RefusesTruncatedFiles)
+{
+    const auto path = folder_ / "spectrum.exr";
+    write_spectrum(path, random_spectrum(32), {});
+    std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+    EXPECT_THROW(read_spectrum(path), InputError);
+}
+
+TEST_F(SpectrumFile, ReportsWhatCannotBeWritten)
+{
+    EXPECT_THROW(write_spectrum(folder_ / "nowhere" / "spectrum.exr", random_spectrum(8), {}), StorageError);
+    EXPECT_THROW(write_spectrum(folder_ / "volume.exr", Spectrum{3, 2, 1, 1, std::vector<double>(8)}, {}),
+                 std::invalid_argument);
+}
+
+}
+}

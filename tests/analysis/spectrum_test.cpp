@@ -1,0 +1,153 @@
+#include "analysis/spectrum.hpp"
+
+#include "analysis/radial_statistics.hpp"
+#include "errors/errors.hpp"
+#include "support/point_patterns.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using namespace test;
+using testing::HasSubstr;
+
+TEST(SpectrumSize, FollowsEquation66)
+{
+    EXPECT_EQ(spectrum_size(16'384, 2), 1024); // 635 samples
+    EXPECT_EQ(spectrum_size(4'096, 2), 512);   // 318
+    EXPECT_EQ(spectrum_size(65'536, 3), 256);  // 192
+    EXPECT_EQ(spectrum_size(1, 2), 8);         // 4.96
+}
+
+TEST(SpectrumEstimate, CountsEveryRealizationOnce)
+{
+    std::mt19937_64 random(1);
+    const PointSet first = random_points(50, 2, random), second = random_points(50, 2, random);
+    SpectrumEstimate estimate(2, 16);
+    estimate.add(first);
+    estimate.add(second);
+    const Spectrum mean = estimate.mean();
+    const auto a = exact_periodogram(first, 16), b = exact_periodogram(second, 16);
+    EXPECT_EQ(mean.dimension, 2);
+    EXPECT_EQ(mean.size, 16);
+    EXPECT_EQ(mean.points, 50u);
+    EXPECT_EQ(mean.realizations, 2);
+    ASSERT_EQ(mean.power.size(), a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(mean.power[i], (a[i] + b[i]) / 2);
+}
+
+TEST(SpectrumEstimate, KeepsDcAtTheCentre)
+{
+    std::mt19937_64 random(2);
+    SpectrumEstimate estimate(2, 16);
+    for (int i = 0; i < 3; ++i) estimate.add(random_points(50, 2, random));
+    // P(0) = N^2 / N; 1e-11 N in the transform are 2e-11 N in the power.
+    EXPECT_NEAR(estimate.mean().at(0, 0), 50.0, 1e-9);
+}
+
+TEST(SpectrumEstimate, RefusesRealizationsOfUnequalSize)
+{
+    std::mt19937_64 random(3);
+    SpectrumEstimate estimate(2, 16);
+    estimate.add(random_points(50, 2, random));
+    try {
+        estimate.add(random_points(49, 2, random));
+        FAIL() << "no exception";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("realization 1 has 49 points"));
+        EXPECT_THAT(error.what(), HasSubstr("realization 0 has 50"));
+    }
+    EXPECT_THROW(estimate.add(random_points(50, 3, random)), InputError);
+    EXPECT_THROW(estimate.add({2, {}}), InputError);
+    EXPECT_EQ(estimate.mean().realizations, 1); // the refused ones left no trace
+}
+
+TEST(SpectrumEstimate, RefusesMeaninglessSizes)
+{
+    EXPECT_THROW(SpectrumEstimate(2, 15), std::invalid_argument);
+    EXPECT_THROW(SpectrumEstimate(2, 0), std::invalid_argument);
+    EXPECT_THROW(SpectrumEstimate(4, 16), std::invalid_argument);
+    EXPECT_THROW(SpectrumEstimate(2, 16).mean(), std::logic_error);
+}
+
+/// Mean and sample variance of the power over the frequencies that are distinct up to sign: u > 0, or u = 0
+/// and v > 0.
+struct Moments
+{
+    double mean = 0, variance = 0;
+    int samples = 0;
+};
+
+Moments half_plane_moments(const Spectrum& spectrum)
+{
+    Moments result;
+    const int half = spectrum.size / 2;
+    double sum = 0, squares = 0;
+    for (int v = 1 - half; v < half; ++v) {
+        for (int u = 0; u < half; ++u) {
+            if (u == 0 && v <= 0) continue;
+            sum += spectrum.at(u, v);
+            squares += spectrum.at(u, v) * spectrum.at(u, v);
+            ++result.samples;
+        }
+    }
+    result.mean = sum / result.samples;
+    result.variance = (squares - sum * result.mean) / (result.samples - 1);
+    return result;
+}
+
+TEST(SpectrumEstimate, OfUniformPointsIsWhite)
+{
+    // For N independent uniform points and f != 0: E P = 1 and var P = 1 - 1/N exactly, and P(f), P(g) are
+    // uncorrelated unless f = +-g. The mean of K periodograms is close to a gamma variable of shape K, whose
+    // variance is 1/K, skewness 2/sqrt K and kurtosis 3 + 6/K.
+    constexpr int realizations = 10;
+    constexpr std::size_t points = 4096;
+    std::mt19937_64 random(4);
+    SpectrumEstimate estimate(2, 256);
+    for (int i = 0; i < realizations; ++i) estimate.add(random_points(points, 2, random));
+    const Spectrum spectrum = estimate.mean();
+
+    // 238 comparisons at 4.5 standard errors each, 7e-6 on both sides: the seed fails a correct program with
+    // probability 0.002.
+    const Moments moments = half_plane_moments(spectrum);
+    const double k = realizations, n = moments.samples;
+    EXPECT_NEAR(moments.mean, 1.0, 4.5 * std::sqrt(1.0 / (k * n)));
+    EXPECT_NEAR(moments.variance, 1.0 / k, 1.0 / (k * points) + 4.5 / k * std::sqrt((2.0 + 6.0 / k) / n));
+
+    // Each bin holds n' = samples / 2 independent values. The logarithm of s^2 / mean^2 has variance
+    // (kurtosis - 1 + 4/K - 8/K) / n' = (2 + 2/K) / n'. Counting every value twice lowers s^2 by 1/(2 n').
+    const double decibel = 10.0 / std::log(10.0);
+    int checked = 0;
+    for (const RadialBin& bin : radial_statistics(spectrum)) {
+        if (bin.frequency < 10) continue; // too few samples for a normal approximation
+        const double independent = 0.5 * static_cast<double>(bin.samples);
+        EXPECT_NEAR(bin.power, 1.0, 4.5 * std::sqrt(1.0 / (k * independent))) << bin.frequency;
+        EXPECT_NEAR(bin.anisotropy_db, background_anisotropy_db(realizations),
+                    decibel * (0.5 / independent + 4.5 * std::sqrt((2.0 + 2.0 / k) / independent)))
+            << bin.frequency;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 118);
+}
+
+TEST(CoordinateSlice, CutsThroughTheOrigin)
+{
+    Spectrum volume{3, 4, 7, 2, {}};
+    for (int w = -2; w < 2; ++w) {
+        for (int v = -2; v < 2; ++v) {
+            for (int u = -2; u < 2; ++u) volume.power.push_back(100 * u + 10 * v + w);
+        }
+    }
+    EXPECT_EQ(coordinate_slice(volume, 0).at(-2, 1), 10 * -2 + 1);   // (v, w)
+    EXPECT_EQ(coordinate_slice(volume, 1).at(-2, 1), 100 * -2 + 1);  // (u, w)
+    EXPECT_EQ(coordinate_slice(volume, 2).at(-2, 1), 100 * -2 + 10); // (u, v)
+    EXPECT_EQ(coordinate_slice(volume, 2).points, 7u);
+    EXPECT_EQ(coordinate_slice(volume, 2).realizations, 2);
+    EXPECT_THROW(coordinate_slice(volume, 3), std::invalid_argument);
+}
+
+}
+}

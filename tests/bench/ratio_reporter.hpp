@@ -1,0 +1,65 @@
+// A benchmark's main function that ends with ratios: machines are noisy, ratios of medians within one run are
+// not.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace poissonlab::bench {
+
+/// "slow takes at least `target` times as long as fast", by the names of two benchmarks.
+struct Ratio
+{
+    std::string what;
+    std::string slow;
+    std::string fast;
+    double target = 0;
+};
+
+/// Prints as usual, and remembers the median real time of each benchmark.
+class RatioReporter : public benchmark::ConsoleReporter
+{
+public:
+    void ReportRuns(const std::vector<Run>& runs) override
+    {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs) {
+            if (run.aggregate_name == "median") medians_[name_of(run)] = run.GetAdjustedRealTime();
+        }
+    }
+
+    void print(const std::vector<Ratio>& ratios) const
+    {
+        std::printf("\nRatios of medians\n");
+        for (const Ratio& ratio : ratios) {
+            const auto slow = medians_.find(ratio.slow);
+            const auto fast = medians_.find(ratio.fast);
+            if (slow == medians_.end() || fast == medians_.end()) continue;
+            std::printf("  %-70s %6.2f  (target: at least %.2f)\n", ratio.what.c_str(),
+                        slow->second / fast->second, ratio.target);
+        }
+    }
+
+private:
+    /// "function/argument", without what only says how it was measured.
+    static std::string name_of(const Run& run) { return run.run_name.function_name + "/" + run.run_name.args; }
+
+    std::map<std::string, double> medians_;
+};
+
+/// The body of main.
+inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios)
+{
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    reporter.print(ratios);
+    return 0;
+}
+
+}

@@ -1,0 +1,128 @@
+#include "experiment/plan.hpp"
+
+#include "support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::vector<SeriesPlan> plan_of(const std::string& methods)
+{
+    return make_plan(parse_config("[analysis]\npoints = 256\nrealizations = 4\n" + methods, "c.toml"));
+}
+
+std::vector<std::string> names(const std::vector<SeriesPlan>& plan)
+{
+    std::vector<std::string> result;
+    for (const SeriesPlan& series : plan) result.push_back(series.name);
+    return result;
+}
+
+std::vector<std::string> labels(const std::vector<SeriesPlan>& plan)
+{
+    std::vector<std::string> result;
+    for (const SeriesPlan& series : plan) result.push_back(series.label);
+    return result;
+}
+
+TEST(Plan, AListMakesOneSeriesAValue)
+{
+    const auto plan = plan_of("[[method]]\nsampler = \"random\"\n"
+                              "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = [0.70, 0.75]\n");
+    EXPECT_THAT(names(plan), ElementsAre("random", "dart-throwing-rho-0.70", "dart-throwing-rho-0.75"));
+    EXPECT_THAT(labels(plan),
+                ElementsAre("Random", "Dart throwing, rho = 0.70", "Dart throwing, rho = 0.75"));
+    EXPECT_EQ(plan[1].parameters.number("relative_radius"), 0.7);
+    EXPECT_EQ(plan[1].request.points, 256U);
+    EXPECT_EQ(plan[1].request.seed, 1U);
+    EXPECT_EQ(plan[1].realizations, 4U);
+}
+
+TEST(Plan, SeveralListsMakeTheirProduct)
+{
+    const auto plan = plan_of("[[method]]\nsampler = \"dart-throwing\"\nlabel = \"Maximal\"\n"
+                              "stop = [\"saturation\"]\nmin_distance = [0.1, 0.2, 0.3]\n");
+    EXPECT_THAT(labels(plan), ElementsAre("Maximal, d = 0.1", "Maximal, d = 0.2", "Maximal, d = 0.3"))
+        << "a user's label and what varies";
+    EXPECT_EQ(plan[2].parameters.text("stop"), "saturation");
+}
+
+/// A sampler with three parameters, to see products of lists whatever real samplers have.
+TEST(Plan, InProductsTheLastParameterVariesFastest)
+{
+    SamplerSpec spec = *find_sampler("random");
+    for (const char* key : {"a", "b", "c"}) {
+        ParameterSpec parameter;
+        parameter.key = key;
+        parameter.maximum = 9;
+        spec.parameters.push_back(parameter);
+    }
+    spec.check = nullptr;
+    const auto choice = [](double value) { return ParameterChoice{value, std::to_string(int(value)), {}}; };
+    MethodConfig method;
+    method.sampler = &spec;
+    method.settings = {{&spec.parameters[0], {choice(1), choice(2)}},
+                       {&spec.parameters[1], {choice(3)}},
+                       {&spec.parameters[2], {choice(4), choice(5)}}};
+    Config config;
+    config.methods = {method};
+    EXPECT_THAT(names(make_plan(config)), ElementsAre("random-a-1-b-3-c-4", "random-a-1-b-3-c-5",
+                                                      "random-a-2-b-3-c-4", "random-a-2-b-3-c-5"));
+    config.methods[0].label = "L";
+    EXPECT_THAT(labels(make_plan(config)),
+                ElementsAre("L, a = 1, c = 4", "L, a = 1, c = 5", "L, a = 2, c = 4", "L, a = 2, c = 5"));
+}
+
+TEST(Plan, NumbersAreShownAsTypedWherePlain)
+{
+    const auto plan = plan_of("[[method]]\nsampler = \"dart-throwing\"\n"
+                              "relative_radius = [0.700, 5e-1, +0.25, 0.1_5, 1_0e-2]\n");
+    EXPECT_THAT(names(plan),
+                ElementsAre("dart-throwing-rho-0.700", "dart-throwing-rho-5e-1", "dart-throwing-rho-0.25",
+                            "dart-throwing-rho-0.15", "dart-throwing-rho-0.1"));
+}
+
+TEST(Plan, DeterministicMethodsHaveOneRealization)
+{
+    EXPECT_EQ(plan_of("[[method]]\nsampler = \"regular\"\n")[0].realizations, 1U);
+}
+
+TEST(Plan, FilesHaveAsManyRealizationsAsThereAre)
+{
+    const TemporaryFolder folder;
+    folder.write("a.dat", "0.1 0.2\n#\n0.3 0.4\n");
+    folder.write("b.dat", "0.5 0.6\n");
+    const auto file =
+        folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = [\"a.dat\", \"b.dat\"]\n");
+    const auto plan = make_plan(read_config(file));
+    ASSERT_EQ(plan.size(), 1U);
+    EXPECT_EQ(plan[0].realizations, 3U);
+    EXPECT_EQ(plan[0].name, "file-path-a");
+}
+
+TEST(Plan, NamesThatWouldBeEqualGetNumbers)
+{
+    const TemporaryFolder folder;
+    folder.write("a/x y.dat", "0.1 0.2\n");
+    folder.write("b/x-y.dat", "0.3 0.4\n");
+    const auto file = folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = \"a/x y.dat\"\n"
+                                             "[[method]]\nsampler = \"file\"\npath = \"b/x-y.dat\"\n");
+    EXPECT_THAT(names(make_plan(read_config(file))), ElementsAre("file-path-x-y", "file-path-x-y-2"));
+}
+
+TEST(SafeName, IsAFolderNameAnywhere)
+{
+    EXPECT_EQ(safe_name("dart-throwing-rho-0.70"), "dart-throwing-rho-0.70");
+    EXPECT_EQ(safe_name("../../etc"), "etc");
+    EXPECT_EQ(safe_name("a b/c\\d:e"), "a-b-c-d-e");
+    EXPECT_EQ(safe_name("ρ = 0.7"), "0.7");
+    EXPECT_EQ(safe_name(""), "series");
+    EXPECT_EQ(safe_name("..."), "series");
+}
+
+}
+}

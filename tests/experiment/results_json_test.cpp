@@ -1,0 +1,150 @@
+#include "experiment/results_json.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Experiment one_series()
+{
+    Experiment experiment;
+    experiment.title = "T";
+    experiment.command = "poissonlab run c.toml";
+    experiment.config = "title = \"T\"\n";
+    experiment.overrides = {"seed=2"};
+    experiment.seed = 2;
+    experiment.engine = "opencl";
+    experiment.realizations = 2;
+    SeriesTask task;
+    task.name = "n";
+    task.label = "L";
+    task.sampler = "dart-throwing";
+    task.parameters.set("relative_radius", 0.7);
+    task.parameters.set("stop", std::string("points"));
+    experiment.series.push_back(task);
+    return experiment;
+}
+
+SeriesResult two_realizations()
+{
+    SeriesResult result;
+    result.points = {64, 64};
+    result.min_distance = {0.1, 0.3};
+    result.relative_radius = {0.6, 0.7};
+    result.covered_fraction = {0.4, 0.5};
+    result.spectrum_size = 64;
+    result.point_files = {"n/realization-000.dat", "n/realization-001.dat"};
+    result.sample_seconds = {1.0, 2.0};
+    result.build_seconds = 0.5;
+    result.analysis_seconds = 3.0;
+    return result;
+}
+
+json written(const Experiment& experiment, const SeriesResult& result, const Machine& machine = {})
+{
+    return json::parse(results_json(experiment, {result}, machine));
+}
+
+TEST(ResultsJson, HasEveryMember)
+{
+    const json root = written(one_series(), two_realizations(), {"name", "", "", "", 2, 0});
+    EXPECT_EQ(root["format"], "poissonlab-results");
+    EXPECT_EQ(root["format_version"], 1);
+    EXPECT_TRUE(root["version"].is_string());
+    EXPECT_EQ(root["title"], "T");
+    EXPECT_EQ(root["command"], "poissonlab run c.toml");
+    EXPECT_EQ(root["config"], "title = \"T\"\n");
+    EXPECT_EQ(root["overrides"], json({"seed=2"}));
+    EXPECT_EQ(root["seed"], 2);
+    EXPECT_EQ(root["engine"], "opencl");
+    EXPECT_EQ(root["dimension"], 2);
+    EXPECT_EQ(root["realizations"], 2);
+    EXPECT_EQ(root["machine"], json({{"device", "name"}, {"compute_units", 2}}))
+        << "members not used are absent";
+
+    const json& series = root["series"][0];
+    EXPECT_EQ(series["name"], "n");
+    EXPECT_EQ(series["label"], "L");
+    EXPECT_EQ(series["sampler"], "dart-throwing");
+    EXPECT_EQ(series["parameters"], json({{"relative_radius", 0.7}, {"stop", "points"}}));
+    EXPECT_EQ(series["deterministic"], false);
+    EXPECT_EQ(series["points"], 64);
+    EXPECT_FALSE(series.contains("points_each"));
+    EXPECT_EQ(series["realizations"], 2);
+    EXPECT_EQ(series["min_distance"],
+              json({{"min", 0.1}, {"mean", 0.2}, {"max", 0.3}, {"each", {0.1, 0.3}}}));
+    EXPECT_EQ(series["relative_radius"]["each"], json({0.6, 0.7}));
+    EXPECT_EQ(series["covered_fraction"]["max"], 0.5);
+    EXPECT_EQ(series["spectrum"],
+              json({{"kind", "power spectrum estimate"}, {"size", 64}, {"file", "n/spectrum.exr"}}));
+    EXPECT_EQ(series["radial"]["file"], "n/radial.csv");
+    EXPECT_NEAR(series["radial"]["background_anisotropy_db"].get<double>(), -3.0103, 1e-4);
+    EXPECT_EQ(series["point_files"].size(), 2U);
+    EXPECT_EQ(series["timing"],
+              json({{"sample_seconds", {1.0, 2.0}}, {"build_seconds", 0.5}, {"analysis_seconds", 3.0}}));
+}
+
+TEST(ResultsJson, DeterministicOrSingleSetsHaveAPeriodogram)
+{
+    Experiment experiment = one_series();
+    experiment.series[0].deterministic = true;
+    EXPECT_EQ(written(experiment, two_realizations())["series"][0]["spectrum"]["kind"], "periodogram");
+
+    SeriesResult one = two_realizations();
+    one.points = {64};
+    EXPECT_EQ(written(one_series(), one)["series"][0]["spectrum"]["kind"], "periodogram");
+}
+
+TEST(ResultsJson, SizesThatDifferAreAllThere)
+{
+    SeriesResult result = two_realizations();
+    result.points = {63, 66};
+    const json series = written(one_series(), result)["series"][0];
+    EXPECT_EQ(series["points"], 65) << "the mean, rounded";
+    EXPECT_EQ(series["points_each"], json({63, 66}));
+}
+
+TEST(ResultsJson, APointHasNoDistance)
+{
+    SeriesResult result = two_realizations();
+    result.min_distance = result.relative_radius = result.covered_fraction = {infinite, infinite};
+    const json series = written(one_series(), result)["series"][0];
+    EXPECT_TRUE(series["min_distance"].is_null());
+    EXPECT_TRUE(series["relative_radius"].is_null());
+    EXPECT_TRUE(series["covered_fraction"].is_null());
+}
+
+TEST(ResultsJson, ImportedSetsHaveNoSeedAndNoEngine)
+{
+    Experiment experiment = one_series();
+    experiment.seed.reset();
+    experiment.engine.clear();
+    const json root = written(experiment, two_realizations());
+    EXPECT_FALSE(root.contains("seed"));
+    EXPECT_FALSE(root.contains("engine"));
+}
+
+TEST(ResultsJson, TakesAnyBytes)
+{
+    Experiment experiment = one_series();
+    experiment.command = "poissonlab run \xe9.toml";
+    EXPECT_EQ(written(experiment, two_realizations())["command"], "poissonlab run \uFFFD.toml");
+}
+
+TEST(RadialCsv, HasShortExactNumbers)
+{
+    EXPECT_EQ(radial_csv({{1, 0.1, -10.5, 8}, {2, 1e-30, -300.25, 16}}),
+              "frequency,power,anisotropy_db,samples\n1,0.1,-10.5,8\n2,1e-30,-300.25,16\n");
+}
+
+}
+}

@@ -1,0 +1,143 @@
+// Whole runs inside the process, with samplers made for the test.
+#include "experiment/runner.hpp"
+
+#include "analysis/spectrum_file.hpp"
+#include "errors/errors.hpp"
+#include "experiment/message_of.hpp"
+#include "experiment/program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace poissonlab {
+namespace {
+
+/// Calls a function for each set.
+class FunctionSampler : public Sampler
+{
+public:
+    using Make = std::function<PointSet(std::uint32_t)>;
+    FunctionSampler(Make make, bool sizes_vary) : make_(std::move(make)), sizes_vary_(sizes_vary) {}
+    PointSet sample(std::uint32_t realization) override { return make_(realization); }
+    bool sizes_vary() const override { return sizes_vary_; }
+
+private:
+    Make make_;
+    bool sizes_vary_;
+};
+
+SeriesTask task(const std::string& name, std::uint32_t realizations, FunctionSampler::Make make,
+                bool sizes_vary = false)
+{
+    SeriesTask result;
+    result.name = name;
+    result.label = name;
+    result.sampler = "test";
+    result.realizations = realizations;
+    result.create = [make, sizes_vary] { return std::make_unique<FunctionSampler>(make, sizes_vary); };
+    return result;
+}
+
+/// `count` points on a diagonal, moved a little by the realization.
+PointSet diagonal(std::size_t count, std::uint32_t realization)
+{
+    PointSet points;
+    for (std::size_t i = 0; i < count; ++i)
+        for (int d = 0; d < 2; ++d)
+            points.coordinates.push_back((static_cast<double>(i) + 0.25) /
+                                         static_cast<double>(count + realization));
+    return points;
+}
+
+Experiment experiment_of(std::vector<SeriesTask> tasks)
+{
+    Experiment experiment;
+    experiment.title = std::string("T");
+    experiment.seed = 1;
+    experiment.engine = "reference";
+    experiment.realizations = 2;
+    experiment.series = std::move(tasks);
+    return experiment;
+}
+
+void run(const Experiment& experiment, const std::filesystem::path& out)
+{
+    Progress progress(Progress::Style::quiet);
+    run_experiment(experiment, out, progress);
+}
+
+TEST(Runner, AveragesPeriodogramsInOrder)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task("s", 3, [](std::uint32_t k) { return diagonal(16, k); })}), folder.path());
+    SpectrumEstimate estimate(2, spectrum_size(16, 2));
+    for (std::uint32_t k = 0; k < 3; ++k) estimate.add(diagonal(16, k));
+    const Spectrum expected = estimate.mean();
+    const Spectrum stored = read_spectrum(folder.path() / "s/spectrum.exr");
+    ASSERT_EQ(stored.size, expected.size);
+    EXPECT_EQ(stored.realizations, 3);
+    EXPECT_EQ(stored.points, 16U);
+    for (std::size_t i = 0; i < expected.power.size(); ++i)
+        EXPECT_FLOAT_EQ(static_cast<float>(stored.power[i]), static_cast<float>(expected.power[i]));
+}
+
+TEST(Runner, SizesMayVaryWhereTheSamplerSaysSo)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task(
+            "s", 2, [](std::uint32_t k) { return diagonal(16 + k, k); }, true)}),
+        folder.path());
+    const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
+    EXPECT_EQ(json["series"][0]["points_each"], nlohmann::json({16, 17}));
+
+    const auto mistake = experiment_of({task("s", 2, [](std::uint32_t k) { return diagonal(16 + k, k); })});
+    EXPECT_EQ(message_of([&] { run(mistake, folder.path()); }),
+              "s: realization 1 has 17 points where the first has 16");
+}
+
+TEST(Runner, SetsThatCannotBeAnalysed)
+{
+    const TemporaryFolder folder;
+    const auto empty = experiment_of({task("s", 1, [](std::uint32_t) { return PointSet{}; })});
+    EXPECT_EQ(message_of([&] { run(empty, folder.path()); }), "s: realization 0 has no points");
+    const auto spatial = experiment_of({task("s", 1, [](std::uint32_t) {
+        return PointSet{3, {0.1, 0.2, 0.3}};
+    })});
+    EXPECT_EQ(message_of([&] { run(spatial, folder.path()); }),
+              "s: realization 0 is not 2D: this version analyses 2D sets only");
+}
+
+TEST(Runner, OnePointIsEnough)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(1, 0); })}), folder.path());
+    const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
+    EXPECT_TRUE(json["series"][0]["min_distance"].is_null());
+}
+
+TEST(Runner, AFailureInALaterSeriesLeavesThePreviousResultAlone)
+{
+    const TemporaryFolder folder;
+    const auto good = task("good", 2, [](std::uint32_t k) { return diagonal(16, k); });
+    run(experiment_of({good}), folder.path());
+    const auto before = files_below(folder.path());
+
+    const auto bad = task("bad", 2, [](std::uint32_t k) {
+        if (k == 1) throw DeviceError("the device is gone");
+        return diagonal(16, k);
+    });
+    EXPECT_THROW(run(experiment_of({good, bad}), folder.path()), DeviceError);
+    EXPECT_EQ(files_below(folder.path()), before);
+    EXPECT_THROW(run(experiment_of({good, bad}), folder.path() / "new"), DeviceError);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "new"));
+}
+
+TEST(Runner, ManyRealizationsKeepTheirOrderInNames)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task("s", 12, [](std::uint32_t k) { return diagonal(2, k); })}), folder.path());
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "s/realization-011.dat"));
+}
+
+}
+}

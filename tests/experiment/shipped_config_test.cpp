@@ -1,0 +1,31 @@
+// Every config that ships can be run.
+#include "experiment/plan.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+TEST(ShippedConfigs, ArePlannable)
+{
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(POISSONLAB_SOURCE_DIR "/configs")) {
+        SCOPED_TRACE(entry.path());
+        EXPECT_EQ(entry.path().extension(), ".toml");
+        EXPECT_FALSE(make_plan(read_config(entry.path())).empty());
+        ++count;
+    }
+    EXPECT_GE(count, 3);
+}
+
+TEST(ShippedConfigs, QuickIsWhatTheReadmePromises)
+{
+    const Config config = read_config(POISSONLAB_SOURCE_DIR "/configs/quick.toml");
+    EXPECT_EQ(config.seed, 1U);
+    EXPECT_EQ(config.points, 16384U);
+    EXPECT_EQ(config.realizations, 10);
+    EXPECT_EQ(make_plan(config).size(), 3U);
+}
+
+}
+}

@@ -1,0 +1,241 @@
+// write_report on a small result folder: the page, the pictures, and that both are always the same.
+#include "reports/report.hpp"
+
+#include "io/whole_file.hpp"
+#include "page_text.hpp"
+#include "picture.hpp"
+#include "reports/number_format.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic_results.hpp"
+
+#include "errors/errors.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A result folder with its report, made once for all tests that only look at it.
+class ReportTest : public testing::Test
+{
+protected:
+    static void SetUpTestSuite()
+    {
+        folder_ = new TemporaryFolder;
+        results_ = new nlohmann::json(test::write_synthetic_results(folder_->path()));
+        write_report({folder_->path()}, folder_->path());
+        page_ = new std::string(read_whole_file(folder_->path() / "index.html"));
+    }
+    static void TearDownTestSuite()
+    {
+        delete page_;
+        delete results_;
+        delete folder_;
+    }
+
+    static const fs::path& folder() { return folder_->path(); }
+    static const nlohmann::json& results() { return *results_; }
+    static const std::string& page() { return *page_; }
+
+    /// The part of the page that is about the series with that number, from 1.
+    static std::string section(int number)
+    {
+        const auto begin = page().find(fmt::format("<article id=\"series-{}\"", number));
+        return page().substr(begin, page().find("</article>", begin) - begin);
+    }
+
+private:
+    inline static TemporaryFolder* folder_ = nullptr;
+    inline static nlohmann::json* results_ = nullptr;
+    inline static std::string* page_ = nullptr;
+};
+
+TEST_F(ReportTest, MarkupIsWellFormed) { EXPECT_EQ(test::first_markup_error(page()), ""); }
+
+TEST_F(ReportTest, NothingRefersToTheNetwork)
+{
+    const auto text = test::without_data_uris(page());
+    EXPECT_THAT(text, Not(HasSubstr("http")));
+    EXPECT_THAT(text, Not(HasSubstr("url(")));
+    EXPECT_THAT(text, Not(HasSubstr("@import")));
+    EXPECT_THAT(text, Not(HasSubstr("<script")));
+    for (const auto& source : test::attribute_values(page(), "src"))
+        EXPECT_THAT(source, testing::StartsWith("data:"));
+}
+
+TEST_F(ReportTest, EveryLinkLeadsSomewhere)
+{
+    std::set<std::string> ids;
+    for (const auto& id : test::attribute_values(page(), "id")) EXPECT_TRUE(ids.insert(id).second) << id;
+    for (const auto& link : test::attribute_values(page(), "href")) {
+        if (link.starts_with("data:")) continue;
+        if (link.starts_with('#')) {
+            EXPECT_TRUE(ids.contains(link.substr(1))) << link;
+        } else {
+            EXPECT_TRUE(fs::is_regular_file(folder() / link)) << link;
+        }
+    }
+}
+
+TEST_F(ReportTest, EveryPictureShowsSomething)
+{
+    const auto sources = test::attribute_values(page(), "src");
+    EXPECT_EQ(sources.size(), 3 * 4 + 2); // four panels a series, two plots of all series
+    for (const auto& source : sources) {
+        const auto bytes = test::decode_data_uri(source);
+        if (source.starts_with("data:image/png"))
+            EXPECT_GT(test::decode_png(bytes).variance(), 1);
+        else
+            EXPECT_THAT(bytes, testing::AllOf(HasSubstr("<svg"), HasSubstr("</svg>"), HasSubstr("<path")));
+    }
+    for (const auto& alt : test::attribute_values(page(), "alt")) EXPECT_GT(alt.size(), 10);
+    for (const auto& entry : fs::recursive_directory_iterator(folder()))
+        if (entry.path().extension() == ".png") {
+            EXPECT_GT(test::decode_png(read_whole_file(entry.path())).variance(), 1) << entry.path();
+        }
+}
+
+TEST_F(ReportTest, ShowsTheStoredNumbers)
+{
+    int number = 0;
+    for (const auto& series : results()["series"]) {
+        const auto begin = page().find(fmt::format("href=\"#series-{}\"", ++number));
+        const auto row = page().substr(begin, page().find("</tr>", begin) - begin);
+        const auto shows = [&](double exact, const std::string& words) {
+            EXPECT_THAT(row, HasSubstr(fmt::format("<data value=\"{}\">{}</data>", exact, words)));
+        };
+        const double radius = series["relative_radius"]["mean"];
+        const double distance = series["min_distance"]["mean"];
+        const double covered = series["covered_fraction"]["mean"];
+        shows(radius, format_fixed(radius, 4));
+        shows(distance, format_significant(distance, 4));
+        shows(covered, format_fixed(covered, 4));
+        shows(0.0123, "12.3 ms");
+        EXPECT_THAT(row, HasSubstr("Points N\">256<"));
+        EXPECT_THAT(row, HasSubstr(fmt::format("Sets K\">{}<", series["realizations"].get<int>())));
+        EXPECT_THAT(row, HasSubstr("strength = 0.6"));
+    }
+}
+
+TEST_F(ReportTest, SaysWhereTheResultsComeFrom)
+{
+    EXPECT_THAT(page(), HasSubstr("0.1.0 (test)"));
+    EXPECT_THAT(page(), HasSubstr("<dd>18446744073709551615</dd>"));
+    EXPECT_THAT(page(), HasSubstr("<dd>the sequential reference</dd>"));
+    EXPECT_THAT(page(), HasSubstr("<dd>seed=7</dd>"));
+    EXPECT_THAT(page(), HasSubstr("poissonlab run grids.toml --set"));
+}
+
+TEST_F(ReportTest, EscapesWhatUsersWrote)
+{
+    EXPECT_THAT(page(), HasSubstr("Grids &lt;script&gt;alert(1)&lt;/script&gt; &amp; co"));
+    EXPECT_THAT(page(), HasSubstr("Random &lt;b&gt;bold&lt;/b&gt; &amp; &quot;quoted&quot;"));
+    EXPECT_THAT(page(), HasSubstr("title = &quot;&lt;i&gt;&amp;amp;&lt;/i&gt;&quot;\n{{braces}}"));
+    EXPECT_THAT(page(), HasSubstr("Test &lt;device&gt;"));
+    EXPECT_THAT(page(), HasSubstr("note = a&lt;b"));
+}
+
+TEST_F(ReportTest, OneSetHasAPeriodogramAndNoEstimate)
+{
+    EXPECT_THAT(section(1), HasSubstr("Power spectrum estimate"));
+    EXPECT_THAT(section(3), HasSubstr("Periodogram"));
+    EXPECT_THAT(section(3), Not(testing::ContainsRegex("[Pp]ower spectrum")));
+    EXPECT_THAT(section(3), Not(HasSubstr("estimate")));
+}
+
+TEST_F(ReportTest, DescribesTheToneMapping)
+{
+    EXPECT_THAT(page(), HasSubstr("power 0.01 is black, power 10 is white, logarithmic"));
+}
+
+/// All files of a folder with their bytes.
+std::map<std::string, std::string> bytes_below(const fs::path& folder)
+{
+    std::map<std::string, std::string> result;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file())
+            result[entry.path().lexically_relative(folder).string()] = read_whole_file(entry.path());
+    return result;
+}
+
+TEST_F(ReportTest, IsTheSameEveryTime)
+{
+    const TemporaryFolder other;
+    test::write_synthetic_results(other.path());
+    write_report({other.path()}, other.path());
+    const auto first = bytes_below(folder());
+    const auto second = bytes_below(other.path());
+    ASSERT_EQ(first.size(), second.size());
+    for (const auto& [name, bytes] : first) EXPECT_EQ(bytes == second.at(name), true) << name;
+}
+
+TEST_F(ReportTest, SeveralFoldersShareOnePage)
+{
+    const TemporaryFolder base;
+    const fs::path a = base.path() / "a" / "run";
+    const fs::path b = base.path() / "b" / "run";
+    test::write_synthetic_results(a);
+    auto other = test::write_synthetic_results(b);
+    other["title"] = "The other run";
+    test::write_results_json(b, other);
+    const auto out = base.path() / "out";
+    std::vector<std::string> steps;
+    write_report({a, b}, out, [&](const std::string& step) { steps.push_back(step); });
+
+    const auto text = read_whole_file(out / "index.html");
+    EXPECT_EQ(test::first_markup_error(text), "");
+    EXPECT_THAT(text, HasSubstr("Comparison: Grids"));
+    EXPECT_THAT(text, HasSubstr("; The other run"));
+    EXPECT_THAT(text, HasSubstr("Regular grid (run)"));
+    EXPECT_THAT(text, HasSubstr("Regular grid (run-2)"));
+    EXPECT_TRUE(fs::is_regular_file(out / "run" / "regular" / "points.png"));
+    EXPECT_TRUE(fs::is_regular_file(out / "run-2" / "regular" / "spectrum.png"));
+    EXPECT_FALSE(fs::exists(a / "regular" / "points.png"));
+    for (const auto& link : test::attribute_values(text, "href"))
+        if (!link.starts_with("data:") && !link.starts_with('#')) {
+            EXPECT_TRUE(fs::is_regular_file(out / link)) << link;
+        }
+    EXPECT_THAT(steps, ElementsAre("reading results", "drawing pictures", "writing the page"));
+}
+
+TEST_F(ReportTest, OneSeriesNeedsNoComparison)
+{
+    const TemporaryFolder other;
+    auto json = test::write_synthetic_results(other.path());
+    json["series"].erase(1);
+    json["series"].erase(1);
+    test::write_results_json(other.path(), json);
+    write_report({other.path()}, other.path());
+    const auto text = read_whole_file(other.path() / "index.html");
+    EXPECT_EQ(test::first_markup_error(text), "");
+    EXPECT_THAT(text, Not(HasSubstr("All series compared")));
+    EXPECT_FALSE(fs::exists(other.path() / "radial-all.svg"));
+}
+
+/// A label is free text: none of it may reach gnuplot as a command.
+TEST_F(ReportTest, LabelsAreNoCommands)
+{
+    const TemporaryFolder other;
+    auto json = test::write_synthetic_results(other.path());
+    json["series"][0]["label"] = "x' ; system 'touch " + (other.path() / "harm").string() + "'\n!date";
+    json["series"][1]["label"] =
+        "{/Symbol a} \\ \" `date` %s $series0 " + std::string(100, '.') + "\u00e9\u00e9";
+    test::write_results_json(other.path(), json);
+    write_report({other.path()}, other.path());
+    EXPECT_FALSE(fs::exists(other.path() / "harm"));
+    EXPECT_THAT(read_whole_file(other.path() / "radial-all.svg"), HasSubstr("`date` %s $series0"));
+}
+
+TEST_F(ReportTest, RefusesAnEmptyList) { EXPECT_THROW(write_report({}, folder()), InputError); }
+
+}
+}
