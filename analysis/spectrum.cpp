@@ -17,7 +17,7 @@ int spectrum_size(std::size_t points, int dimension)
     return size;
 }
 
-SpectrumEstimate::SpectrumEstimate(int dimension, int size)
+SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary) : sizes_vary_(sizes_vary)
 {
     if (dimension != 2 && dimension != 3)
         throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
@@ -35,18 +35,18 @@ void SpectrumEstimate::add(const PointSet& points)
                          std::to_string(sum_.dimension));
     }
     if (points.size() == 0) throw InputError(name + " has no points");
-    if (sum_.realizations > 0 && points.size() != sum_.points) {
-        throw InputError(name + " has " + std::to_string(points.size()) + " points, realization 0 has " +
-                         std::to_string(sum_.points) + ": all must have the same number");
+    if (!sizes_vary_ && sum_.realizations > 0 && points.size() != sum_.points) {
+        throw InputError(name + " has " + std::to_string(points.size()) + " points where the first has " +
+                         std::to_string(sum_.points));
     }
 
     std::vector<double> power = exact_periodogram(points, sum_.size);
     if (sum_.realizations == 0) {
         sum_.power = std::move(power);
+        sum_.points = points.size();
     } else {
         for (std::size_t i = 0; i < power.size(); ++i) sum_.power[i] += power[i];
     }
-    sum_.points = points.size();
     ++sum_.realizations;
 }
 

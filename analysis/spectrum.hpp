@@ -20,7 +20,7 @@ struct Spectrum
 {
     int dimension = 2;
     int size = 0;              ///< M: frequency samples along each axis, even
-    std::size_t points = 0;    ///< N of each realization
+    std::size_t points = 0;    ///< N of each realization; of the first one where sizes vary
     int realizations = 0;      ///< K
     std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
 
@@ -36,22 +36,26 @@ struct Spectrum
 /// of two. 1,024 for 16,384 points in 2D.
 int spectrum_size(std::size_t points, int dimension);
 
-/// Adds up periodograms of sets of equal size, in the order given.
+/// Adds up periodograms in the order given; sums of floating point numbers depend on it.
+///
+/// Each periodogram is normalised by the number of points of its own set, so that sets whose sizes differ by
+/// the nature of their method, as saturated ones do, can be averaged where `sizes_vary` says so.
 class SpectrumEstimate
 {
 public:
     /// `size` must be even and positive.
-    SpectrumEstimate(int dimension, int size);
+    SpectrumEstimate(int dimension, int size, bool sizes_vary = false);
 
     /// Adds the periodogram of one realization, by the exact sum. Throws InputError when the number of points
-    /// or the dimension differs from those before, or when the set is empty.
+    /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
 private:
-    Spectrum sum_;
+    bool sizes_vary_;
+    Spectrum sum_; ///< `points` is that of the first realization
 };
 
 /// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The

@@ -223,11 +223,12 @@ void copy_staged(const List* list, uint begin)
 /// One work-item owns one open cell ("parent"). Needs: masks and positions for all points of earlier batches; counters
 /// OPEN_CELLS and DARTS zero.
 ///
-/// `parents` DIMENSION words each, or, where `parents_are_all`, not used: the cells of level 0. `level` that of the children, or, where `split` is
+/// `parents` DIMENSION words each, or, where `parents_are_all`, not used: the cells of level 0, in the first batch, which
+/// also clears their slots and masks. `level` that of the children, or, where `split` is
 /// 0, of the parents themselves, which then take the place of children. `is_last_level`: they cannot be split further.
 /// Local memory: staged_cells for DIMENSION * staged_cells_capacity words, staged_darts for
 /// DART_WORDS * staged_darts_capacity words, group for 4 words.
-kernel void throw_darts(global const uint* parents, uint parent_count, uint parents_are_all, global const uint* masks,
+kernel void throw_darts(global const uint* parents, uint parent_count, uint parents_are_all, global uint* masks, global uint* slots,
                         global const uint* positions, uint grid_size, ulong step, int level, uint split, uint is_last_level,
                         uint batch, ulong squared_min_distance, uint key_x, uint key_y, constant const uint* thresholds,
                         uint threshold_count, global uint* open_cells, uint open_cells_capacity, global uint* darts,
@@ -254,6 +255,10 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
         Cell base;
         FOR_EACH_AXIS(k) base.c[k] = parent.c[k] >> parent_level;
         const uint base_index = cell_index(&base, grid_size);
+        if (parents_are_all) {
+            slots[base_index] = 0;
+            for (uint w = 0; w < MASK_WORDS; ++w) masks[base_index * MASK_WORDS + w] = 0;
+        }
 
         const Halves halves = halves_of(&parent, parent_level, split, step);
 

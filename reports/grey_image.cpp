@@ -3,26 +3,24 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 
-#include <png.h>
-
-#include <string>
+#include <OpenImageIO/imageio.h>
 
 namespace poissonlab {
 
 void write_png(const std::filesystem::path& path, const GreyImage& image)
 {
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    header.width = static_cast<png_uint_32>(image.width);
-    header.height = static_cast<png_uint_32>(image.height);
-    header.format = PNG_FORMAT_GRAY;
-    header.flags = PNG_IMAGE_FLAG_FAST; // spectra are noise: trying harder takes time and gains nothing
-
-    std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
-    png_alloc_size_t size = bytes.size();
-    if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
-        throw StorageError(path.string() + ": cannot write the picture: " + header.message);
-    write_whole_file(path, std::string_view(bytes).substr(0, size));
+    write_whole_file(path, [&](const std::filesystem::path& temporary) {
+        OIIO::ImageSpec spec(image.width, image.height, 1, OIIO::TypeDesc::UINT8);
+        spec.attribute("png:compressionLevel",
+                       1); // spectra are noise: trying harder takes time and gains nothing
+        const auto output = OIIO::ImageOutput::create("png");
+        const bool written = output && output->open(temporary.string(), spec) &&
+                             output->write_image(OIIO::TypeDesc::UINT8, image.pixels.data()) &&
+                             output->close();
+        if (written) return;
+        throw StorageError(path.string() +
+                           ": cannot write the picture: " + (output ? output->geterror() : OIIO::geterror()));
+    });
 }
 
 }

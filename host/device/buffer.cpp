@@ -29,10 +29,4 @@ void write_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, con
             [&] { buffer.device->queue.enqueueWriteBuffer(buffer.memory, CL_TRUE, offset, bytes, source); });
 }
 
-void zero_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes)
-{
-    checked(buffer, "clearing", bytes,
-            [&] { buffer.device->queue.enqueueFillBuffer(buffer.memory, cl_uchar{0}, offset, bytes); });
-}
-
 }

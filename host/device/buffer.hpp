@@ -11,10 +11,9 @@ namespace poissonlab {
 
 struct BufferImpl;
 
-/// Byte-wise transfers; throw DeviceError. Reads and writes wait for their completion, fills are enqueued.
+/// Byte-wise transfers; throw DeviceError. Both wait for their completion.
 void read_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, void* target);
 void write_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, const void* source);
-void zero_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes);
 
 /// `size` values of type T on the device. Copies share the memory.
 template <typename T>
@@ -44,12 +43,6 @@ public:
     void write(std::span<const T> source, std::size_t offset = 0)
     {
         if (!source.empty()) write_buffer(*impl_, offset * sizeof(T), source.size_bytes(), source.data());
-    }
-
-    /// Sets every byte to zero.
-    void zero()
-    {
-        if (size_ > 0) zero_buffer(*impl_, 0, size_ * sizeof(T));
     }
 
     BufferImpl& impl() const { return *impl_; }

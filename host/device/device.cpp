@@ -10,6 +10,8 @@
 #include <cctype>
 #include <charconv>
 #include <chrono>
+#include <map>
+#include <mutex>
 
 namespace poissonlab {
 namespace {
@@ -132,7 +134,8 @@ cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned
     return parts.at(0);
 }
 
-cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file, const std::string& options)
+cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file,
+                  const std::string& options)
 {
     const auto start = std::chrono::steady_clock::now();
     cl::Program program(impl.context, text);
@@ -146,6 +149,20 @@ cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& 
     }
     impl.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return program;
+}
+
+std::shared_ptr<DeviceImpl> open_device(const cl::Device& device, const DeviceInfo& info, unsigned threads)
+{
+    auto impl = std::make_shared<DeviceImpl>();
+    try {
+        impl->device = restrict_threads(device, threads, info.compute_units);
+        impl->info = describe(impl->device);
+        impl->context = cl::Context(impl->device);
+        impl->queue = cl::CommandQueue(impl->context, impl->device);
+    } catch (const cl::Error& error) {
+        throw device_error("opening " + info.name, error);
+    }
+    return impl;
 }
 
 }
@@ -170,16 +187,15 @@ Device Device::open(const std::string& selector, unsigned threads)
                           " cannot be used: " + infos[chosen].unusable);
     }
 
-    auto impl = std::make_shared<DeviceImpl>();
-    try {
-        impl->device = restrict_threads(devices[chosen], threads, infos[chosen].compute_units);
-        impl->info = describe(impl->device);
-        impl->context = cl::Context(impl->device);
-        impl->queue = cl::CommandQueue(impl->context, impl->device);
-    } catch (const cl::Error& error) {
-        throw device_error("opening " + infos[chosen].name, error);
-    }
-    return Device(std::move(impl));
+    // What was opened stays open until the process ends, and is handed out again. PoCL (3.1) may still be
+    // releasing the last event of a queue in a worker thread when all commands are done, and crashes when its
+    // context goes meanwhile.
+    static std::mutex mutex;
+    static auto& opened = *new std::map<std::pair<std::size_t, unsigned>, std::shared_ptr<DeviceImpl>>;
+    const std::lock_guard lock(mutex);
+    std::shared_ptr<DeviceImpl>& impl = opened[{chosen, threads}];
+    if (!impl) impl = open_device(devices[chosen], infos[chosen], threads);
+    return Device(impl);
 }
 
 const DeviceInfo& Device::info() const { return impl_->info; }

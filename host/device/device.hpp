@@ -42,7 +42,7 @@ public:
     /// Opens a device. `selector`: a number as list_devices() counts from 0, a part of a device's or
     /// platform's name (letter case does not matter), or empty for the default: PoCL where it is there, else
     /// the first usable one. `threads` > 0 restricts a CPU device to that many compute units; 0 takes all.
-    /// Throws DeviceError when there is no such device.
+    /// Throws DeviceError when there is no such device. A device that is open already is handed out again.
     static Device open(const std::string& selector = {}, unsigned threads = 0);
 
     const DeviceInfo& info() const;

@@ -4,15 +4,13 @@
 #include "analysis/spectrum.hpp"
 #include "experiment/experiment.hpp"
 
+#include <optional>
 #include <string>
 
 namespace poissonlab {
 
-/// Collects distances and adds up periodograms, in the order in which realizations come: sums of floating
-/// point numbers depend on it.
-///
-/// Where realizations differ in size, as saturated sets do, each periodogram is normalised by the number of
-/// points of its own set. The first set's size decides the spectrum's.
+/// Collects distances and adds up periodograms, in the order in which realizations come. The number of points
+/// of the first one decides the size of the spectrum.
 class SeriesAnalysis
 {
 public:
@@ -32,7 +30,7 @@ private:
     std::string label_;
     bool sizes_vary_;
     SeriesResult result_;
-    Spectrum sum_;
+    std::optional<SpectrumEstimate> estimate_;
 };
 
 }

@@ -89,7 +89,7 @@ public:
         reserve(device, b.positions, cells * D);
         reserve(device, b.points, packing_bound(request.min_distance, D) * (D + 1));
         reserve(device, b.counters, counter_count);
-        for (Words* cleared : {&b.slots, &b.masks, &b.counters}) cleared->zero();
+        b.counters.write(std::array<std::uint32_t, counter_count>{});
 
         // A guess that is rarely too small: throw_batch() mends it.
         reserve(device, b.parents, cells * D);
@@ -157,11 +157,11 @@ private:
         for (;;) {
             const std::uint32_t none[2] = {0, 0};
             b.counters.write(none, open_cells);
-            throw_.run(parent_count, group_size_, b.parents, u32(parent_count), u32(batch == 0), b.masks, b.positions,
-                       hierarchy_.size, hierarchy_.step, level, u32(split), u32(is_last_level), batch,
-                       squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds,
-                       threshold_count_, b.open, u32(b.open.size() / D), b.darts,
-                       u32(b.darts.size() / dart_words), b.counters,
+            throw_.run(parent_count, group_size_, b.parents, u32(parent_count), u32(batch == 0), b.masks,
+                       b.slots, b.positions, hierarchy_.size, hierarchy_.step, level, u32(split),
+                       u32(is_last_level), batch, squared_min_distance_, request_.stream[0],
+                       request_.stream[1], b.thresholds, threshold_count_, b.open, u32(b.open.size() / D),
+                       b.darts, u32(b.darts.size() / dart_words), b.counters,
                        LocalMemory{staged * D * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{staged * dart_words * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{4 * sizeof(std::uint32_t)});

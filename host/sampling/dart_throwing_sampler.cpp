@@ -94,6 +94,7 @@ public:
     {
         if (engine == Engine::opencl) {
             device_ = &device();
+            built_before_ = device_->build_seconds();
             thrower_ = std::make_unique<DartThrower>(*device_);
         }
     }
@@ -112,7 +113,7 @@ public:
     }
 
     bool sizes_vary() const override { return to_saturation(parameters_); }
-    double build_seconds() const override { return device_ ? device_->build_seconds() : 0; }
+    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 private:
     /// The radius at which the set would have reached its size grows with the number of points as a length
@@ -132,6 +133,7 @@ private:
     Parameters parameters_;
     SampleRequest request_;
     Device* device_ = nullptr;
+    double built_before_ = 0; ///< by earlier users of the device
     std::unique_ptr<DartThrower> thrower_;
 };
 
