@@ -10,7 +10,8 @@
 //   insert_points      put the accepted darts into the grid and into the output
 // Lists are filled through atomic counters, so their order may differ from run to run; no result depends on it.
 //
-// Needs DIMENSION (2 or 3) and REACH (points in conflict are at most so many level 0 cells apart).
+// Needs DIMENSION (2 or 3), REACH (points in conflict are at most so many level 0 cells apart), and LARGE_DISKS (see
+// common/torus.clh).
 
 #include "common/philox.clh"
 #include "common/torus.clh"
@@ -50,7 +51,7 @@
 #define OPEN_CELLS 0
 #define DARTS 1
 #define POINTS 2
-#define UNDECIDED_DARTS 3
+#define WAITING_ROUND 3 // 1 + the last round in which a dart had to wait for another round
 
 // For functions in the innermost loops: PoCL leaves larger ones out of line.
 #define ALWAYS_INLINE __attribute__((always_inline))
@@ -135,25 +136,21 @@ Halves halves_of(const Cell* cell, int level, bool split, ulong step)
     return halves;
 }
 
-/// What a point means for a cell: whether its disk reaches the cell, and, as bits, the children that it covers.
-/// Distances to the halves serve all children at once.
-ALWAYS_INLINE void look_at_point(const Position* point, const Halves* halves, bool split, ulong squared_min_distance, bool* reaches,
-                   uint* covered)
+/// The children that the disk of a point covers, as bits. Distances to the halves serve all children at once.
+ALWAYS_INLINE uint covered_by(const Position* point, const Halves* halves, ulong squared_min_distance)
 {
-    ulong nearest = 0;
     ulong farthest[DIMENSION][2];
     FOR_EACH_AXIS(k) {
-        const uint extent = split ? halves->extent[k][0] + halves->extent[k][1] + 1 : halves->extent[k][0];
-        nearest += square(axis_nearest(point->c[k], halves->low[k][0], extent));
         farthest[k][0] = square(axis_farthest(point->c[k], halves->low[k][0], halves->extent[k][0]));
         farthest[k][1] = square(axis_farthest(point->c[k], halves->low[k][1], halves->extent[k][1]));
     }
-    *reaches = nearest < squared_min_distance;
+    uint covered = 0;
     _Pragma("unroll") for (uint c = 0; c < CHILDREN; ++c) {
         ulong sum = 0;
         FOR_EACH_AXIS(k) sum += farthest[k][c >> k & 1];
-        *covered |= (uint)(sum < squared_min_distance) << c;
+        covered |= (uint)(sum < squared_min_distance) << c;
     }
+    return covered;
 }
 
 /// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is exact.
@@ -223,12 +220,12 @@ void copy_staged(const List* list, uint begin)
 /// One work-item owns one open cell ("parent"). Needs: masks and positions for all points of earlier batches; counters
 /// OPEN_CELLS and DARTS zero.
 ///
-/// `parents` DIMENSION words each, or, where `parents_are_all`, not used: the cells of level 0, in the first batch, which
-/// also clears their slots and masks. `level` that of the children, or, where `split` is
-/// 0, of the parents themselves, which then take the place of children. `is_last_level`: they cannot be split further.
+/// `parents` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their slots and
+/// masks, and does not list them as open. `level` that of the children, or, where `split` is 0, of the parents
+/// themselves, which then take the place of children. `is_last_level`: they cannot be split further.
 /// Local memory: staged_cells for DIMENSION * staged_cells_capacity words, staged_darts for
 /// DART_WORDS * staged_darts_capacity words, group for 4 words.
-kernel void throw_darts(global const uint* parents, uint parent_count, uint parents_are_all, global uint* masks, global uint* slots,
+kernel void throw_darts(global const uint* parents, uint parent_count, global uint* masks, global uint* slots,
                         global const uint* positions, uint grid_size, ulong step, int level, uint split, uint is_last_level,
                         uint batch, ulong squared_min_distance, uint key_x, uint key_y, constant const uint* thresholds,
                         uint threshold_count, global uint* open_cells, uint open_cells_capacity, global uint* darts,
@@ -246,7 +243,7 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
     const uint id = get_global_id(0);
     if (id < parent_count) {
         Cell parent;
-        if (parents_are_all) {
+        if (batch <= 1) {
             parent = cell_at(id, grid_size);
         } else {
             FOR_EACH_AXIS(k) parent.c[k] = parents[id * DIMENSION + k];
@@ -255,7 +252,7 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
         Cell base;
         FOR_EACH_AXIS(k) base.c[k] = parent.c[k] >> parent_level;
         const uint base_index = cell_index(&base, grid_size);
-        if (parents_are_all) {
+        if (batch == 0) {
             slots[base_index] = 0;
             for (uint w = 0; w < MASK_WORDS; ++w) masks[base_index * MASK_WORDS + w] = 0;
         }
@@ -271,9 +268,8 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
                 const uint lowest_bit = 31 - clz(mask & (0u - mask));
                 const uint cell = window_cell(&base, 32 * w + lowest_bit, grid_size);
                 FOR_EACH_AXIS(k) near[near_count].c[k] = positions[cell * DIMENSION + k];
-                bool reaches;
-                look_at_point(&near[near_count], &halves, split, squared_min_distance, &reaches, &covered);
-                near_count += reaches;
+                covered |= covered_by(&near[near_count], &halves, squared_min_distance);
+                ++near_count;
             }
         }
         uint open = ~covered & (split ? (1u << CHILDREN) - 1 : 1u);
@@ -290,7 +286,7 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
                 const uint c = 31 - clz(open & (0u - open));
                 Cell child = parent;
                 if (split) FOR_EACH_AXIS(k) child.c[k] = 2 * parent.c[k] + (c >> k & 1);
-                append(&cells_list, child.c);
+                if (batch > 0) append(&cells_list, child.c);
                 const uint count = dart_count(count_words[c], thresholds, threshold_count);
                 for (uint number = 0; number < count; ++number) {
                     const uint4 words = random_words(&child, batch, number, key);
@@ -322,11 +318,13 @@ kernel void throw_darts(global const uint* parents, uint parent_count, uint pare
     copy_staged(&darts_list, group[3]);
 }
 
-/// One work-item owns one dart. `first` is the number of the batch's first dart.
+/// One work-item owns one dart. `first` is the number of the batch's first dart. Also clears the counters of the batch,
+/// which the host has read.
 kernel void link_darts(global const uint* darts, uint dart_count, uint first, global uint* slots, global uint* next,
-                       global uint* states)
+                       global uint* states, global uint* counters)
 {
     const uint id = get_global_id(0);
+    if (id == 0) counters[OPEN_CELLS] = counters[DARTS] = counters[WAITING_ROUND] = 0;
     if (id >= dart_count) return;
     next[id] = atomic_xchg(&slots[darts[id * DART_WORDS + CELL_WORD]], first + id + 1);
     states[id] = UNDECIDED;
@@ -360,30 +358,38 @@ ALWAYS_INLINE uint list_rivals(uint id, global const uint* darts, uint first, gl
     const Cell cell = cell_at(darts[id * DART_WORDS + CELL_WORD], grid_size);
     uint column[WINDOW];
     for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(cell.c[0], i - REACH, grid_size);
-    uint count = 0;
+
+    // The chains around, without branches: which cells have one is hard to predict.
+    uint chains[MAX_NEAR];
+    uint chain_count = 0;
     for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
         const uint row = window_row(&cell, j, grid_size);
         for (int i = 0; i < WINDOW; ++i) {
-            for (uint link = slots[row + column[i]]; link > first; link = next[link - 1 - first]) {
-                const uint other = link - 1 - first;
-                const Position other_position = position_of(darts, other);
-                const uint other_time = darts[other * DART_WORDS + TIME_WORD];
-                // One branch that is rarely taken, rather than several that are hard to predict.
-                const bool in_conflict = squared_distance(&other_position, &position) < squared_min_distance;
-                if (!(in_conflict & (other_time <= time))) continue;
-                if (other_time == time && !is_earlier_twin(darts, other, id)) continue;
-                if (states[other] == REJECTED) continue;
-                if (count < MAX_RIVALS) list[count] = other;
-                ++count;
-            }
+            chains[chain_count] = slots[row + column[i]];
+            chain_count += chains[chain_count] > first;
+        }
+    }
+
+    uint count = 0;
+    for (uint c = 0; c < chain_count; ++c) {
+        for (uint link = chains[c]; link > first; link = next[link - 1 - first]) {
+            const uint other = link - 1 - first;
+            const Position other_position = position_of(darts, other);
+            const uint other_time = darts[other * DART_WORDS + TIME_WORD];
+            const bool in_conflict = squared_distance(&other_position, &position) < squared_min_distance;
+            if (!(in_conflict & (other_time <= time))) continue;
+            if (other_time == time && !is_earlier_twin(darts, other, id)) continue;
+            if (states[other] == REJECTED) continue;
+            if (count < MAX_RIVALS) list[count] = other;
+            ++count;
         }
     }
     return count;
 }
 
 /// One work-item owns one dart, its next state and its list of rivals. The states that the round before left are only
-/// read, so rounds need no atomics. Needs: link_darts is done. Sets UNDECIDED_DARTS when a dart must wait.
-kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint first, uint is_first_round,
+/// read, so rounds need no atomics. Needs: link_darts is done. Rounds count from 0.
+kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint first, uint round,
                               global const uint* slots, global const uint* next, uint grid_size,
                               ulong squared_min_distance, global uint* rivals, global const uint* states,
                               global uint* next_states, global uint* counters)
@@ -393,7 +399,7 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
     uint state = states[id];
     if (state == UNDECIDED) {
         global uint* list = &rivals[id * RIVAL_WORDS + 1];
-        uint count = is_first_round ? MAX_RIVALS + 1 : rivals[id * RIVAL_WORDS];
+        uint count = round == 0 ? MAX_RIVALS + 1 : rivals[id * RIVAL_WORDS];
         if (count > MAX_RIVALS) {
             count = list_rivals(id, darts, first, slots, next, grid_size, squared_min_distance, states, list);
             rivals[id * RIVAL_WORDS] = count;
@@ -405,7 +411,7 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
             waits = waits || rival == UNDECIDED;
         }
         if (state == UNDECIDED && !waits) state = ACCEPTED;
-        if (state == UNDECIDED) counters[UNDECIDED_DARTS] = 1;
+        if (state == UNDECIDED) counters[WAITING_ROUND] = round + 1;
     }
     next_states[id] = state;
 }

@@ -16,8 +16,10 @@ namespace {
 
 constexpr std::size_t default_work_group_size = 64;
 
-/// Resolution rounds that are enqueued before the host looks whether all darts are decided.
-constexpr int rounds_at_once = 4;
+/// Resolution rounds that are enqueued before the host looks whether all darts are decided, and each time
+/// after that.
+constexpr std::uint32_t first_rounds = 6;
+constexpr std::uint32_t further_rounds = 3;
 
 /// Darts that one work-item of insert_points owns.
 constexpr std::uint32_t insertion_run = 16;
@@ -28,7 +30,7 @@ enum Counter : std::size_t
     open_cells,
     darts,
     points,
-    undecided_darts,
+    waiting_round,
     counter_count
 };
 
@@ -76,7 +78,8 @@ public:
           squared_min_distance_(squared_threshold(request.min_distance))
     {
         const std::string file = "dart_throwing.cl";
-        const std::string options = fmt::format("-D DIMENSION={} -D REACH={}", D, hierarchy_.reach);
+        const std::string options = fmt::format("-D DIMENSION={} -D REACH={} -D LARGE_DISKS={}", D,
+                                                hierarchy_.reach, request.min_distance > 0.25 ? 1 : 0);
         throw_ = device.kernel(file, "throw_darts", options);
         link_ = device.kernel(file, "link_darts", options);
         resolve_ = device.kernel(file, "resolve_conflicts", options);
@@ -109,6 +112,7 @@ public:
             const auto [open_count, dart_count] = throw_batch(parent_count, level, split, batch);
             resolve(dart_count);
             collect(dart_count);
+            if (batch == 0) continue; // all cells stay open, and the kernel lists none
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
         }
@@ -155,13 +159,11 @@ private:
         const std::size_t staged = group_size_ * (std::size_t{1} << D);
         const bool is_last_level = !split && level == hierarchy_.last_level;
         for (;;) {
-            const std::uint32_t none[2] = {0, 0};
-            b.counters.write(none, open_cells);
-            throw_.run(parent_count, group_size_, b.parents, u32(parent_count), u32(batch == 0), b.masks,
-                       b.slots, b.positions, hierarchy_.size, hierarchy_.step, level, u32(split),
-                       u32(is_last_level), batch, squared_min_distance_, request_.stream[0],
-                       request_.stream[1], b.thresholds, threshold_count_, b.open, u32(b.open.size() / D),
-                       b.darts, u32(b.darts.size() / dart_words), b.counters,
+            throw_.run(parent_count, group_size_, b.parents, u32(parent_count), b.masks, b.slots, b.positions,
+                       hierarchy_.size, hierarchy_.step, level, u32(split), u32(is_last_level), batch,
+                       squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds,
+                       threshold_count_, b.open, u32(b.open.size() / D), b.darts,
+                       u32(b.darts.size() / dart_words), b.counters,
                        LocalMemory{staged * D * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{staged * dart_words * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{4 * sizeof(std::uint32_t)});
@@ -169,6 +171,7 @@ private:
             b.counters.read(counts, open_cells);
             const bool fits = counts[0] <= b.open.size() / D && counts[1] <= b.darts.size() / dart_words;
             if (fits) return {counts[0], counts[1]};
+            b.counters.write(std::array<std::uint32_t, 2>{}, open_cells);
             reserve(device_, b.open, counts[0] * D);
             reserve(device_, b.darts, counts[1] * dart_words);
         }
@@ -183,20 +186,19 @@ private:
         reserve(device_, b.next_states, dart_count);
         reserve(device_, b.rivals, dart_count * rival_words);
         if (first_dart_ + dart_count >= UINT32_MAX) throw DeviceError("dart throwing: more than 2^32 darts");
-        link_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), b.slots, b.next,
-                  b.states);
-        std::uint32_t undecided = dart_count > 0;
-        for (bool first_round = true; undecided != 0;) {
-            for (int round = 0; round < rounds_at_once; ++round) {
-                const std::uint32_t none = 0;
-                if (round + 1 == rounds_at_once) b.counters.write({&none, 1}, undecided_darts);
-                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_),
-                             u32(first_round), b.slots, b.next, hierarchy_.size, squared_min_distance_,
-                             b.rivals, b.states, b.next_states, b.counters);
+        // At least one work-item, which clears the counters.
+        link_.run(std::max<std::size_t>(dart_count, 1), group_size_, b.darts, u32(dart_count),
+                  u32(first_dart_), b.slots, b.next, b.states, b.counters);
+        std::uint32_t rounds = 0;
+        for (std::uint32_t waiting = dart_count > 0 ? 0 : 1; waiting == rounds;) {
+            const std::uint32_t end = rounds + (rounds == 0 ? first_rounds : further_rounds);
+            for (; rounds < end; ++rounds) {
+                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), rounds,
+                             b.slots, b.next, hierarchy_.size, squared_min_distance_, b.rivals, b.states,
+                             b.next_states, b.counters);
                 std::swap(b.states, b.next_states);
-                first_round = false;
             }
-            b.counters.read({&undecided, 1}, undecided_darts);
+            b.counters.read({&waiting, 1}, waiting_round);
         }
         first_dart_ += dart_count;
     }
