@@ -262,17 +262,16 @@ kernel void throw_darts(global const uint* parents, uint parent_count, global ui
         // The points that can matter to it, and the children that they cover.
         Position near[MAX_NEAR];
         uint near_count = 0;
-        uint covered = 0;
+        uint open = split ? (1u << CHILDREN) - 1 : 1u;
         for (uint w = 0; w < MASK_WORDS; ++w) {
-            for (uint mask = masks[base_index * MASK_WORDS + w]; mask != 0; mask &= mask - 1) {
+            for (uint mask = masks[base_index * MASK_WORDS + w]; mask != 0 && open != 0; mask &= mask - 1) {
                 const uint lowest_bit = 31 - clz(mask & (0u - mask));
                 const uint cell = window_cell(&base, 32 * w + lowest_bit, grid_size);
                 FOR_EACH_AXIS(k) near[near_count].c[k] = positions[cell * DIMENSION + k];
-                covered |= covered_by(&near[near_count], &halves, squared_min_distance);
+                open &= ~covered_by(&near[near_count], &halves, squared_min_distance);
                 ++near_count;
             }
         }
-        uint open = ~covered & (split ? (1u << CHILDREN) - 1 : 1u);
         if (is_last_level && open != 0 && !has_room(&halves, near, near_count, squared_min_distance)) open = 0;
 
         // The open children, and the darts in each.

@@ -105,19 +105,19 @@ public:
         const std::size_t target = request_.points.value_or(SIZE_MAX);
         std::size_t parent_count = power(hierarchy_.size);
         int level = 0;
-        for (std::uint32_t batch = 0; result_.size() < target && parent_count > 0; ++batch) {
+        for (std::uint32_t batch = 0; point_count() < target && parent_count > 0; ++batch) {
             write_thresholds(batch);
             const bool split = splits_cells(batch) && level < hierarchy_.last_level;
             if (split) ++level;
             const auto [open_count, dart_count] = throw_batch(parent_count, level, split, batch);
             resolve(dart_count);
-            collect(dart_count);
+            insert(dart_count);
             if (batch == 0) continue; // all cells stay open, and the kernel lists none
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
         }
-        if (result_.size() > target) result_.resize(target);
-        return to_point_set<D>(std::span<const TorusPoint<D>>(result_));
+        const std::vector<TorusPoint<D>> all = points_in_order();
+        return to_point_set<D>(std::span<const TorusPoint<D>>(all).first(std::min(all.size(), target)));
     }
 
 private:
@@ -203,8 +203,8 @@ private:
         first_dart_ += dart_count;
     }
 
-    /// Moves the accepted darts to the grid and, in dart order, to the result.
-    void collect(std::size_t dart_count)
+    /// Makes points of the accepted darts of the batch.
+    void insert(std::size_t dart_count)
     {
         if (dart_count == 0) return;
         Buffers& b = buffers_;
@@ -213,13 +213,28 @@ private:
                     b.positions, b.points, b.counters);
         std::uint32_t total = 0;
         b.counters.read({&total, 1}, points);
-        std::vector<Point<D>> accepted(total - result_.size());
-        static_assert(sizeof(Point<D>) == (D + 1) * sizeof(std::uint32_t));
-        b.points.read({reinterpret_cast<std::uint32_t*>(accepted.data()), accepted.size() * (D + 1)},
-                      result_.size() * (D + 1));
-        tbb::parallel_sort(accepted.begin(), accepted.end());
-        for (const Point<D>& point : accepted) result_.push_back(point.position);
+        batch_ends_.push_back(total);
     }
+
+    /// The points in dart order: batch after batch, and within a batch by time.
+    std::vector<TorusPoint<D>> points_in_order() const
+    {
+        std::vector<Point<D>> sorted(point_count());
+        static_assert(sizeof(Point<D>) == (D + 1) * sizeof(std::uint32_t));
+        buffers_.points.read({reinterpret_cast<std::uint32_t*>(sorted.data()), sorted.size() * (D + 1)});
+        auto begin = sorted.begin();
+        for (const std::size_t batch_end : batch_ends_) {
+            const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(batch_end);
+            tbb::parallel_sort(begin, end);
+            begin = end;
+        }
+        std::vector<TorusPoint<D>> positions;
+        positions.reserve(sorted.size());
+        for (const Point<D>& point : sorted) positions.push_back(point.position);
+        return positions;
+    }
+
+    std::size_t point_count() const { return batch_ends_.empty() ? 0 : batch_ends_.back(); }
 
     static std::uint32_t u32(std::size_t value) { return static_cast<std::uint32_t>(value); }
 
@@ -231,8 +246,8 @@ private:
     std::uint64_t squared_min_distance_;
     Kernel throw_, link_, resolve_, insert_;
     std::uint32_t threshold_count_ = 0;
-    std::size_t first_dart_ = 0; ///< number of the batch's first dart
-    std::vector<TorusPoint<D>> result_;
+    std::size_t first_dart_ = 0;          ///< number of the batch's first dart
+    std::vector<std::size_t> batch_ends_; ///< number of points after each batch that had darts
 };
 
 }
