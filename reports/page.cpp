@@ -132,7 +132,7 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
                         const std::filesystem::path& out)
 {
     PageData page;
-    page.set("style", std::string(page_template_file("report.css")));
+    page.set("style", std::string(page_template_file("templates/report.css")));
     page.set("title", title_of(runs));
     page.set("summary", summary_of(runs, series));
     page.set("tone_scale", tone_scale());
@@ -160,7 +160,7 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     for (const auto& run : runs) sources << provenance(run);
     page.set("provenance", sources);
 
-    kainjow::mustache::mustache text{std::string(page_template_file("report.mustache"))};
+    kainjow::mustache::mustache text{std::string(page_template_file("templates/report.mustache"))};
     return text.render(page);
 }
 

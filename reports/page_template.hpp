@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// The text of reports/templates/<name>; empty for unknown names.
+/// The text of a file, named as below reports/ ("templates/report.css"); empty for unknown names.
 std::string_view page_template_file(std::string_view name);
 
 }
