@@ -31,9 +31,16 @@ void for_each_sample(const Spectrum& spectrum, const Visit& visit)
     }
 }
 
-double to_anisotropy_db(double variance, double mean)
+/// Powers up to this are zeros: the square of the error bound of exact_periodogram's transform, over N.
+double zero_power(const Spectrum& spectrum)
 {
-    const double ratio = mean > 0.0 ? variance / (mean * mean) : 0.0;
+    constexpr double transform_error = 1e-11; // times N
+    return transform_error * transform_error * static_cast<double>(spectrum.points);
+}
+
+double to_anisotropy_db(double variance, double mean, double zero)
+{
+    const double ratio = mean > zero ? variance / (mean * mean) : 0.0;
     return std::max(10.0 * std::log10(ratio), least_anisotropy_db);
 }
 
@@ -61,7 +68,7 @@ std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
     });
     for (std::size_t k = 1; k < bins; ++k) {
         const double variance = squares[k] / static_cast<double>(radial[k].samples - 1);
-        radial[k].anisotropy_db = to_anisotropy_db(variance, radial[k].power);
+        radial[k].anisotropy_db = to_anisotropy_db(variance, radial[k].power, zero_power(spectrum));
     }
     if (!radial.empty()) radial.erase(radial.begin());
     return radial;

@@ -59,6 +59,14 @@ std::string parameters_text(const NamedTexts& parameters)
 
 PageData optional_text(const std::string& text) { return text.empty() ? PageData(false) : PageData(text); }
 
+/// "1,708 to 1,754" where realizations differ in size.
+std::string points_range(const StoredSeries& series)
+{
+    if (series.points_each.empty()) return {};
+    const auto [fewest, most] = std::ranges::minmax_element(series.points_each);
+    return fmt::format("{} to {}", format_count(*fewest), format_count(*most));
+}
+
 PageData series_identity(const ReportSeries& series, std::size_t index)
 {
     PageData data;
@@ -68,6 +76,7 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     data.set("sampler", series.stored->sampler);
     data.set("parameters", optional_text(parameters_text(series.stored->parameters)));
     data.set("points", format_count(series.stored->points));
+    data.set("points_range", optional_text(points_range(*series.stored)));
     data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
     data.set("device", optional_text(series.run->machine_member("device")));
     return data;

@@ -27,11 +27,10 @@ void draw_points_pictures(ReportSeries& series)
 {
     const auto file = series.run->folder / series.stored->point_files.front();
     const auto sets = read_points(file);
-    if (sets.empty() || sets.front().size() != series.stored->points ||
-        sets.front().dimension != series.run->dimension)
-        throw InputError(file.string() + ": must hold " + std::to_string(series.stored->points) +
-                         " points with " + std::to_string(series.run->dimension) +
-                         " coordinates, as results.json says");
+    const std::size_t points = series.stored->points_of_first();
+    if (sets.empty() || sets.front().size() != points || sets.front().dimension != series.run->dimension)
+        throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +
+                         std::to_string(series.run->dimension) + " coordinates, as results.json says");
     series.view = choose_points_view(sets.front());
     write_png(series.pictures / "points.png", draw_points(series.view));
     write_whole_file(series.pictures / "points.svg", points_svg(series.view));

@@ -84,6 +84,12 @@ StoredSeries read_series(const StoredObject& object)
     series.deterministic = object.boolean("deterministic");
     series.points = static_cast<std::size_t>(object.integer("points", 1));
     series.realizations = static_cast<int>(object.integer("realizations", 1));
+    if (object.has("points_each")) {
+        for (const double n : object.numbers("points_each"))
+            series.points_each.push_back(static_cast<std::size_t>(n));
+        if (series.points_each.size() != static_cast<std::size_t>(series.realizations))
+            throw object.error("points_each", "must have a size for each realization");
+    }
 
     series.min_distance = read_statistic(object, "min_distance");
     series.relative_radius = read_statistic(object, "relative_radius");

@@ -29,7 +29,8 @@ struct StoredSeries
     std::string sampler;
     NamedTexts parameters;
     bool deterministic = false;
-    std::size_t points = 0;
+    std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
+    std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
     int realizations = 0;
     std::optional<StoredStatistic> min_distance; ///< unit lengths; empty for one point
     std::optional<StoredStatistic> relative_radius;
@@ -42,6 +43,9 @@ struct StoredSeries
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds; ///< one a realization
     double build_seconds = 0;
+
+    /// The number of points of the first realization, the one that is drawn.
+    std::size_t points_of_first() const { return points_each.empty() ? points : points_each.front(); }
 };
 
 /// One result folder.

@@ -94,6 +94,17 @@ TEST(RadialStatistics, HasFiniteValuesWithoutVariationAndWithoutPower)
     EXPECT_TRUE(radial_statistics(spectrum_of(2, 2, 1.0)).empty());
 }
 
+TEST(RadialStatistics, TakesTheRoundingOfALatticesZerosForZeros)
+{
+    // 16 x 16 points: all power is at multiples of 16, so of the first 31 bins bins 16 and 23 (16 sqrt 2)
+    // alone have any.
+    const Spectrum spectrum{2, 64, 256, 1, exact_periodogram(square_lattice(16, 2), 64)};
+    for (const RadialBin& bin : radial_statistics(spectrum)) {
+        const bool has_power = bin.frequency == 16 || bin.frequency == 23;
+        EXPECT_EQ(bin.anisotropy_db > least_anisotropy_db, has_power) << bin.frequency;
+    }
+}
+
 TEST(RadialStatistics, SampleVarianceHasDivisorNMinusOne)
 {
     // Bin 1 of 8 samples: four 0, four 2. Mean 1, variance 8/7.

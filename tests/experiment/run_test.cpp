@@ -66,6 +66,22 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     EXPECT_GE(json["series"][1]["relative_radius"]["min"].get<double>(), 0.6 - 1e-6);
 }
 
+TEST_F(Run, SetsOfDifferentSizesAreReportedAsSuch)
+{
+    folder_.write("sat.toml", "[analysis]\npoints = 300\nrealizations = 6\n"
+                              "[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturation\"\n");
+    const Outcome outcome = run({"run", "sat.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const fs::path out = folder_.path() / "out/sat";
+    const auto series = nlohmann::json::parse(content_of(out / "results.json"))["series"][0];
+    const auto sizes = series["points_each"].get<std::vector<std::size_t>>();
+    ASSERT_EQ(sizes.size(), 6U);
+    const auto [fewest, most] = std::ranges::minmax_element(sizes);
+    ASSERT_NE(*fewest, *most);
+    EXPECT_THAT(content_of(out / "index.html"),
+                testing::HasSubstr(std::to_string(*fewest) + " to " + std::to_string(*most)));
+}
+
 TEST_F(Run, InAPipeSaysOneLineASeriesAndThePath)
 {
     const std::string out = run().out;

@@ -103,6 +103,8 @@ TEST(StoredResults, MissingAndWrongMembers)
     EXPECT_THAT(error_after([](auto& json) { json["series"].clear(); }), HasSubstr("results.json: series: "));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points"] = "many"; }),
                 HasSubstr("results.json: series[1].points: must be an integer of at least 1"));
+    EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points_each"] = {7}; }),
+                HasSubstr("results.json: series[1].points_each: must have a size for each realization"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][2]["relative_radius"].erase("mean"); }),
                 HasSubstr("results.json: series[2].relative_radius.mean: is missing"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][0]["timing"]["sample_seconds"] = {"x"}; }),
