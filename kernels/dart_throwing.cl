@@ -53,9 +53,6 @@
 #define POINTS 2
 #define WAITING_ROUND 3 // 1 + the last round in which a dart had to wait for another round
 
-// For functions in the innermost loops: PoCL leaves larger ones out of line.
-#define ALWAYS_INLINE __attribute__((always_inline))
-
 typedef struct { uint c[DIMENSION]; } Cell;
 
 uint cell_index(const Cell* cell, uint grid_size)

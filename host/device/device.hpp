@@ -75,4 +75,11 @@ private:
     std::shared_ptr<DeviceImpl> impl_;
 };
 
+/// Replaces a buffer by a larger one when it holds fewer than `count` values; its content is not kept.
+template <typename T>
+void reserve(Device& device, Buffer<T>& buffer, std::size_t count)
+{
+    if (buffer.size() < count) buffer = device.buffer<T>(count);
+}
+
 }

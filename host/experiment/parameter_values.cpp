@@ -23,8 +23,11 @@ std::string allowed_range(const ParameterSpec& spec)
 {
     const bool bounded = spec.maximum < unlimited;
     if (spec.exclusive_minimum)
-        return bounded ? fmt::format("greater than {} and at most {}", spec.minimum, spec.maximum)
+        return bounded ? fmt::format("greater than {} and {} {}", spec.minimum,
+                                     spec.exclusive_maximum ? "less than" : "at most", spec.maximum)
                        : fmt::format("greater than {}", spec.minimum);
+    if (spec.exclusive_maximum)
+        return fmt::format("of at least {} and less than {}", spec.minimum, spec.maximum);
     return bounded ? fmt::format("from {} to {}", spec.minimum, spec.maximum)
                    : fmt::format("of at least {}", spec.minimum);
 }
@@ -32,7 +35,8 @@ std::string allowed_range(const ParameterSpec& spec)
 bool in_range(double value, const ParameterSpec& spec)
 {
     // Written so that a NaN is out of range.
-    return (spec.exclusive_minimum ? value > spec.minimum : value >= spec.minimum) && value <= spec.maximum;
+    return (spec.exclusive_minimum ? value > spec.minimum : value >= spec.minimum) &&
+           (spec.exclusive_maximum ? value < spec.maximum : value <= spec.maximum);
 }
 
 std::optional<double> as_number(const ConfigNode& node)

@@ -49,12 +49,6 @@ struct Point
 
 using Words = Buffer<std::uint32_t>;
 
-/// A buffer that is replaced by a larger one when asked for more than it holds; its content is not kept.
-void reserve(Device& device, Words& buffer, std::size_t words)
-{
-    if (buffer.size() < words) buffer = device.buffer<std::uint32_t>(words);
-}
-
 }
 
 struct DartThrower::Buffers

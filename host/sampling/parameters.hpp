@@ -36,6 +36,7 @@ struct ParameterSpec
     double minimum = 0;               ///< inclusive; number and integer
     double maximum = 0;               ///< inclusive; number and integer
     bool exclusive_minimum = false;   ///< true: the value must be greater than minimum
+    bool exclusive_maximum = false;   ///< true: the value must be less than maximum
     std::vector<std::string> choices; ///< choice: the allowed words
     std::string symbol;               ///< short form for names and labels, for example "rho"; empty: the key
 };

@@ -15,6 +15,7 @@ enum class Purpose : std::uint32_t
     random_points = 1,
     jittered_points = 2,
     dart_throwing = 3,
+    relaxation_dart_throwing = 4,
 };
 
 /// The 64-bit key of one independent stream.

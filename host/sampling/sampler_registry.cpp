@@ -2,6 +2,7 @@
 #include "sampling/baselines.hpp"
 #include "sampling/dart_throwing.hpp"
 #include "sampling/file_sampler.hpp"
+#include "sampling/relaxation_dart_throwing.hpp"
 #include "sampling/sampler.hpp"
 
 #include <algorithm>
@@ -11,7 +12,12 @@ namespace poissonlab {
 const std::vector<SamplerSpec>& sampler_registry()
 {
     static const std::vector<SamplerSpec> registry = {
-        random_sampler(), regular_sampler(), jittered_sampler(), dart_throwing_sampler(), file_sampler(),
+        random_sampler(),
+        regular_sampler(),
+        jittered_sampler(),
+        dart_throwing_sampler(),
+        relaxation_dart_throwing_sampler(),
+        file_sampler(),
     };
     return registry;
 }

@@ -1,0 +1,262 @@
+// Runs kernels/relaxation_dart_throwing.cl: rounds of one batch of darts each. Where the algorithm is stays
+// on the device; the host looks every few rounds, and chooses the size of batches, which decides about the
+// cost only.
+#include "sampling/relaxation_dart_throwing.hpp"
+
+#include "geometry/torus.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t default_work_group_size = 64;
+
+/// Rounds that are enqueued before the host looks again.
+constexpr std::uint64_t rounds_at_once = 4;
+
+/// Darts in a batch: at first, at least, and at most. Multiples of darts_a_word.
+constexpr std::uint64_t first_batch = 256;
+constexpr std::uint64_t smallest_batch = 1024;
+constexpr std::uint64_t largest_batch = std::uint64_t{1} << 18;
+constexpr std::uint64_t darts_a_word = 64; // as in the kernel file
+
+/// Candidates in a batch that are worth a round: they are settled one after the other, while the other
+/// kernels run in parallel and cost a launch each.
+constexpr double candidates_a_batch = 300;
+
+/// A batch is looked at for a radius that is smaller by this factor at most, or by as many levels at least:
+/// the smaller, the more candidates fail.
+constexpr double least_radius_ahead = 0.98;
+constexpr std::uint64_t least_levels_ahead = 3;
+
+/// Positions in the state buffer, as in the kernel file.
+enum State : std::size_t
+{
+    next_dart,
+    level,
+    failures,
+    points,
+    first_new,
+    low_level,
+    low_threshold,
+    candidates,
+    state_count
+};
+using StateWords = std::array<std::uint64_t, state_count>;
+
+/// The grids of the kernel file: 2^grid_bits cells along each axis, and 2^cover_bits parts of each.
+struct GridLimits
+{
+    int most_grid_bits;
+    int cover_bits;
+};
+
+/// Parts of the table: more leave fewer darts undecided, and fit the caches less.
+constexpr int most_table_bits = 29;
+
+GridLimits grid_limits(std::size_t points, int dimension)
+{
+    // More grid cells than points are of no use.
+    const int for_points = static_cast<int>(std::bit_width(points)) / dimension;
+    const int most_grid_bits = std::min(for_points, most_table_bits / dimension - 2);
+    const int cover_bits = dimension == 2 ? 4 : 3;
+    return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits)};
+}
+
+}
+
+std::uint64_t RadiusLevels::squared_min_distance() const
+{
+    return std::max<std::uint64_t>(1, squared_threshold(2 * radius_));
+}
+
+struct RelaxationDartThrower::Buffers
+{
+    Buffer<std::uint64_t> state, thresholds;
+    Buffer<std::uint8_t> flags;       ///< a block of darts each
+    Buffer<std::uint64_t> candidates; ///< a word of darts each
+    Buffer<std::uint16_t> table;      ///< a part of a grid cell each
+    Buffer<std::uint32_t> heads;      ///< a grid cell each
+    Buffer<std::uint32_t> points;
+};
+
+namespace {
+
+template <int D, typename Buffers>
+class Throwing
+{
+public:
+    Throwing(Device& device, Buffers& buffers, const RelaxationDartThrowingRequest& request,
+             std::size_t group_size)
+        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
+          limits_(grid_limits(request.points, D)), window_(request)
+    {
+        const std::string file = "relaxation_dart_throwing.cl";
+        const std::string options =
+            fmt::format("-D DIMENSION={} -D COVER_BITS={} -D LARGE_DISKS=1", D, limits_.cover_bits);
+        throw_ = device.kernel(file, "throw_darts", options);
+        find_ = device.kernel(file, "find_candidates", options);
+        settle_ = device.kernel(file, "settle_candidates", options);
+        cover_ = device.kernel(file, "cover_cells", options);
+        clear_ = device.kernel(file, "clear_cells", options);
+        link_ = device.kernel(file, "link_points", options);
+
+        Buffers& b = buffers_;
+        reserve(device, b.state, state_count);
+        reserve(device, b.flags, largest_batch / darts_a_block + group_size); // padded to whole groups
+        reserve(device, b.candidates, largest_batch / darts_a_word);
+        reserve(device, b.points, request.points * point_words);
+        reserve(device, b.heads, std::size_t{1} << D * limits_.most_grid_bits);
+        reserve(device, b.table, std::size_t{1} << D * (limits_.most_grid_bits + limits_.cover_bits));
+    }
+
+    RelaxationDarts run()
+    {
+        fit_window();
+        state_[low_threshold] = window_thresholds_[0];
+        buffers_.state.write(state_);
+        while (state_[points] < request_.points) {
+            fit_grids();
+            fit_window();
+            for (std::uint64_t round = 0; round < rounds_at_once; ++round) throw_batch();
+            const StateWords before = state_;
+            buffers_.state.read(state_);
+            choose_batch(before);
+        }
+        while (window_.level() < state_[level]) window_.reduce();
+        return {accepted_points(), window_.radius(), state_[next_dart]};
+    }
+
+private:
+    static constexpr std::uint64_t darts_a_block = 4 / D;
+    static constexpr std::size_t point_words = D + 1; // as in the kernel file
+
+    static std::uint32_t u32(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
+
+    void throw_batch()
+    {
+        Buffers& b = buffers_;
+        const std::uint32_t words = u32(batch_ / darts_a_word);
+        const auto [key_x, key_y] = request_.stream;
+        throw_.run(batch_ / darts_a_block, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
+        find_.run(words, std::min<std::size_t>(group_size_, 16), b.state, b.flags, words, b.heads, b.points,
+                  grid_bits_, key_x, key_y, b.candidates);
+        settle_.run(1, 1, b.state, b.candidates, words, key_x, key_y, b.thresholds, window_.level(),
+                    request_.attempts, u32(request_.points), u32(levels_ahead_), b.heads, b.points,
+                    grid_bits_);
+        update_table();
+    }
+
+    /// Enters the points that the table does not know.
+    void update_table()
+    {
+        cover_.run(std::size_t{1} << (D - 1) * grid_bits_, std::min<std::size_t>(group_size_, 8),
+                   buffers_.state, buffers_.points, grid_bits_, buffers_.table);
+    }
+
+    /// Makes the grids as fine as the minimum distance allows.
+    void fit_grids()
+    {
+        // The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of
+        // 2^-32.
+        const std::uint64_t squared = window_thresholds_[state_[level] - window_.level()];
+        const int for_distance = std::countl_zero(squared - 1) / 2;
+        const auto bits = u32(static_cast<std::uint64_t>(std::min(for_distance, limits_.most_grid_bits)));
+        if (grids_exist_ && bits == grid_bits_) return;
+        grids_exist_ = true;
+        grid_bits_ = bits;
+        Buffers& b = buffers_;
+        const std::size_t cells = std::size_t{1} << D * bits;
+        const std::size_t rows = std::size_t{1}
+                                 << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
+        clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells));
+        link_.run(std::max<std::size_t>(1, state_[points]), group_size_, b.state, b.heads, b.points,
+                  grid_bits_);
+        update_table();
+    }
+
+    /// The most levels beyond the present one that a batch is looked at for.
+    std::uint64_t most_levels_ahead() const
+    {
+        const double levels = std::log(least_radius_ahead) / std::log(request_.factor);
+        return std::clamp(static_cast<std::uint64_t>(std::min(levels, 1e3)), least_levels_ahead,
+                          std::uint64_t{1000});
+    }
+
+    /// Makes the table of thresholds hold all levels that the next rounds can reach.
+    void fit_window()
+    {
+        const std::uint64_t reach = (rounds_at_once + 1) * (most_levels_ahead() + 1);
+        if (state_[level] + reach < window_.level() + window_thresholds_.size()) return;
+        while (window_.level() < state_[level]) window_.reduce();
+        window_thresholds_.clear();
+        RadiusLevels levels = window_;
+        for (std::uint64_t i = 0; i < 8 * reach; ++i, levels.reduce())
+            window_thresholds_.push_back(levels.squared_min_distance());
+        reserve(device_, buffers_.thresholds, window_thresholds_.size());
+        buffers_.thresholds.write(window_thresholds_);
+    }
+
+    /// So many darts that about candidates_a_batch of them become candidates, but not more than go with the
+    /// levels ahead; and levels enough for them. Judged by what the last rounds made of theirs.
+    void choose_batch(const StateWords& before)
+    {
+        const auto darts = static_cast<double>(state_[next_dart] - before[next_dart]);
+        const auto levels = static_cast<double>(state_[level] - before[level]);
+        const auto found = static_cast<double>(state_[candidates] - before[candidates]);
+        const double most_levels = static_cast<double>(most_levels_ahead());
+        double wanted = darts * candidates_a_batch / std::max(found, 1.0);
+        if (levels > 0) wanted = std::min(wanted, darts * most_levels / levels);
+        batch_ = std::clamp(static_cast<std::uint64_t>(wanted), std::max(smallest_batch, batch_ / 2),
+                            std::min(largest_batch, 4 * batch_)) /
+                 darts_a_word * darts_a_word;
+        const double passing = levels * static_cast<double>(batch_) / std::max(darts, 1.0);
+        levels_ahead_ = static_cast<std::uint64_t>(std::min(1.3 * passing + 0.5, most_levels));
+    }
+
+    PointSet accepted_points() const
+    {
+        const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words);
+        std::vector<TorusPoint<D>> positions(request_.points);
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            std::copy_n(&words[i * point_words], D, positions[i].begin());
+        return to_point_set<D>(std::span<const TorusPoint<D>>(positions));
+    }
+
+    Device& device_;
+    Buffers& buffers_;
+    const RelaxationDartThrowingRequest& request_;
+    std::size_t group_size_;
+    GridLimits limits_;
+    Kernel throw_, find_, settle_, cover_, clear_, link_;
+    StateWords state_{}; ///< as the host saw it last
+    std::uint64_t batch_ = first_batch;
+    std::uint64_t levels_ahead_ = 1;
+    bool grids_exist_ = false;
+    std::uint32_t grid_bits_ = 0;
+    RadiusLevels window_; ///< the first level of the table of thresholds on the device
+    std::vector<std::uint64_t> window_thresholds_;
+};
+
+}
+
+RelaxationDartThrower::RelaxationDartThrower(Device device, std::size_t work_group_size)
+    : device_(std::move(device)),
+      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
+      buffers_(std::make_unique<Buffers>())
+{}
+
+RelaxationDartThrower::~RelaxationDartThrower() = default;
+
+RelaxationDarts RelaxationDartThrower::throw_darts(const RelaxationDartThrowingRequest& request)
+{
+    return request.dimension == 2 ? Throwing<2, Buffers>(device_, *buffers_, request, work_group_size_).run()
+                                  : Throwing<3, Buffers>(device_, *buffers_, request, work_group_size_).run();
+}
+
+}

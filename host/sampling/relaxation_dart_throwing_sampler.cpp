@@ -1,0 +1,128 @@
+// The sampler "relaxation-dart-throwing": what the config can ask of relaxation dart throwing, and what it is
+// told when that is impossible.
+#include "geometry/relative_radius.hpp"
+#include "sampling/relaxation_dart_throwing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// A set that needs more darts than this would take weeks.
+constexpr double most_darts = 1e15;
+
+RelaxationDartThrowingRequest request_for(const Parameters& parameters, const SampleRequest& request)
+{
+    RelaxationDartThrowingRequest result;
+    result.dimension = request.dimension;
+    result.points = request.points;
+    if (parameters.has("initial_radius")) result.initial_radius = parameters.number("initial_radius");
+    if (parameters.has("factor")) result.factor = parameters.number("factor");
+    if (parameters.has("attempts"))
+        result.attempts = static_cast<std::uint64_t>(parameters.integer("attempts"));
+    return result;
+}
+
+/// The darts that fail before the radius is that of a saturated set, from below: `attempts` a level.
+double least_darts(const RelaxationDartThrowingRequest& request)
+{
+    const double final_radius = 0.5 * min_distance_for(saturation_relative_radius(request.dimension),
+                                                       request.points, request.dimension);
+    const double levels = std::log(final_radius / request.initial_radius) / std::log(request.factor);
+    return std::max(levels, 0.0) * static_cast<double>(request.attempts);
+}
+
+void check_effort(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
+{
+    const double darts = least_darts(request_for(parameters, request));
+    if (darts <= most_darts) return;
+    const std::string problem =
+        fmt::format("{} points would take some {:.0e} darts; take a smaller factor or fewer attempts",
+                    request.points, darts);
+    for (const char* key : {"factor", "attempts"}) {
+        if (parameters.has(key)) throw parameters.error(key, problem);
+    }
+    throw InputError(to_string(where) + ": sampler = relaxation-dart-throwing: " + problem);
+}
+
+class RelaxationDartThrowingSampler final : public Sampler
+{
+public:
+    RelaxationDartThrowingSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
+                                  const DeviceProvider& device)
+        : request_(request_for(parameters, request)), seed_(request.seed)
+    {
+        if (engine == Engine::opencl) {
+            device_ = &device();
+            built_before_ = device_->build_seconds();
+            thrower_ = std::make_unique<RelaxationDartThrower>(*device_);
+        }
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        request_.stream = stream_key(seed_, Purpose::relaxation_dart_throwing, realization);
+        RelaxationDarts darts =
+            thrower_ ? thrower_->throw_darts(request_) : reference::throw_relaxation_darts(request_);
+        return std::move(darts.points);
+    }
+
+    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
+
+private:
+    RelaxationDartThrowingRequest request_;
+    std::uint64_t seed_;
+    Device* device_ = nullptr;
+    double built_before_ = 0; ///< by earlier users of the device
+    std::unique_ptr<RelaxationDartThrower> thrower_;
+};
+
+std::vector<ParameterSpec> parameter_specs()
+{
+    ParameterSpec radius;
+    radius.key = "initial_radius";
+    radius.help = "r, half the minimum distance, to begin with, in units of the torus' side; default 0.15";
+    radius.maximum = 0.5;
+    radius.exclusive_minimum = true;
+    radius.symbol = "r0";
+
+    ParameterSpec factor;
+    factor.key = "factor";
+    factor.help = "what the radius is multiplied by when darts keep failing; default 0.99";
+    factor.maximum = 1;
+    factor.exclusive_minimum = true;
+    factor.exclusive_maximum = true;
+
+    ParameterSpec attempts;
+    attempts.key = "attempts";
+    attempts.kind = ParameterSpec::Kind::integer;
+    attempts.help = "failed darts in a row after which the radius is reduced; default 1000";
+    attempts.minimum = 1;
+    attempts.maximum = static_cast<double>(max_relaxation_attempts);
+
+    return {radius, factor, attempts};
+}
+
+}
+
+SamplerSpec relaxation_dart_throwing_sampler()
+{
+    SamplerSpec spec;
+    spec.name = "relaxation-dart-throwing";
+    spec.title = "Relaxation dart throwing";
+    spec.summary =
+        "dart throwing with a radius that is reduced where darts keep failing; every prefix of a set is "
+        "well spread";
+    spec.dimensions = {2, 3};
+    spec.parameters = parameter_specs();
+    spec.check = check_effort;
+    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<RelaxationDartThrowingSampler>(parameters, request, engine, device);
+    };
+    return spec;
+}
+
+}

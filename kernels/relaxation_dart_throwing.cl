@@ -1,0 +1,339 @@
+// Relaxation dart throwing on the torus in parallel, with the result of the sequential algorithm in dart
+// order.
+//
+// McCool and Fiume 1992; dissertation, sections 4.2.4.2 and 6.4. The plain twin of these kernels is
+// host/sampling/reference/relaxation_dart_throwing.cpp; host/sampling/relaxation_dart_throwing.cpp runs them,
+// a batch of consecutive darts a round:
+//   throw_darts        flag the darts that no single disk is known to reject: a look into a table, no
+//   branches find_candidates    of those, keep the darts that no point of earlier batches rejects at the
+//   lowest radius ahead settle_candidates  (one work-item) take the candidates in dart order: accept, reject,
+//   count failures, reduce the radius cover_cells        enter the disks of new points into the table
+// The radius only falls, so a dart that is rejected at the lowest radius ahead is rejected at whatever radius
+// holds when its turn comes. Where a batch begins and how far ahead it looks decide about the cost only,
+// never about the result.
+//
+// Two grids of a power of two cells along each axis. Points are in that of GRID_BITS, in chains; its cells
+// are at least as wide as the minimum distance, so that points in conflict are at most one cell apart. Each
+// of its cells is split into 2^COVER_BITS along each axis for the table: for each such part, the squared
+// distance within which one point has all of it. That does not depend on the radius, so the table holds until
+// the host makes the grids finer.
+//
+// Needs DIMENSION (2 or 3), COVER_BITS (2, 3 or 4), and LARGE_DISKS 1 (see common/torus.clh).
+
+#include "common/philox.clh"
+#include "common/torus.clh"
+
+// Darts come from blocks of four random words: in 2D darts 2 j and 2 j + 1 from block j, in 3D dart j.
+#define DARTS_A_BLOCK (4 / DIMENSION)
+
+// Flags are a byte a block, candidates a bit a dart.
+#define DARTS_A_WORD 64
+#define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
+
+// A point as words: position, 1 + the number of the next point in the cell's chain.
+#define POINT_WORDS (DIMENSION + 1)
+#define NEXT_WORD DIMENSION
+
+// Where the algorithm is, as 64-bit words in global memory.
+#define NEXT_DART 0     // the first dart that is not decided
+#define LEVEL 1         // how often the radius was reduced
+#define FAILURES 2      // in a row
+#define POINTS 3        // accepted so far
+#define FIRST_NEW 4     // the first point that is not in the table yet
+#define LOW_LEVEL 5     // the batch at hand must not go beyond this level
+#define LOW_THRESHOLD 6 // the squared minimum distance there
+#define CANDIDATES 7    // looked at by settle_candidates so far
+
+// The table counts squared distances in units of 2^-15 of a grid cell's squared width.
+#define UNIT_BITS(grid_bits) (49 - 2 * (grid_bits))
+#define NOT_COVERED 65535
+
+#define COVER_PARTS (1 << COVER_BITS)
+#if COVER_BITS == 4
+typedef ushort16 Parts;
+#define load_parts vload16
+#define store_parts vstore16
+#elif COVER_BITS == 3
+typedef ushort8 Parts;
+#define load_parts vload8
+#define store_parts vstore8
+#else
+typedef ushort4 Parts;
+#define load_parts vload4
+#define store_parts vstore4
+#endif
+
+ALWAYS_INLINE uint4 random_block(ulong block, uint2 key)
+{
+    return philox((uint4)((uint)block, (uint)(block >> 32), 0, 0), key);
+}
+
+ALWAYS_INLINE Position dart_position(ulong dart, uint2 key)
+{
+    const uint4 words = random_block(dart / DARTS_A_BLOCK, key);
+    Position position;
+#if DIMENSION == 2
+    position.c[0] = dart & 1 ? words.z : words.x;
+    position.c[1] = dart & 1 ? words.w : words.y;
+#else
+    position.c[0] = words.x;
+    position.c[1] = words.y;
+    position.c[2] = words.z;
+#endif
+    return position;
+}
+
+/// The cell of a position in a grid of 2^bits cells along each axis, bits <= 31.
+ALWAYS_INLINE uint cell_of(const Position* position, uint bits)
+{
+    uint index = 0;
+    _Pragma("unroll") for (int k = DIMENSION - 1; k >= 0; --k)
+    {
+        index = index << bits | (uint)((ulong)position->c[k] << bits >> 32);
+    }
+    return index;
+}
+
+/// One work-item owns one block of darts. Needs `flags` to have room for all work-items, padded to whole
+/// groups.
+kernel void throw_darts(global const ulong* restrict state, global const ushort* restrict table,
+                        uint grid_bits, uint key_x, uint key_y, global uchar* restrict flags)
+{
+    const uint id = get_global_id(0);
+    const uint bits = grid_bits + COVER_BITS;
+    const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
+    const uint4 words = random_block(state[NEXT_DART] / DARTS_A_BLOCK + id, (uint2)(key_x, key_y));
+    const uint drop = 32 - bits;
+#if DIMENSION == 2
+    const uint first = words.y >> drop << bits | words.x >> drop;
+    const uint second = words.w >> drop << bits | words.z >> drop;
+    flags[id] = (uchar)((table[first] > low ? 1 : 0) | (table[second] > low ? 2 : 0));
+#else
+    const uint cell = (words.z >> drop << bits | words.y >> drop) << bits | words.x >> drop;
+    flags[id] = table[cell] > low ? 1 : 0;
+#endif
+}
+
+/// Is no point nearer to the position than the minimum distance?
+ALWAYS_INLINE bool is_free(const Position* position, global const uint* heads, global const uint* points,
+                           uint grid_bits, ulong squared_min_distance)
+{
+    const uint last = (1u << grid_bits) - 1;
+    Position cell;
+    FOR_EACH_AXIS(k) cell.c[k] = (uint)((ulong)position->c[k] << grid_bits >> 32);
+#if DIMENSION == 3
+    for (uint z = 0; z < 3; ++z) {
+        const uint slice = (cell.c[2] + z + last & last) << grid_bits;
+#else
+    {
+        const uint slice = 0;
+#endif
+        for (uint y = 0; y < 3; ++y) {
+            const uint row = (slice | (cell.c[1] + y + last & last)) << grid_bits;
+            for (uint x = 0; x < 3; ++x) {
+                for (uint link = heads[row | (cell.c[0] + x + last & last)]; link != 0;) {
+                    global const uint* point = &points[(link - 1) * POINT_WORDS];
+                    Position other;
+                    FOR_EACH_AXIS(k) other.c[k] = point[k];
+                    if (squared_distance(&other, position) < squared_min_distance) return false;
+                    link = point[NEXT_WORD];
+                }
+            }
+        }
+    }
+    return true;
+}
+
+/// The number of the lowest bit that is set.
+uint lowest_bit(ulong bits) { return 63 - (uint)clz(bits & (0ul - bits)); }
+
+/// One work-item owns one word of candidates and its darts' flags: bytes of blocks, eight at a time.
+kernel void find_candidates(global const ulong* state, global const ulong* flags, uint word_count,
+                            global const uint* heads, global const uint* points, uint grid_bits, uint key_x,
+                            uint key_y, global ulong* candidates)
+{
+    const uint id = get_global_id(0);
+    if (id >= word_count) return;
+    const ulong threshold = state[LOW_THRESHOLD];
+    const ulong first = state[NEXT_DART] / DARTS_A_BLOCK * DARTS_A_BLOCK + (ulong)id * DARTS_A_WORD;
+    ulong word = 0;
+    for (uint i = 0; i < BLOCKS_A_WORD / 8; ++i) {
+        for (ulong bits = flags[id * (BLOCKS_A_WORD / 8) + i]; bits != 0; bits &= bits - 1) {
+            const uint bit = lowest_bit(bits);
+            const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
+            const Position position = dart_position(first + dart, (uint2)(key_x, key_y));
+            if (is_free(&position, heads, points, grid_bits, threshold)) word |= 1ul << dart;
+        }
+    }
+    candidates[id] = word;
+}
+
+/// Where the algorithm is while candidates are settled.
+typedef struct
+{
+    ulong dart;
+    ulong level;
+    ulong failures;
+} Progress;
+
+/// Lets up to `count` darts fail, but none beyond the first that takes the radius below what the batch was
+/// looked at for. Returns whether all of them did fail.
+ALWAYS_INLINE bool fail(Progress* progress, ulong count, ulong attempts, ulong low_level)
+{
+    if (progress->level > low_level) return count == 0;
+    const ulong most = (low_level + 1 - progress->level) * attempts - progress->failures;
+    const ulong failing = min(count, most);
+    progress->dart += failing;
+    progress->failures += failing;
+    if (progress->failures >= attempts) {
+        progress->level += progress->failures / attempts;
+        progress->failures %= attempts;
+    }
+    return failing == count;
+}
+
+void insert_point(const Position* position, uint number, global uint* heads, global uint* points,
+                  uint grid_bits)
+{
+    const uint cell = cell_of(position, grid_bits);
+    FOR_EACH_AXIS(k) points[number * POINT_WORDS + k] = position->c[k];
+    points[number * POINT_WORDS + NEXT_WORD] = heads[cell];
+    heads[cell] = number + 1;
+}
+
+/// The first work-item owns everything. Settles darts until the batch ends, or the radius falls below what
+/// its darts were looked at for, or there are `target` points; then allows the next batch `levels_ahead`
+/// levels.
+///
+/// `thresholds` the squared minimum distances of levels from `first_level` on.
+kernel void settle_candidates(global ulong* state, global const ulong* candidates, uint word_count,
+                              uint key_x, uint key_y, global const ulong* thresholds, ulong first_level,
+                              ulong attempts, uint target, uint levels_ahead, global uint* heads,
+                              global uint* points, uint grid_bits)
+{
+    if (get_global_id(0) != 0) return;
+    const ulong low_level = state[LOW_LEVEL];
+    const ulong skipped = state[NEXT_DART] % DARTS_A_BLOCK;
+    const ulong first = state[NEXT_DART] - skipped;
+    Progress progress = {state[NEXT_DART], state[LEVEL], state[FAILURES]};
+    uint count = (uint)state[POINTS];
+    ulong looked_at = 0;
+    bool goes_on = count < target;
+    state[FIRST_NEW] = count;
+
+    for (uint w = 0; w < word_count && goes_on; ++w) {
+        ulong word = candidates[w];
+        if (w == 0) word &= ~0ul << skipped;
+        for (; word != 0 && goes_on; word &= word - 1) {
+            const ulong dart = first + (ulong)w * DARTS_A_WORD + lowest_bit(word);
+            goes_on =
+                fail(&progress, dart - progress.dart, attempts, low_level) && progress.level <= low_level;
+            if (!goes_on) break;
+            ++looked_at;
+            const Position position = dart_position(dart, (uint2)(key_x, key_y));
+            if (is_free(&position, heads, points, grid_bits, thresholds[progress.level - first_level])) {
+                insert_point(&position, count, heads, points, grid_bits);
+                ++count;
+                ++progress.dart;
+                progress.failures = 0;
+                goes_on = count < target;
+            } else {
+                fail(&progress, 1, attempts, low_level);
+            }
+        }
+    }
+    if (goes_on)
+        fail(&progress, first + (ulong)word_count * DARTS_A_WORD - progress.dart, attempts, low_level);
+
+    state[NEXT_DART] = progress.dart;
+    state[LEVEL] = progress.level;
+    state[FAILURES] = progress.failures;
+    state[POINTS] = count;
+    state[LOW_LEVEL] = progress.level + levels_ahead;
+    state[LOW_THRESHOLD] = thresholds[progress.level + levels_ahead - first_level];
+    state[CANDIDATES] += looked_at;
+}
+
+/// The table's units from a coordinate to the farthest of a part of a grid cell, rounded up.
+ALWAYS_INLINE ushort farthest_units(uint coordinate, uint part, uint grid_bits)
+{
+    const uint part_bits = 32 - grid_bits - COVER_BITS;
+    const ulong squared = square(axis_farthest(coordinate, part << part_bits, (1u << part_bits) - 1));
+    const uint unit_bits = UNIT_BITS(grid_bits);
+    return (ushort)min((squared + (1ul << unit_bits) - 1) >> unit_bits, (ulong)NOT_COVERED);
+}
+
+/// One work-item owns one row of grid cells along x, and all rows of the table in it. Enters the disks of
+/// points from FIRST_NEW on. Squared distances are rounded up axis by axis: a part may seem covered later
+/// than it is.
+kernel void cover_cells(global const ulong* state, global const uint* points, uint grid_bits,
+                        global ushort* table)
+{
+    const uint size = 1u << grid_bits;
+    const uint id = get_global_id(0);
+    if (id >> (DIMENSION - 1) * grid_bits != 0) return;
+    const uint cell_y = id & (size - 1);
+    const uint cell_z = id >> grid_bits;
+    const uint near_cells = min(3u, size); // along an axis
+    const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
+    const uint end = (uint)state[POINTS];
+    for (uint p = (uint)state[FIRST_NEW]; p < end; ++p) {
+        global const uint* point = &points[p * POINT_WORDS];
+        const uint point_y = (uint)((ulong)point[1] << grid_bits >> 32);
+        if ((cell_y - point_y + 1 & (size - 1)) > 2) continue;
+#if DIMENSION == 3
+        const uint point_z = (uint)((ulong)point[2] << grid_bits >> 32);
+        if ((cell_z - point_z + 1 & (size - 1)) > 2) continue;
+#endif
+        const uint first_x = (uint)((ulong)point[0] << grid_bits >> 32) + size - 1;
+        ushort along_x[3 * COVER_PARTS];
+        for (uint x = 0; x < near_cells; ++x) {
+            const uint part = (first_x + x & (size - 1)) << COVER_BITS;
+            for (uint i = 0; i < COVER_PARTS; ++i) {
+                along_x[x * COVER_PARTS + i] = farthest_units(point[0], part + i, grid_bits);
+            }
+        }
+#if DIMENSION == 3
+        for (uint k = 0; k < COVER_PARTS; ++k) {
+            const uint part_z = cell_z << COVER_BITS | k;
+            const ushort along_z = farthest_units(point[2], part_z, grid_bits);
+#else
+        {
+            const uint part_z = 0;
+            const ushort along_z = 0;
+#endif
+            for (uint j = 0; j < COVER_PARTS; ++j) {
+                const uint part_y = cell_y << COVER_BITS | j;
+                const ushort along_yz = add_sat(along_z, farthest_units(point[1], part_y, grid_bits));
+                if (along_yz > low) continue;
+                global ushort* row =
+                    &table[(part_z << (grid_bits + COVER_BITS) | part_y) << (grid_bits + COVER_BITS)];
+                for (uint x = 0; x < near_cells; ++x) {
+                    global ushort* parts = &row[(first_x + x & (size - 1)) << COVER_BITS];
+                    const Parts farthest = add_sat((Parts)along_yz, load_parts(x, along_x));
+                    store_parts(min(load_parts(0, parts), farthest), 0, parts);
+                }
+            }
+        }
+    }
+}
+
+/// One work-item owns one row of COVER_PARTS parts in the table and, where `cell_count` exceeds its number,
+/// the chain of one grid cell. Makes all cells empty.
+kernel void clear_cells(global ushort* table, uint row_count, global uint* heads, uint cell_count)
+{
+    const uint id = get_global_id(0);
+    if (id < row_count) store_parts((Parts)NOT_COVERED, id, table);
+    if (id < cell_count) heads[id] = 0;
+}
+
+/// One work-item owns one point. Chains it to its cell, and has the table's next update enter all points.
+kernel void link_points(global ulong* state, global uint* heads, global uint* points, uint grid_bits)
+{
+    const uint id = get_global_id(0);
+    if (id == 0) state[FIRST_NEW] = 0;
+    if (id >= state[POINTS]) return;
+    Position position;
+    FOR_EACH_AXIS(k) position.c[k] = points[id * POINT_WORDS + k];
+    points[id * POINT_WORDS + NEXT_WORD] = atomic_xchg(&heads[cell_of(&position, grid_bits)], id + 1);
+}
