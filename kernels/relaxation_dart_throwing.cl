@@ -4,21 +4,24 @@
 // McCool and Fiume 1992; dissertation, sections 4.2.4.2 and 6.4. The plain twin of these kernels is
 // host/sampling/reference/relaxation_dart_throwing.cpp; host/sampling/relaxation_dart_throwing.cpp runs them,
 // a batch of consecutive darts a round:
-//   throw_darts        flag the darts that no single disk is known to reject: a look into a table, no
-//   branches find_candidates    of those, keep the darts that no point of earlier batches rejects at the
-//   lowest radius ahead settle_candidates  (one work-item) take the candidates in dart order: accept, reject,
-//   count failures, reduce the radius cover_cells        enter the disks of new points into the table
+// - throw_darts: flag the darts that no single disk is known to reject, by a look into a table
+// - find_candidates: of those, keep the darts that no point of earlier batches rejects at the lowest radius
+//   that the batch may reach
+// - settle_candidates (one work-item): take the candidates in dart order; accept or reject them, count
+//   failures, and reduce the radius
+// - cover_cells: enter the disks of new points into the table
+//
 // The radius only falls, so a dart that is rejected at the lowest radius ahead is rejected at whatever radius
 // holds when its turn comes. Where a batch begins and how far ahead it looks decide about the cost only,
 // never about the result.
 //
-// Two grids of a power of two cells along each axis. Points are in that of GRID_BITS, in chains; its cells
-// are at least as wide as the minimum distance, so that points in conflict are at most one cell apart. Each
-// of its cells is split into 2^COVER_BITS along each axis for the table: for each such part, the squared
-// distance within which one point has all of it. That does not depend on the radius, so the table holds until
-// the host makes the grids finer.
+// There are two grids of a power of two cells along each axis. Points are in chains in the coarser one, of
+// 2^grid_bits; its cells are at least as wide as the minimum distance, so that points in conflict are at most
+// one cell apart. Each of its cells has 2^COVER_BITS parts along each axis, for the table: the squared
+// distance within which one point has all of the part. That does not depend on the radius, so the table holds
+// until the host makes the grids finer.
 //
-// Needs DIMENSION (2 or 3), COVER_BITS (2, 3 or 4), and LARGE_DISKS 1 (see common/torus.clh).
+// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3), and LARGE_DISKS (see common/torus.clh; either will do).
 
 #include "common/philox.clh"
 #include "common/torus.clh"
@@ -48,20 +51,25 @@
 #define UNIT_BITS(grid_bits) (49 - 2 * (grid_bits))
 #define NOT_COVERED 65535
 
-#define COVER_PARTS (1 << COVER_BITS)
-#if COVER_BITS == 4
-typedef ushort16 Parts;
-#define load_parts vload16
-#define store_parts vstore16
-#elif COVER_BITS == 3
-typedef ushort8 Parts;
-#define load_parts vload8
-#define store_parts vstore8
+// Vectors with a lane for each part of a grid cell along an axis.
+#if COVER_BITS == 3
+#define COVER_PARTS 8
+#define PART_NUMBERS (uint8)(0, 1, 2, 3, 4, 5, 6, 7)
 #else
-typedef ushort4 Parts;
-#define load_parts vload4
-#define store_parts vstore4
+#define COVER_PARTS 4
+#define PART_NUMBERS (uint4)(0, 1, 2, 3)
 #endif
+#define JOIN(a, b) a##b
+#define JOINED(a, b) JOIN(a, b)
+#define VECTOR(type) JOINED(type, COVER_PARTS)
+#define CONVERT(type) JOINED(convert_##type, COVER_PARTS)
+#define LOAD JOINED(vload, COVER_PARTS)
+#define STORE JOINED(vstore, COVER_PARTS)
+
+typedef struct
+{
+    uint c[DIMENSION];
+} Cell;
 
 ALWAYS_INLINE uint4 random_block(ulong block, uint2 key)
 {
@@ -94,44 +102,85 @@ ALWAYS_INLINE uint cell_of(const Position* position, uint bits)
     return index;
 }
 
-/// One work-item owns one block of darts. Needs `flags` to have room for all work-items, padded to whole
+/// The uppermost `bits` of the lower 32 of each lane, 0 < bits < 32. (A macro: PoCL warns of functions that
+/// take vectors wider than registers.)
+#define UPPERMOST(lanes, bits) (((lanes)&0xffffffffu) >> (32 - (bits)))
+
+/// One work-item owns eight blocks of darts. Needs `flags` to have room for all work-items, padded to whole
 /// groups.
 kernel void throw_darts(global const ulong* restrict state, global const ushort* restrict table,
                         uint grid_bits, uint key_x, uint key_y, global uchar* restrict flags)
 {
     const uint id = get_global_id(0);
     const uint bits = grid_bits + COVER_BITS;
-    const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
-    const uint4 words = random_block(state[NEXT_DART] / DARTS_A_BLOCK + id, (uint2)(key_x, key_y));
-    const uint drop = 32 - bits;
-#if DIMENSION == 2
-    const uint first = words.y >> drop << bits | words.x >> drop;
-    const uint second = words.w >> drop << bits | words.z >> drop;
-    flags[id] = (uchar)((table[first] > low ? 1 : 0) | (table[second] > low ? 2 : 0));
-#else
-    const uint cell = (words.z >> drop << bits | words.y >> drop) << bits | words.x >> drop;
-    flags[id] = table[cell] > low ? 1 : 0;
+    const ushort low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
+    const ulong8 block = state[NEXT_DART] / DARTS_A_BLOCK + 8 * (ulong)id + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
+    EightBlocks counters;
+    counters.word[0] = block;
+    counters.word[1] = block >> 32;
+    counters.word[2] = counters.word[3] = 0;
+    const EightBlocks words = philox8(counters, (uint2)(key_x, key_y));
+
+    // Parts as vectors, then looks into the table that do not wait for each other.
+    ulong8 parts[DARTS_A_BLOCK];
+    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK; ++i)
+    {
+        parts[i] = UPPERMOST(words.word[DIMENSION * i + DIMENSION - 1], bits);
+        _Pragma("unroll") for (int k = DIMENSION - 2; k >= 0; --k)
+        {
+            parts[i] = parts[i] << bits | UPPERMOST(words.word[DIMENSION * i + k], bits);
+        }
+    }
+    ushort farthest[DARTS_A_BLOCK * 8];
+    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK * 8; ++i)
+    {
+        farthest[i] = table[((const ulong*)parts)[i]];
+    }
+    ushort8 result = as_ushort8(vload8(0, farthest) > low) & (ushort8)1;
+#if DARTS_A_BLOCK == 2
+    result |= as_ushort8(vload8(1, farthest) > low) & (ushort8)2;
 #endif
+    vstore8(convert_uchar8(result), id, flags);
 }
 
-/// Is no point nearer to the position than the minimum distance?
+/// The cells along one axis that are within reach of a coordinate, from the first on around the torus.
+typedef struct
+{
+    uint first;
+    uint count;
+} Reach;
+
+ALWAYS_INLINE Reach reach_of(uint coordinate, uint grid_bits, ulong squared_min_distance)
+{
+    const ulong width = 1ul << (32 - grid_bits);
+    const ulong below = coordinate & (width - 1);
+    const ulong above = width - below;
+    const uint reaches_below = below * below < squared_min_distance;
+    const uint reaches_above = above * above < squared_min_distance;
+    const Reach reach = {(uint)((ulong)coordinate >> (32 - grid_bits)) - reaches_below,
+                         1 + reaches_below + reaches_above};
+    return reach;
+}
+
+/// Is no point nearer to the position than the minimum distance? (Small grids have cells that are looked into
+/// twice.)
 ALWAYS_INLINE bool is_free(const Position* position, global const uint* heads, global const uint* points,
                            uint grid_bits, ulong squared_min_distance)
 {
     const uint last = (1u << grid_bits) - 1;
-    Position cell;
-    FOR_EACH_AXIS(k) cell.c[k] = (uint)((ulong)position->c[k] << grid_bits >> 32);
+    Reach reach[DIMENSION];
+    FOR_EACH_AXIS(k) reach[k] = reach_of(position->c[k], grid_bits, squared_min_distance);
 #if DIMENSION == 3
-    for (uint z = 0; z < 3; ++z) {
-        const uint slice = (cell.c[2] + z + last & last) << grid_bits;
+    for (uint z = 0; z < reach[2].count; ++z) {
+        const uint slice = (reach[2].first + z & last) << grid_bits;
 #else
     {
         const uint slice = 0;
 #endif
-        for (uint y = 0; y < 3; ++y) {
-            const uint row = (slice | (cell.c[1] + y + last & last)) << grid_bits;
-            for (uint x = 0; x < 3; ++x) {
-                for (uint link = heads[row | (cell.c[0] + x + last & last)]; link != 0;) {
+        for (uint y = 0; y < reach[1].count; ++y) {
+            const uint row = (slice | (reach[1].first + y & last)) << grid_bits;
+            for (uint x = 0; x < reach[0].count; ++x) {
+                for (uint link = heads[row | (reach[0].first + x & last)]; link != 0;) {
                     global const uint* point = &points[(link - 1) * POINT_WORDS];
                     Position other;
                     FOR_EACH_AXIS(k) other.c[k] = point[k];
@@ -254,13 +303,20 @@ kernel void settle_candidates(global ulong* state, global const ulong* candidate
     state[CANDIDATES] += looked_at;
 }
 
-/// The table's units from a coordinate to the farthest of a part of a grid cell, rounded up.
-ALWAYS_INLINE ushort farthest_units(uint coordinate, uint part, uint grid_bits)
+/// The table's units from a coordinate to the farthest of each part of a grid cell along an axis, rounded up;
+/// any value above all thresholds where that is a cell's width or more. In 32 bits, of which lengths take 16.
+ALWAYS_INLINE VECTOR(ushort) farthest_units(uint coordinate, uint cell, uint grid_bits)
 {
     const uint part_bits = 32 - grid_bits - COVER_BITS;
-    const ulong squared = square(axis_farthest(coordinate, part << part_bits, (1u << part_bits) - 1));
-    const uint unit_bits = UNIT_BITS(grid_bits);
-    return (ushort)min((squared + (1ul << unit_bits) - 1) >> unit_bits, (ulong)NOT_COVERED);
+    const uint extent = (1u << part_bits) - 1;
+    const VECTOR(uint) forward = coordinate - ((cell << COVER_BITS | PART_NUMBERS) << part_bits);
+    const VECTOR(uint) back = forward - extent;
+    const VECTOR(uint) ends = max(min(forward, 0u - forward), min(back, 0u - back));
+    const VECTOR(uint) antipode = 0x80000000u;
+    const VECTOR(uint) farthest = select(ends, antipode, (forward ^ antipode) <= extent);
+    const uint drop = 16 - grid_bits;
+    const VECTOR(uint) length = min((farthest + ((1u << drop) - 1)) >> drop, 65535u);
+    return CONVERT(ushort)((length * length >> 17) + 1);
 }
 
 /// One work-item owns one row of grid cells along x, and all rows of the table in it. Enters the disks of
@@ -269,49 +325,48 @@ ALWAYS_INLINE ushort farthest_units(uint coordinate, uint part, uint grid_bits)
 kernel void cover_cells(global const ulong* state, global const uint* points, uint grid_bits,
                         global ushort* table)
 {
-    const uint size = 1u << grid_bits;
+    const uint last = (1u << grid_bits) - 1;
+    const uint bits = grid_bits + COVER_BITS;
     const uint id = get_global_id(0);
     if (id >> (DIMENSION - 1) * grid_bits != 0) return;
-    const uint cell_y = id & (size - 1);
+    const uint cell_y = id & last;
     const uint cell_z = id >> grid_bits;
-    const uint near_cells = min(3u, size); // along an axis
+    const uint near_cells = min(3u, last + 1); // along an axis
     const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const uint end = (uint)state[POINTS];
     for (uint p = (uint)state[FIRST_NEW]; p < end; ++p) {
-        global const uint* point = &points[p * POINT_WORDS];
-        const uint point_y = (uint)((ulong)point[1] << grid_bits >> 32);
-        if ((cell_y - point_y + 1 & (size - 1)) > 2) continue;
+        Position point;
+        Cell cell;
+        FOR_EACH_AXIS(k) point.c[k] = points[p * POINT_WORDS + k];
+        FOR_EACH_AXIS(k) cell.c[k] = (uint)((ulong)point.c[k] >> (32 - grid_bits));
+        if ((cell_y - cell.c[1] + 1 & last) > 2) continue;
 #if DIMENSION == 3
-        const uint point_z = (uint)((ulong)point[2] << grid_bits >> 32);
-        if ((cell_z - point_z + 1 & (size - 1)) > 2) continue;
+        if ((cell_z - cell.c[2] + 1 & last) > 2) continue;
 #endif
-        const uint first_x = (uint)((ulong)point[0] << grid_bits >> 32) + size - 1;
-        ushort along_x[3 * COVER_PARTS];
+        VECTOR(ushort) along_x[3];
         for (uint x = 0; x < near_cells; ++x) {
-            const uint part = (first_x + x & (size - 1)) << COVER_BITS;
-            for (uint i = 0; i < COVER_PARTS; ++i) {
-                along_x[x * COVER_PARTS + i] = farthest_units(point[0], part + i, grid_bits);
-            }
+            along_x[x] = farthest_units(point.c[0], cell.c[0] + last + x & last, grid_bits);
         }
+        ushort along_y[COVER_PARTS];
+        STORE(farthest_units(point.c[1], cell_y, grid_bits), 0, along_y);
 #if DIMENSION == 3
+        ushort along_z[COVER_PARTS];
+        STORE(farthest_units(point.c[2], cell_z, grid_bits), 0, along_z);
         for (uint k = 0; k < COVER_PARTS; ++k) {
-            const uint part_z = cell_z << COVER_BITS | k;
-            const ushort along_z = farthest_units(point[2], part_z, grid_bits);
+            const uint slice = (cell_z << COVER_BITS | k) << bits;
 #else
+        const ushort along_z[1] = {0};
+        const uint k = 0;
+        const uint slice = 0;
         {
-            const uint part_z = 0;
-            const ushort along_z = 0;
 #endif
             for (uint j = 0; j < COVER_PARTS; ++j) {
-                const uint part_y = cell_y << COVER_BITS | j;
-                const ushort along_yz = add_sat(along_z, farthest_units(point[1], part_y, grid_bits));
+                const ushort along_yz = add_sat(along_z[k], along_y[j]);
                 if (along_yz > low) continue;
-                global ushort* row =
-                    &table[(part_z << (grid_bits + COVER_BITS) | part_y) << (grid_bits + COVER_BITS)];
+                global ushort* row = &table[(slice | cell_y << COVER_BITS | j) << bits];
                 for (uint x = 0; x < near_cells; ++x) {
-                    global ushort* parts = &row[(first_x + x & (size - 1)) << COVER_BITS];
-                    const Parts farthest = add_sat((Parts)along_yz, load_parts(x, along_x));
-                    store_parts(min(load_parts(0, parts), farthest), 0, parts);
+                    const uint at = cell.c[0] + last + x & last;
+                    STORE(min(LOAD(at, row), add_sat((VECTOR(ushort))along_yz, along_x[x])), at, row);
                 }
             }
         }
@@ -323,7 +378,7 @@ kernel void cover_cells(global const ulong* state, global const uint* points, ui
 kernel void clear_cells(global ushort* table, uint row_count, global uint* heads, uint cell_count)
 {
     const uint id = get_global_id(0);
-    if (id < row_count) store_parts((Parts)NOT_COVERED, id, table);
+    if (id < row_count) STORE((VECTOR(ushort))NOT_COVERED, id, table);
     if (id < cell_count) heads[id] = 0;
 }
 

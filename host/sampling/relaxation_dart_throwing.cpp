@@ -64,7 +64,7 @@ GridLimits grid_limits(std::size_t points, int dimension)
     // More grid cells than points are of no use.
     const int for_points = static_cast<int>(std::bit_width(points)) / dimension;
     const int most_grid_bits = std::min(for_points, most_table_bits / dimension - 2);
-    const int cover_bits = dimension == 2 ? 4 : 3;
+    const int cover_bits = dimension == 2 ? 3 : 2;
     return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits)};
 }
 
@@ -108,7 +108,7 @@ public:
 
         Buffers& b = buffers_;
         reserve(device, b.state, state_count);
-        reserve(device, b.flags, largest_batch / darts_a_block + group_size); // padded to whole groups
+        reserve(device, b.flags, largest_batch / darts_a_block + 8 * group_size); // padded to whole groups
         reserve(device, b.candidates, largest_batch / darts_a_word);
         reserve(device, b.points, request.points * point_words);
         reserve(device, b.heads, std::size_t{1} << D * limits_.most_grid_bits);
@@ -143,8 +143,9 @@ private:
         Buffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        throw_.run(batch_ / darts_a_block, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
-        find_.run(words, std::min<std::size_t>(group_size_, 16), b.state, b.flags, words, b.heads, b.points,
+        throw_.run(batch_ / darts_a_block / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y,
+                   b.flags);
+        find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points,
                   grid_bits_, key_x, key_y, b.candidates);
         settle_.run(1, 1, b.state, b.candidates, words, key_x, key_y, b.thresholds, window_.level(),
                     request_.attempts, u32(request_.points), u32(levels_ahead_), b.heads, b.points,
@@ -155,7 +156,7 @@ private:
     /// Enters the points that the table does not know.
     void update_table()
     {
-        cover_.run(std::size_t{1} << (D - 1) * grid_bits_, std::min<std::size_t>(group_size_, 8),
+        cover_.run(std::size_t{1} << (D - 1) * grid_bits_, std::min<std::size_t>(group_size_, D == 2 ? 1 : 8),
                    buffers_.state, buffers_.points, grid_bits_, buffers_.table);
     }
 

@@ -36,15 +36,18 @@ void kernel(benchmark::State& state)
         benchmark::DoNotOptimize(thrower.throw_darts(request_for(state.range(0), ++realization)));
 }
 
-// Kernel and reference take turns, so that what else the machine does slows both.
+/// Kernel and reference take turns, so that what else the machine does slows both.
 void in_turns(int digits, int repetitions)
 {
-    BENCHMARK(sequential_reference)
-        ->Arg(digits)
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime()
-        ->Repetitions(repetitions);
-    BENCHMARK(kernel)->Arg(digits)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(repetitions);
+    const auto add = [&](const char* name, void (*function)(benchmark::State&)) {
+        benchmark::RegisterBenchmark(name, function)
+            ->Arg(digits)
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->Repetitions(repetitions);
+    };
+    add("sequential_reference", sequential_reference);
+    add("kernel", kernel);
 }
 
 }
