@@ -47,9 +47,10 @@
 #define LOW_THRESHOLD 6 // the squared minimum distance there
 #define CANDIDATES 7    // looked at by settle_candidates so far
 
-// The table counts squared distances in units of 2^-15 of a grid cell's squared width.
+// The table counts squared distances in units of 2^-15 of a grid cell's squared width, which no threshold
+// exceeds.
 #define UNIT_BITS(grid_bits) (49 - 2 * (grid_bits))
-#define NOT_COVERED 65535
+#define NOT_COVERED 32768
 
 // Vectors with a lane for each part of a grid cell along an axis.
 #if COVER_BITS == 3
@@ -113,7 +114,7 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
 {
     const uint id = get_global_id(0);
     const uint bits = grid_bits + COVER_BITS;
-    const ushort low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
+    const ushort8 low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const ulong8 block = state[NEXT_DART] / DARTS_A_BLOCK + 8 * (ulong)id + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
     EightBlocks counters;
     counters.word[0] = block;
@@ -136,9 +137,11 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     {
         farthest[i] = table[((const ulong*)parts)[i]];
     }
-    ushort8 result = as_ushort8(vload8(0, farthest) > low) & (ushort8)1;
+    // The sign of low - farthest says that the part is not covered: neither exceeds 2^15. (oclgrind 21.10
+    // takes a vector comparison for 255 where it is widened to 1.)
+    ushort8 result = (low - vload8(0, farthest)) >> (ushort8)15;
 #if DARTS_A_BLOCK == 2
-    result |= as_ushort8(vload8(1, farthest) > low) & (ushort8)2;
+    result |= (low - vload8(1, farthest)) >> (ushort8)15 << (ushort8)1;
 #endif
     vstore8(convert_uchar8(result), id, flags);
 }
@@ -315,7 +318,9 @@ ALWAYS_INLINE VECTOR(ushort) farthest_units(uint coordinate, uint cell, uint gri
     const VECTOR(uint) antipode = 0x80000000u;
     const VECTOR(uint) farthest = select(ends, antipode, (forward ^ antipode) <= extent);
     const uint drop = 16 - grid_bits;
-    const VECTOR(uint) length = min((farthest + ((1u << drop) - 1)) >> drop, 65535u);
+    const VECTOR(uint) most =
+        65535; // a vector: oclgrind 21.10 does not know the min of a vector and a scalar
+    const VECTOR(uint) length = min((farthest + ((1u << drop) - 1)) >> drop, most);
     return CONVERT(ushort)((length * length >> 17) + 1);
 }
 

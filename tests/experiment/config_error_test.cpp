@@ -176,6 +176,22 @@ TEST(ConfigError, NumberParameter)
                             "a number greater than 0 and at most 1");
 }
 
+TEST(ConfigError, NumberParameterBelowAnExclusiveMaximum)
+{
+    const auto factor = [](const std::string& value) {
+        return error_of("[[method]]\nsampler = \"relaxation-dart-throwing\"\nfactor = " + value + "\n");
+    };
+    const std::string allowed = "must be a number greater than 0 and less than 1";
+    EXPECT_EQ(factor("1.0"), "c.toml:3: factor = 1.0: " + allowed);
+    EXPECT_EQ(factor("1"), "c.toml:3: factor = 1: " + allowed);
+    EXPECT_EQ(factor("0.0"), "c.toml:3: factor = 0.0: " + allowed);
+    EXPECT_EQ(factor("nan"), "c.toml:3: factor = nan: " + allowed);
+    EXPECT_FALSE(make_plan(parse_config("[[method]]\nsampler = \"relaxation-dart-throwing\"\n"
+                                        "factor = 0.9999999999\nattempts = 1\n",
+                                        "c.toml"))
+                     .empty());
+}
+
 TEST(ConfigError, ChoiceParameter)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturaton\"\n"),

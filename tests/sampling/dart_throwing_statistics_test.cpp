@@ -1,16 +1,15 @@
 // Kernel dart throwing is unbiased: its statistics are those of the textbook algorithm, which shares no code
 // with it.
-#include "analysis/spectrum.hpp"
 #include "geometry/relative_radius.hpp"
 #include "sampling/cell_hierarchy.hpp"
 #include "sampling/dart_throwing.hpp"
-#include "support/statistics.hpp"
+#include "support/set_features.hpp"
 #include "support/textbook_dart_throwing.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace poissonlab {
 namespace {
@@ -51,84 +50,22 @@ const std::vector<PointSet>& textbook_sets()
     return sets;
 }
 
-double squared_distance(std::span<const double> a, std::span<const double> b)
+void expect_same_means(const test::Features& features)
 {
-    double sum = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-        const double direct = std::abs(a[k] - b[k]);
-        const double shortest = std::min(direct, 1 - direct);
-        sum += shortest * shortest;
-    }
-    return sum;
-}
-
-using Features = std::function<std::vector<double>(const PointSet&)>;
-
-/// Compares the mean of every feature over the sets of both algorithms.
-void expect_same_means(const Features& features)
-{
-    const auto columns_of = [&](const std::vector<PointSet>& sets) {
-        std::vector<std::vector<double>> columns;
-        for (const PointSet& set : sets) {
-            const auto values = features(set);
-            columns.resize(values.size());
-            for (std::size_t i = 0; i < values.size(); ++i) columns[i].push_back(values[i]);
-        }
-        return columns;
-    };
-    const auto ours = columns_of(kernel_sets());
-    const auto theirs = columns_of(textbook_sets());
-    const double bound = test::z_bound(ours.size());
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-        const test::Mean a = test::mean_of(ours[i]);
-        const test::Mean b = test::mean_of(theirs[i]);
-        EXPECT_LT(std::abs(test::z_score(a, b)), bound)
-            << "feature " << i << ": " << a.value << " and " << b.value;
-    }
-}
-
-/// Pairs by distance, from contact to twice the minimum distance, in 20 classes.
-std::vector<double> pairs_by_distance(const PointSet& set)
-{
-    std::vector<double> counts(20);
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const double squared = squared_distance(set[i], set[j]);
-            if (squared >= 4 * min_distance() * min_distance()) continue;
-            const double place =
-                (std::sqrt(squared) / min_distance() - 1) * static_cast<double>(counts.size());
-            if (place < static_cast<double>(counts.size()))
-                ++counts[static_cast<std::size_t>(std::max(place, 0.0))];
-        }
-    }
-    return counts;
+    test::expect_same_means(features, kernel_sets(), textbook_sets());
 }
 
 TEST(DartThrowingStatistics, PairCorrelationNearContactIsTheTextbooks)
 {
-    expect_same_means(pairs_by_distance);
+    // From contact to twice the minimum distance, in 20 classes.
+    expect_same_means([](const PointSet& set) {
+        return test::pairs_by_distance(set, min_distance(), 2 * min_distance(), 20);
+    });
 }
 
 TEST(DartThrowingStatistics, RadialPowerIsTheTextbooks)
 {
-    expect_same_means([](const PointSet& set) {
-        constexpr int size = 128;
-        const auto power = exact_periodogram(set, size);
-        std::vector<double> sums(size / 2);
-        std::vector<double> samples(size / 2);
-        for (int v = 0; v < size; ++v) {
-            for (int u = 0; u < size; ++u) {
-                const auto bin =
-                    static_cast<std::size_t>(std::lround(std::hypot(u - size / 2, v - size / 2)));
-                if (bin == 0 || bin >= sums.size()) continue;
-                sums[bin] += power[static_cast<std::size_t>(v * size + u)];
-                ++samples[bin];
-            }
-        }
-        for (std::size_t i = 1; i < sums.size(); ++i) sums[i] /= samples[i];
-        sums.erase(sums.begin());
-        return sums;
-    });
+    expect_same_means([](const PointSet& set) { return test::radial_power(set, 128); });
 }
 
 TEST(DartThrowingStatistics, PointsDoNotKnowTheCellsTheyWereThrownIn)
@@ -154,7 +91,7 @@ TEST(DartThrowingStatistics, EarlyAndLatePointsAreTheTextbooks)
         for (std::size_t i = 1; i < set.size(); ++i) {
             double nearest = 1;
             for (std::size_t j = 0; j < i; ++j) {
-                nearest = std::min(nearest, squared_distance(set[i], set[j]));
+                nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
             }
             means[i / 64] += std::sqrt(nearest) / 64;
         }
