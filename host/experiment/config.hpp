@@ -1,7 +1,7 @@
 // The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
 #pragma once
 
-#include "experiment/parameter_values.hpp"
+#include "experiment/sampler_table.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -14,13 +14,6 @@ namespace poissonlab {
 /// The largest number of points of a set, and of realizations of a series.
 inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
 inline constexpr std::int64_t max_realizations = 10000;
-
-/// A key of a [[method]] table, with every value that it takes.
-struct ParameterSetting
-{
-    const ParameterSpec* parameter = nullptr;
-    std::vector<ParameterChoice> choices; ///< at least one; several make one series each
-};
 
 struct MethodConfig
 {
@@ -49,8 +42,10 @@ struct Config
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The same for a text; `file` is how messages name it.
+/// The same for a text; `file` is how messages name it. The samplers of the `registry` must outlive the
+/// result.
 Config parse_config(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& overrides = {});
+                    const std::vector<std::string>& overrides = {},
+                    const SamplerRegistry& registry = sampler_registry());
 
 }

@@ -26,11 +26,28 @@ Json spread(const std::vector<double>& each)
             {"each", each}};
 }
 
+Json parameters_json(const Parameters& parameters);
+
+/// Values as they are; a sampler as the object of its name and parameters.
+struct ValueToJson
+{
+    template <typename Value>
+    Json operator()(const Value& value) const
+    {
+        return value;
+    }
+    Json operator()(const std::shared_ptr<const SamplerChoice>& choice) const
+    {
+        Json json = {{"sampler", choice->spec->name}};
+        json.update(parameters_json(choice->parameters));
+        return json;
+    }
+};
+
 Json parameters_json(const Parameters& parameters)
 {
     Json json = Json::object();
-    for (const auto& [key, entry] : parameters.entries())
-        std::visit([&, &name = key](const auto& value) { json[name] = value; }, entry.value);
+    for (const auto& [key, entry] : parameters.entries()) json[key] = std::visit(ValueToJson{}, entry.value);
     return json;
 }
 

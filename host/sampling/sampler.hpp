@@ -63,8 +63,13 @@ struct SamplerSpec
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;
 
+    /// True when realizations differ only where the sets of its start do: with a deterministic start this
+    /// method is deterministic as well.
+    bool follows_start = false;
+
     /// Checks what single values cannot show (missing keys, impossible combinations). Throws InputError.
-    /// `where` is the place of the [[method]] table.
+    /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.
+    /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
 
     /// How many realizations there are, where the method decides that (files); empty: as many as asked.
@@ -75,10 +80,14 @@ struct SamplerSpec
         create;
 };
 
-/// All samplers, in the order in which help and errors list them.
-const std::vector<SamplerSpec>& sampler_registry();
+/// Samplers in the order in which help and errors list them.
+using SamplerRegistry = std::vector<SamplerSpec>;
+
+/// All samplers.
+const SamplerRegistry& sampler_registry();
 
 /// The sampler of that name, or null.
-const SamplerSpec* find_sampler(const std::string& name);
+const SamplerSpec* find_sampler(const std::string& name,
+                                const SamplerRegistry& registry = sampler_registry());
 
 }

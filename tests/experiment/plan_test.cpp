@@ -62,7 +62,9 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
         spec.parameters.push_back(parameter);
     }
     spec.check = nullptr;
-    const auto choice = [](double value) { return ParameterChoice{value, std::to_string(int(value)), {}}; };
+    const auto choice = [](double value) {
+        return ParameterChoice{value, std::to_string(int(value)), {}, {}};
+    };
     MethodConfig method;
     method.sampler = &spec;
     method.settings = {{&spec.parameters[0], {choice(1), choice(2)}},
