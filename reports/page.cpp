@@ -70,6 +70,9 @@ PageData overlay_panel(const std::filesystem::path& out, const std::string& stem
     PageData data;
     data.set("title", title);
     data.set("is_power", stem == power_overlay);
+    std::vector<Curve> curves;
+    for (const auto& entry : series) curves.push_back(entry.curve);
+    data.set("sizes_differ", sizes_differ(curves));
     auto alt = title + " of all series over frequency: ";
     for (std::size_t i = 0; i < series.size(); ++i) alt += (i > 0 ? ", " : "") + series[i].label;
     data.set("alt", alt);

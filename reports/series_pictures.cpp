@@ -15,6 +15,8 @@ void read_curve(ReportSeries& series)
     const auto& stored = *series.stored;
     auto& curve = series.curve;
     curve.label = series.label;
+    curve.points = stored.points;
+    curve.dimension = series.run->dimension;
     curve.bins = read_radial_table(series.run->folder / stored.radial_file);
     curve.background_db = stored.background_anisotropy_db;
     curve.realizations = stored.realizations;

@@ -71,7 +71,10 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
     MethodConfig method;
     method.where = node.location;
     method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
-    method.settings = read_settings(*table, *method.sampler, {"sampler", "label"}, registry, 0);
+    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points"}, registry, 0);
+    if (const ConfigNode* points = find(*table, "points"))
+        method.settings.insert(method.settings.begin(),
+                               {&points_parameter(), parameter_choices(points_parameter(), *points)});
     method.label = read_text(*table, "label", "");
     return method;
 }

@@ -11,8 +11,7 @@
 
 namespace poissonlab {
 
-/// The largest number of points of a set, and of realizations of a series.
-inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
+/// The largest number of realizations of a series.
 inline constexpr std::int64_t max_realizations = 10000;
 
 struct MethodConfig
@@ -20,7 +19,7 @@ struct MethodConfig
     const SamplerSpec* sampler = nullptr;
     std::string label; ///< empty: made from the sampler's title
     SourceLocation where;
-    std::vector<ParameterSetting> settings; ///< in the order in which the sampler declares its parameters
+    std::vector<ParameterSetting> settings; ///< `points` first, then as the sampler declares its parameters
 };
 
 struct Config

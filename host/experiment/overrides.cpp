@@ -84,7 +84,7 @@ const SamplerSpec* sampler_of(const ConfigTable& method, const SamplerRegistry& 
 /// Whether a [[method]] table can have a key: those of every method, and its sampler's parameters.
 bool method_takes(const ConfigTable& method, const std::string& key, const SamplerRegistry& registry)
 {
-    if (key == "sampler" || key == "label") return true;
+    if (key == "sampler" || key == "label" || key == "points") return true;
     const SamplerSpec* sampler = sampler_of(method, registry);
     // What is wrong with the sampler's name is said later, at its own line.
     if (!sampler) return true;
@@ -95,7 +95,7 @@ bool method_takes(const ConfigTable& method, const std::string& key, const Sampl
 /// The keys that at least one of the methods takes.
 std::vector<std::string> known_keys(const ConfigList& methods, const SamplerRegistry& registry)
 {
-    std::vector<std::string> known = {"sampler", "label"};
+    std::vector<std::string> known = {"sampler", "label", "points"};
     for (const ConfigNode& method : methods) {
         const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>(), registry);
         if (!sampler) continue;

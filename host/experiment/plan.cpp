@@ -68,6 +68,39 @@ std::optional<std::size_t> available_realizations(const SamplerSpec& sampler, co
     return fewest;
 }
 
+/// Throws InputError when a number of points is asked of sets that are there already.
+void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& parameters,
+                               const ParameterChoice& points)
+{
+    if (sampler.has_own_points)
+        throw invalid_value(
+            points.location, "points", points.shown,
+            fmt::format("does not go with the sampler \"{}\", whose sets are as large as they "
+                        "are; leave it out",
+                        sampler.name));
+    for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
+        check_points_can_be_asked(*start.spec, start.parameters, points);
+    });
+}
+
+/// The number of points that a method asks for itself, or that of the experiment.
+std::size_t points_of(const Config& config, const MethodConfig& method, const Combination& chosen,
+                      const Parameters& parameters)
+{
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (method.settings[i].parameter != &points_parameter()) continue;
+        check_points_can_be_asked(*method.sampler, parameters, *chosen[i]);
+        return static_cast<std::size_t>(std::get<std::int64_t>(chosen[i]->value));
+    }
+    return config.points;
+}
+
+bool same_series(const SeriesPlan& a, const SeriesPlan& b)
+{
+    return a.sampler == b.sampler && a.request.points == b.request.points &&
+           same_parameters(a.parameters, b.parameters);
+}
+
 SeriesPlan make_series(const Config& config, const MethodConfig& method, const Combination& chosen)
 {
     const SamplerSpec& sampler = *method.sampler;
@@ -76,7 +109,7 @@ SeriesPlan make_series(const Config& config, const MethodConfig& method, const C
     series.label = series_label(method, chosen);
     series.sampler = &sampler;
     series.parameters = chosen_parameters(method.settings, chosen);
-    series.request = {config.points, config.dimension, config.seed};
+    series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
     check_sampler(sampler, series.parameters, series.request, method.where);
 
     series.deterministic = is_deterministic(sampler, series.parameters);
@@ -96,7 +129,7 @@ std::vector<SeriesPlan> make_plan(const Config& config)
         for (const Combination& chosen : combinations(method.settings, method.where, "[[method]]")) {
             SeriesPlan series = make_series(config, method, chosen);
             for (const SeriesPlan& other : plan)
-                if (other.sampler == series.sampler && same_parameters(other.parameters, series.parameters))
+                if (same_series(other, series))
                     throw InputError(fmt::format("{}: [[method]]: the series \"{}\" is there twice",
                                                  to_string(method.where), other.label));
             if (plan.size() == max_series)

@@ -40,6 +40,19 @@ ParameterChoice sampler_choice(const SamplerSpec& sampler, const std::vector<Par
 
 }
 
+const ParameterSpec& points_parameter()
+{
+    static const ParameterSpec points{.key = "points",
+                                      .kind = Kind::integer,
+                                      .help = "points in each set of this method, instead of analysis.points",
+                                      .minimum = 1,
+                                      .maximum = static_cast<double>(max_points),
+                                      .exclusive_minimum = false,
+                                      .choices = {},
+                                      .symbol = "N"};
+    return points;
+}
+
 std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings,
                                       const SourceLocation& where, const std::string& what)
 {
@@ -106,7 +119,8 @@ Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, cons
 {
     Parameters parameters;
     for (std::size_t i = 0; i < chosen.size(); ++i)
-        parameters.set(settings[i].parameter->key, chosen[i]->value, chosen[i]->location);
+        if (settings[i].parameter != &points_parameter())
+            parameters.set(settings[i].parameter->key, chosen[i]->value, chosen[i]->location);
     return parameters;
 }
 

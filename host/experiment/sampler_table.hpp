@@ -11,7 +11,8 @@
 
 namespace poissonlab {
 
-/// The largest number of series of an experiment.
+/// The largest number of points of a set, and of series of an experiment.
+inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
 inline constexpr std::size_t max_series = 1000;
 
 /// How deep samplers may lie in one another: a [[method]], its start, the start of that ...
@@ -23,6 +24,9 @@ struct ParameterSetting
     const ParameterSpec* parameter = nullptr;
     std::vector<ParameterChoice> choices; ///< at least one; several make one series each
 };
+
+/// The key `points` of every [[method]]: the number of points where it is not that of the experiment.
+const ParameterSpec& points_parameter();
 
 /// One choice of each setting, in the settings' order.
 using Combination = std::vector<const ParameterChoice*>;
@@ -47,7 +51,7 @@ std::vector<ParameterSetting> read_settings(const ConfigTable& table, const Samp
 std::vector<ParameterChoice> sampler_choices(const ParameterSpec& spec, const ConfigNode& node,
                                              const SamplerRegistry& registry, int depth);
 
-/// The chosen values as parameters.
+/// The chosen values as parameters of the sampler; `points` is none.
 Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, const Combination& chosen);
 
 /// For example "dart-throwing-rho-0.70", "lloyd-i-16-dart-throwing-rho-0.70-repulsion": for names of folders.

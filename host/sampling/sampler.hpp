@@ -67,6 +67,10 @@ struct SamplerSpec
     /// method is deterministic as well.
     bool follows_start = false;
 
+    /// True when its sets are there already, with as many points as they have (files): no number can be
+    /// asked.
+    bool has_own_points = false;
+
     /// Checks what single values cannot show (missing keys, impossible combinations). Throws InputError.
     /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.
     /// Samplers among the parameters have passed their own checks before.

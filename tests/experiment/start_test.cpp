@@ -146,6 +146,9 @@ TEST(Start, IsCheckedLikeAMethod)
               "c.toml:4: relative_radius = 1.5: must be a number greater than 0 and at most 1");
     EXPECT_EQ(start("\"dart-throwing\""),
               "c.toml:3: sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
+    EXPECT_EQ(start("{ sampler = \"random\", points = 4 }"),
+              "c.toml:3: points = 4: unknown key; known keys: sampler")
+        << "as many as its method has";
     EXPECT_THAT(start("{ sampler = \"dart-throwing\", relative_radius = 0.95 }"),
                 HasSubstr("c.toml:3: relative_radius = 0.95: "));
     EXPECT_EQ(error_of("start = { sampler = \"relax\" }"), "c.toml:3: start is missing");
