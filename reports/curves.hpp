@@ -36,9 +36,6 @@ struct CurveScales
 /// regular grid do not flatten everything else.
 CurveScales common_scales(const std::vector<Curve>& curves);
 
-/// The colour of the series with that number, as "#rrggbb"; the first of few are told apart by everyone.
-std::string curve_color(std::size_t index);
-
 /// The plots of the series with that number, in its colour.
 GnuplotPicture plot_radial_power(const Curve& curve, std::size_t index, const CurveScales& scales,
                                  const std::filesystem::path& stem);

@@ -31,6 +31,13 @@ struct SampleRequest
     std::uint64_t seed = 0;
 };
 
+/// The state of an iterative method before its first iteration (entry 0) and after each one.
+struct IterationRecord
+{
+    double relative_radius = 0;
+    double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
+};
+
 /// Makes the point sets of one series.
 class Sampler
 {
@@ -43,6 +50,9 @@ public:
     /// True where realizations differ in size by the nature of the method (saturation), rather than by
     /// mistake.
     virtual bool sizes_vary() const { return false; }
+
+    /// The iterations of the last sample(); empty for methods without any.
+    virtual std::vector<IterationRecord> iterations() const { return {}; }
 
     /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.
     virtual double build_seconds() const { return 0; }

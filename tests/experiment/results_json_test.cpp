@@ -138,6 +138,13 @@ TEST(ResultsJson, APointHasNoDistance)
     EXPECT_TRUE(series["covered_fraction"].is_null());
 }
 
+TEST(ResultsJson, IterationsOfAPointHaveNoMeans)
+{
+    SeriesResult result = two_realizations();
+    result.iterations = {{{infinite, 0.2}}, {{infinite, 0.2}}};
+    EXPECT_TRUE(written(one_series(), result)["series"][0]["iterations"].is_null());
+}
+
 TEST(ResultsJson, ImportedSetsHaveNoSeedAndNoEngine)
 {
     Experiment experiment = one_series();
