@@ -81,7 +81,7 @@ Overlaid on_one_axis(const std::vector<Curve>& curves)
         const double spacing = std::pow(static_cast<double>(curve.points), -1.0 / curve.dimension);
         for (auto& bin : curve.bins) bin.frequency *= spacing;
         curve.max_frequency *= spacing;
-        curve.label = fmt::format("{} ({} points)", curve.label, format_count(curve.points));
+        curve.label = label_with_points(curve.label, curve.points);
     }
     return result;
 }
@@ -130,6 +130,12 @@ bool sizes_differ(const std::vector<Curve>& curves)
     const auto [fewest, most] = std::ranges::minmax(curves, {}, &Curve::points);
     const auto [flattest, deepest] = std::ranges::minmax(curves, {}, &Curve::dimension);
     return flattest.dimension != deepest.dimension || 10 * most.points > 11 * fewest.points;
+}
+
+std::string label_with_points(const std::string& label, std::size_t points)
+{
+    if ((label + ",").find(fmt::format("N = {},", points)) != std::string::npos) return label;
+    return fmt::format("{} ({} points)", label, format_count(points));
 }
 
 CurveScales common_scales(const std::vector<Curve>& curves)

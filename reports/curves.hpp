@@ -46,6 +46,9 @@ GnuplotPicture plot_anisotropy(const Curve& curve, std::size_t index, const Curv
 /// dimension. Their frequencies then compare in cycles per mean spacing of the points, N^(-1/dimension).
 bool sizes_differ(const std::vector<Curve>& curves);
 
+/// The label of a key where sizes differ: with the number of points, unless it says that already.
+std::string label_with_points(const std::string& label, std::size_t points);
+
 /// All series in one plot, with a key. Where sizes differ, frequencies are in cycles per mean spacing and the
 /// key says how many points each series has.
 GnuplotPicture overlay_radial_power(const std::vector<Curve>& curves, const CurveScales& scales,

@@ -50,11 +50,34 @@ std::string title_of(const std::vector<StoredRun>& runs)
     return title;
 }
 
+bool has_dimension(const std::vector<StoredRun>& runs, int dimension)
+{
+    return std::ranges::any_of(runs, [&](const auto& run) { return run.dimension == dimension; });
+}
+
+// What things are called in the dimensions that a report has.
+void set_dimension_words(PageData& page, const std::vector<StoredRun>& runs)
+{
+    const bool plane = has_dimension(runs, 2);
+    const bool space = has_dimension(runs, 3);
+    const auto words = [&](const std::string& name, const std::string& in_plane,
+                           const std::string& in_space) {
+        page.set(name, plane && space ? in_plane + " (3D: " + in_space + ")" : plane ? in_plane : in_space);
+    };
+    words("disk", "disk", "sphere");
+    words("disks", "disks", "spheres");
+    words("ring", "ring", "shell");
+    words("rings", "rings", "spherical shells");
+    words("lattice", "hexagonal lattice", "face-centred cubic lattice");
+    page.set("space", space);
+}
+
 std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series)
 {
     const auto realizations = range_of(series, &StoredSeries::realizations);
-    const auto dimension = runs.front().dimension;
-    auto text = fmt::format("{} series of {} points on the unit torus in {}D, {} realization{}{}",
+    const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
+    const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", runs.front().dimension);
+    auto text = fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
                             series.size() == 1 ? "One" : format_count(series.size()),
                             range_of(series, &StoredSeries::points), dimension, realizations,
                             realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
@@ -160,6 +183,7 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     page.set("title", title_of(runs));
     page.set("summary", summary_of(runs, series));
     page.set("tone_scale", tone_scale());
+    set_dimension_words(page, runs);
 
     PageData rows{PageData::type::list};
     PageData sections{PageData::type::list};

@@ -27,9 +27,10 @@ PageData points_panel(const ReportSeries& series, const std::filesystem::path& o
     std::string part = fmt::format("All {} points", format_count(view.total));
     if (view.shown() != view.total)
         part = fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
-    if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.run->dimension == 3)
-        part += fmt::format(", those with z below {}, seen along z", format_significant(view.depth, 2));
+        part +=
+            fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
+    if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.stored->realizations > 1)
         part += fmt::format(" (first of {} realizations)", series.stored->realizations);
     auto data = picture_panel(series, out, "points.svg", "points.png", "Points", part + ".");
@@ -49,21 +50,41 @@ PageData principal_ticks(const Curve& curve, int size)
     return ticks;
 }
 
-PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+std::string spectrum_caption(const ReportSeries& series)
 {
     const int size = series.stored->spectrum_size;
-    if (series.stored->spectrum_file.empty()) return false;
+    const auto side = format_count(static_cast<std::uint64_t>(size));
+    const bool planes = series.run->dimension == 3;
     auto caption = series.stored->is_estimate
                        ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
                        : std::string("Of one set,");
-    caption += fmt::format(" {0} × {0} frequencies", format_count(static_cast<std::uint64_t>(size)));
-    if (const int block = page_block(size); block > 1)
+    caption += fmt::format(" {} × {} frequencies", side, planes ? side + " × " + side : side);
+    if (planes)
+        caption += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
+                               format_fixed(-size / 2, 0), format_fixed(size / 2 - 1, 0));
+    if (const int block = spectrum_page_block(size, series.run->dimension); block > 1)
         caption += fmt::format("; a pixel here is the mean of {0} × {0}, full size one click away", block);
-    auto data = picture_panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series),
-                              caption + ".");
+    return caption + ".";
+}
+
+// Below a 2D spectrum; planes of a 3D one have no common axis.
+PageData spectrum_axis(const ReportSeries& series)
+{
+    if (series.run->dimension == 3) return false;
+    const int size = series.stored->spectrum_size;
+    PageData data;
     data.set("lowest", format_fixed(-size / 2, 0));
     data.set("highest", format_fixed(size / 2 - 1, 0));
     data.set("ticks", principal_ticks(series.curve, size));
+    return data;
+}
+
+PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.stored->spectrum_file.empty()) return false;
+    auto data = picture_panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series),
+                              spectrum_caption(series));
+    data.set("spectrum_axis", spectrum_axis(series));
     return data;
 }
 

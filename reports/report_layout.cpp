@@ -1,6 +1,5 @@
 #include "reports/report_layout.hpp"
 
-#include "reports/number_format.hpp"
 #include "reports/plot_style.hpp"
 
 #include <map>
@@ -71,7 +70,7 @@ std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& se
         const auto& stored = *series[i].stored;
         if (!stored.iterations) continue;
         auto label = key_text(series[i].label);
-        if (with_points) label += " (" + format_count(stored.points) + " points)";
+        if (with_points) label = label_with_points(label, stored.points);
         curves.push_back({i, label, series[i].run->dimension, &*stored.iterations});
     }
     return curves;

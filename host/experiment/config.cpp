@@ -59,9 +59,6 @@ void read_analysis(const ConfigTable& top, Config& config)
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
-    if (config.dimension == 3)
-        throw invalid_node("dimension", *find(*table, "dimension"),
-                           "must be 2: this version has no spectra and no report of 3D sets yet");
 }
 
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)

@@ -148,8 +148,8 @@ TEST(ConfigError, Dimension)
 {
     EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method),
               "c.toml:2: dimension = 4: must be an integer from 2 to 3");
-    EXPECT_EQ(error_of("[analysis]\ndimension = 3\n" + good_method),
-              "c.toml:2: dimension = 3: must be 2: this version has no spectra and no report of 3D sets yet");
+    EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
+              "c.toml:2: dimension = 2.0: must be an integer from 2 to 3");
 }
 
 TEST(ConfigError, AnalysisIsNoTable)

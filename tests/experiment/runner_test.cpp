@@ -100,11 +100,11 @@ TEST(Runner, SetsThatCannotBeAnalysed)
     const TemporaryFolder folder;
     const auto empty = experiment_of({task("s", 1, [](std::uint32_t) { return PointSet{}; })});
     EXPECT_EQ(message_of([&] { run(empty, folder.path()); }), "s: realization 0 has no points");
-    const auto spatial = experiment_of({task("s", 1, [](std::uint32_t) {
-        return PointSet{3, {0.1, 0.2, 0.3}};
+    const auto mixed = experiment_of({task("s", 2, [](std::uint32_t k) {
+        return k == 0 ? diagonal(1, 0) : PointSet{3, {0.1, 0.2, 0.3}};
     })});
-    EXPECT_EQ(message_of([&] { run(spatial, folder.path()); }),
-              "s: realization 0 is not 2D: this version analyses 2D sets only");
+    EXPECT_EQ(message_of([&] { run(mixed, folder.path()); }),
+              "s: realization 1 has dimension 3, the spectrum 2");
 }
 
 TEST(Runner, OnePointIsEnough)

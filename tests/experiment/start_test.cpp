@@ -203,6 +203,12 @@ TEST(Start, DimensionsAreThoseOfAllSamplers)
               "c.toml:3: sampler = \"random\": this method has no 2D sets");
 }
 
+TEST(Start, MethodsOfThePlaneAreRefusedInSpace)
+{
+    EXPECT_EQ(error_of("start = \"random\"", {"analysis.dimension=3"}),
+              "c.toml:1: sampler = \"relax\": this method has no 3D sets");
+}
+
 TEST(Start, DecidesWhetherRealizationsDiffer)
 {
     EXPECT_EQ(plan_of("start = \"random\"")[0].realizations, 10U);

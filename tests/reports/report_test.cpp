@@ -4,6 +4,7 @@
 #include "io/whole_file.hpp"
 #include "page_text.hpp"
 #include "picture.hpp"
+#include "reports/curves.hpp"
 #include "reports/number_format.hpp"
 #include "support/temporary_folder.hpp"
 #include "synthetic_results.hpp"
@@ -240,6 +241,14 @@ TEST_F(ReportTest, SeriesOfDifferentSizesAreComparedByMeanSpacing)
     // All spectra reach 32 cycles per unit length: 4 spacings of 1/8, and 2 of 1/16. The axis has room for 4.
     EXPECT_THAT(text, HasSubstr("> 3.5</tspan>"));
     EXPECT_THAT(text, Not(HasSubstr("> 4.5</tspan>")));
+}
+
+TEST_F(ReportTest, KeysSayTheNumberOfPointsOnce)
+{
+    EXPECT_EQ(label_with_points("Random", 1024), "Random (1,024 points)");
+    EXPECT_EQ(label_with_points("Random, N = 1024", 1024), "Random, N = 1024");
+    EXPECT_EQ(label_with_points("Darts, N = 1024, rho = 0.7", 1024), "Darts, N = 1024, rho = 0.7");
+    EXPECT_EQ(label_with_points("Darts, N = 102400", 1024), "Darts, N = 102400 (1,024 points)");
 }
 
 TEST_F(ReportTest, OneSeriesNeedsNoComparison)
