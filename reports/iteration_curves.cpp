@@ -52,7 +52,7 @@ std::string logarithmic_ticks(std::size_t iterations)
     std::string ticks = "'0' 1";
     for (std::size_t i = 1; i <= iterations; i *= 10)
         ticks += fmt::format(", '{}' {}", format_count(i), i + 1);
-    return "set logscale x\nset xtics (" + ticks + ")\n";
+    return "set logscale x\nset rmargin 3\nset xtics (" + ticks + ")\n"; // room for "1,000" at the end
 }
 
 std::string iteration_axes(const IterationScales& scales, const ValueAxis& value)
@@ -110,7 +110,8 @@ std::string frame(const std::vector<IterationCurve>& curves, const Quantity& qua
                   const IterationScales& scales)
 {
     auto commands = iteration_axes(scales, quantity.axis);
-    if (quantity.has_least_energy) commands += least_energy_mark(curves);
+    if (quantity.has_least_energy)
+        commands += "set lmargin 8.5\n" + least_energy_mark(curves); // "0.25" is wide
     for (const auto& curve : curves) commands += data_block(curve, quantity, scales);
     return commands;
 }
