@@ -13,7 +13,7 @@ int spectrum_size(std::size_t points, int dimension)
     // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
     const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
     int size = 2;
-    while (size < samples) size *= 2;
+    while (size < samples && !(dimension == 3 && size == largest_spectrum_3d)) size *= 2;
     return size;
 }
 
@@ -74,6 +74,12 @@ Spectrum coordinate_slice(const Spectrum& volume, int axis)
         }
     }
     return slice;
+}
+
+std::vector<Spectrum> coordinate_planes(const Spectrum& spectrum)
+{
+    if (spectrum.dimension == 2) return {spectrum};
+    return {coordinate_slice(spectrum, 2), coordinate_slice(spectrum, 1), coordinate_slice(spectrum, 0)};
 }
 
 }

@@ -9,6 +9,7 @@
 
 #include "geometry/point_set.hpp"
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -31,9 +32,16 @@ struct Spectrum
     }
 };
 
+/// 256^3 doubles are 128 MiB, and take a two-core processor about 7 s for 65,536 points; 512^3 would be 1 GiB
+/// for each of three arrays.
+inline constexpr int largest_spectrum_3d = 256;
+
 /// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
-/// of two. 1,024 for 16,384 points in 2D.
+/// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
+///
+/// Not more than largest_spectrum_3d in 3D, where the frequencies of sets of more than some 156,000 points
+/// reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
 /// Adds up periodograms in the order given; sums of floating point numbers depend on it.
@@ -61,6 +69,13 @@ private:
 /// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The
 /// remaining axes keep their order: columns are the first of them, rows the second.
 Spectrum coordinate_slice(const Spectrum& volume, int axis);
+
+/// The names of the coordinate planes of a volume in the order in which they are stored and shown; the first
+/// letter is the axis along columns, the second along rows.
+inline constexpr std::array<const char*, 3> plane_names = {"xy", "xz", "yz"};
+
+/// The planes that show a spectrum: a 2D one itself, of a 3D one its slices in the order of plane_names.
+std::vector<Spectrum> coordinate_planes(const Spectrum& spectrum);
 
 /// The periodogram of one set on M x M (x M) integer frequencies, by the exact sum: every transform value is
 /// within 1e-11 N of it (in practice 1e-14 N). Separable phases make it a product of matrices over one

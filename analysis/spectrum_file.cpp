@@ -23,19 +23,30 @@ const std::string realizations_name = "poissonlab:realizations";
 const std::string metadata_prefix = "poissonlab:meta:";
 constexpr int max_size = 1 << 15; // a larger "spectrum" is a damaged header
 
-/// The layout of `size` x `size` floats that are one channel, for reading and for writing.
-Imf::FrameBuffer frame_buffer(std::vector<float>& pixels, int size)
+std::vector<std::string> channels_of(int dimension)
 {
+    if (dimension == 2) return {"Y"};
+    std::vector<std::string> channels;
+    for (const char* plane : plane_names) channels.push_back(std::string(plane) + ".Y");
+    return channels;
+}
+
+/// The layout of `size` x `size` floats a channel, for reading and for writing.
+Imf::FrameBuffer frame_buffer(std::vector<std::vector<float>>& planes, int size)
+{
+    const auto channels = channels_of(planes.size() == 1 ? 2 : 3);
     Imf::FrameBuffer frame;
-    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float),
-                                 sizeof(float) * static_cast<std::size_t>(size)));
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        frame.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(planes[i].data()),
+                                             sizeof(float), sizeof(float) * static_cast<std::size_t>(size)));
     return frame;
 }
 
 Imf::Header header_of(const Spectrum& spectrum, const std::map<std::string, std::string>& metadata)
 {
     Imf::Header header(spectrum.size, spectrum.size);
-    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    for (const auto& channel : channels_of(spectrum.dimension))
+        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
     header.compression() = Imf::NO_COMPRESSION; // periodograms are noise: nothing to gain but waiting
     header.insert(points_name, Imf::StringAttribute(std::to_string(spectrum.points)));
     header.insert(realizations_name, Imf::StringAttribute(std::to_string(spectrum.realizations)));
@@ -65,6 +76,24 @@ unsigned long count_attribute(const Imf::Header& header, const std::string& name
     return std::stoul(attribute->value());
 }
 
+bool has_channel(const Imf::Header& header, const std::string& name)
+{
+    const Imf::Channel* channel = header.channels().findChannel(name);
+    return channel && channel->type == Imf::FLOAT && channel->xSampling == 1 && channel->ySampling == 1;
+}
+
+/// The dimension of the spectrum that the channels hold.
+int checked_dimension(const Imf::Header& header)
+{
+    for (const int dimension : {2, 3}) {
+        bool complete = true;
+        for (const auto& channel : channels_of(dimension))
+            complete = complete && has_channel(header, channel);
+        if (complete) return dimension;
+    }
+    throw std::runtime_error("there is no float32 channel \"Y\", and no three of coordinate planes");
+}
+
 /// The size of the spectrum, once the header has everything that write_spectrum puts there.
 int checked_size(const Imf::Header& header)
 {
@@ -74,10 +103,6 @@ int checked_size(const Imf::Header& header)
     if (window.min.x != 0 || window.min.y != 0 || width != height || width % 2 != 0 || width > max_size) {
         throw std::runtime_error("a spectrum is a square of even size with its corner at (0, 0)");
     }
-    const Imf::Channel* channel = header.channels().findChannel("Y");
-    if (!channel || channel->type != Imf::FLOAT || channel->xSampling != 1 || channel->ySampling != 1) {
-        throw std::runtime_error("there is no float32 channel \"Y\"");
-    }
     return width;
 }
 
@@ -86,8 +111,9 @@ int checked_size(const Imf::Header& header)
 void write_spectrum(const std::filesystem::path& path, const Spectrum& spectrum,
                     const std::map<std::string, std::string>& metadata)
 {
-    if (spectrum.dimension != 2) throw std::invalid_argument("write_spectrum: needs a 2D spectrum");
-    std::vector<float> pixels(spectrum.power.begin(), spectrum.power.end());
+    std::vector<std::vector<float>> pixels;
+    for (const Spectrum& plane : coordinate_planes(spectrum))
+        pixels.emplace_back(plane.power.begin(), plane.power.end());
     write_whole_file(path, [&](const std::filesystem::path& temporary) {
         try {
             Imf::OutputFile file(temporary.c_str(), header_of(spectrum, metadata));
@@ -99,21 +125,35 @@ void write_spectrum(const std::filesystem::path& path, const Spectrum& spectrum,
     });
 }
 
-Spectrum read_spectrum(const std::filesystem::path& path)
+std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
 {
     return reading(path, [&] {
         Imf::InputFile file(path.c_str());
-        Spectrum spectrum;
-        spectrum.size = checked_size(file.header());
-        spectrum.points = count_attribute(file.header(), points_name);
-        spectrum.realizations = static_cast<int>(count_attribute(file.header(), realizations_name));
+        Spectrum plane;
+        plane.size = checked_size(file.header());
+        plane.points = count_attribute(file.header(), points_name);
+        plane.realizations = static_cast<int>(count_attribute(file.header(), realizations_name));
 
-        std::vector<float> pixels(static_cast<std::size_t>(spectrum.size) * spectrum.size);
-        file.setFrameBuffer(frame_buffer(pixels, spectrum.size));
-        file.readPixels(0, spectrum.size - 1);
-        spectrum.power.assign(pixels.begin(), pixels.end());
-        return spectrum;
+        const auto pixels_of_plane = static_cast<std::size_t>(plane.size) * plane.size;
+        std::vector<std::vector<float>> pixels(checked_dimension(file.header()) == 2 ? 1 : 3,
+                                               std::vector<float>(pixels_of_plane));
+        file.setFrameBuffer(frame_buffer(pixels, plane.size));
+        file.readPixels(0, plane.size - 1);
+        std::vector<Spectrum> planes;
+        for (const auto& values : pixels) {
+            plane.power.assign(values.begin(), values.end());
+            planes.push_back(plane);
+        }
+        return planes;
     });
+}
+
+Spectrum read_spectrum(const std::filesystem::path& path)
+{
+    auto planes = read_spectrum_planes(path);
+    if (planes.size() != 1)
+        throw InputError(path.string() + ": has the planes of a 3D spectrum, not a 2D one");
+    return std::move(planes.front());
 }
 
 std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem::path& path)
@@ -121,6 +161,7 @@ std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem:
     return reading(path, [&] {
         const Imf::InputFile file(path.c_str());
         checked_size(file.header());
+        checked_dimension(file.header());
         std::map<std::string, std::string> metadata;
         for (auto it = file.header().begin(); it != file.header().end(); ++it) {
             const std::string name = it.name();

@@ -1,12 +1,12 @@
 #include "reports/curves.hpp"
 
 #include "reports/number_format.hpp"
+#include "reports/plot_style.hpp"
 #include "reports/radial_table.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -19,50 +19,8 @@ namespace {
 
 constexpr double most_power_shown = 5;
 constexpr double most_db_shown = 30;
-constexpr int panel_width = 320;
-constexpr int panel_height = 340;
-constexpr int overlay_width = 540;
-constexpr int overlay_plot_height = 328;
-constexpr int key_line_height = 19;
-constexpr std::size_t longest_key_text = 64;
-
-// After Okabe and Ito, whose colours people with colour deficiencies tell apart.
-constexpr std::array<const char*, 7> palette = {"#0072b2", "#d55e00", "#009e73", "#c4569a",
-                                                "#b88600", "#3aa0dc", "#555555"};
-constexpr auto frame_color = "#555a61";
-constexpr auto grid_color = "#e3e5e8";
-constexpr auto mark_color = "#33373d";
-
-// Colours repeat after the palette's end, then with another dash pattern.
-std::string line_style(std::size_t index)
-{
-    constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(10,3,2,3)"};
-    return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index),
-                       dashes[index / palette.size() % dashes.size()]);
-}
-
-// `label_offset`: how far the value label moves towards the axis, in characters; minus signs need room.
-std::string axes(double max_frequency, const std::string& value_label, double low, double high, double step,
-                 double label_offset)
-{
-    return fmt::format("set border 3 lw 0.8 lc rgb '{}'\n"
-                       "set tics nomirror out scale 0.6\n"
-                       "set minussign\n"
-                       "set grid ytics lw 0.6 lt 1 lc rgb '{}'\n"
-                       "set xrange [0:{:g}]\nset yrange [{:g}:{:g}]\nset ytics {:g}\n"
-                       "set xlabel 'frequency (cycles per unit length)' offset 0,0.4\n"
-                       "set ylabel '{}' offset {:g},0\n"
-                       "set lmargin 7\nset rmargin 2\nset tmargin 0.7\nunset key\n",
-                       frame_color, grid_color, max_frequency, low, high, step, value_label, label_offset);
-}
-
-// In front of the curves: a curve that lies on it is the best that can happen, and must be seen to.
-std::string reference_line(double height)
-{
-    return fmt::format("set arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead front "
-                       "lw 0.8 dt (6,4) lc rgb '{1}'\n",
-                       height, mark_color);
-}
+constexpr auto unit_frequency = "frequency (cycles per unit length)";
+constexpr auto spacing_frequency = "frequency (cycles per mean spacing of the points)";
 
 // A dotted upright line with its name at the top, on the side that has room.
 std::string principal_frequency_mark(const Curve& curve)
@@ -87,30 +45,45 @@ std::string data_block(std::size_t index, const Curve& curve)
     return block + "END\n";
 }
 
-std::string key_text(const std::string& label)
+std::string power_axes(double max_frequency, const CurveScales& scales,
+                       const std::string& frequency_label = unit_frequency)
 {
-    if (label.size() <= longest_key_text) return label;
-    // Cut between characters, not inside one.
-    auto end = longest_key_text;
-    while (end > 0 && (static_cast<unsigned char>(label[end]) & 0xc0U) == 0x80U) --end;
-    return label.substr(0, end) + "…";
+    const ValueAxis power{"radially averaged power", 0, scales.max_power, scales.max_power > 2.5 ? 1 : 0.5,
+                          1.4};
+    return axes(frequency_label, 0, max_frequency, power) + reference_line(1);
 }
 
-std::string power_axes(double max_frequency, const CurveScales& scales)
+std::string anisotropy_axes(double max_frequency, const CurveScales& scales,
+                            const std::string& frequency_label = unit_frequency)
 {
-    return axes(max_frequency, "radially averaged power", 0, scales.max_power,
-                scales.max_power > 2.5 ? 1 : 0.5, 1.4) +
-           reference_line(1);
-}
-
-std::string anisotropy_axes(double max_frequency, const CurveScales& scales)
-{
-    return axes(max_frequency, "anisotropy (dB)", scales.min_db, scales.max_db, 5, 0.4);
+    return axes(frequency_label, 0, max_frequency, {"anisotropy (dB)", scales.min_db, scales.max_db, 5, 0.4});
 }
 
 double max_frequency(const std::vector<Curve>& curves)
 {
     return std::ranges::max_element(curves, {}, &Curve::max_frequency)->max_frequency;
+}
+
+// The curves of a plot of all series, and what its frequencies are.
+struct Overlaid
+{
+    std::vector<Curve> curves;
+    std::string frequency_label = unit_frequency;
+};
+
+Overlaid on_one_axis(const std::vector<Curve>& curves)
+{
+    Overlaid result{curves};
+    for (auto& curve : result.curves) curve.label = key_text(curve.label);
+    if (!sizes_differ(curves)) return result;
+    result.frequency_label = spacing_frequency;
+    for (auto& curve : result.curves) {
+        const double spacing = std::pow(static_cast<double>(curve.points), -1.0 / curve.dimension);
+        for (auto& bin : curve.bins) bin.frequency *= spacing;
+        curve.max_frequency *= spacing;
+        curve.label = label_with_points(curve.label, curve.points);
+    }
+    return result;
 }
 
 // Column 2 is power, column 3 anisotropy.
@@ -138,22 +111,32 @@ GnuplotPicture overlay(const std::vector<Curve>& curves, std::string commands, i
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return roughness(curves[i]); });
 
-    commands += "set key below left Left reverse maxcols 1 samplen 2.5 spacing 1.15 height 0.8\n";
-    for (std::size_t i = 0; i < curves.size(); ++i) commands += data_block(i, curves[i]);
+    std::vector<KeyEntry> key;
     std::string plot;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        commands += data_block(i, curves[i]);
+        key.push_back({i, curves[i].label});
+    }
     for (const auto i : order)
         plot += fmt::format("{}$series{} using 1:{} with lines {} notitle", plot.empty() ? "plot " : ", ", i,
                             column, line_style(i));
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        plot += fmt::format(", keyentry with lines {} title {} noenhanced", line_style(i),
-                            gnuplot_quoted(key_text(curves[i].label)));
-    const int height = overlay_plot_height + key_line_height * static_cast<int>(curves.size());
-    return {commands + plot, overlay_width, height, stem};
+    return with_key(commands, plot, key, stem);
 }
 
 }
 
-std::string curve_color(std::size_t index) { return palette[index % palette.size()]; }
+bool sizes_differ(const std::vector<Curve>& curves)
+{
+    const auto [fewest, most] = std::ranges::minmax(curves, {}, &Curve::points);
+    const auto [flattest, deepest] = std::ranges::minmax(curves, {}, &Curve::dimension);
+    return flattest.dimension != deepest.dimension || 10 * most.points > 11 * fewest.points;
+}
+
+std::string label_with_points(const std::string& label, std::size_t points)
+{
+    if ((label + ",").find(fmt::format("N = {},", points)) != std::string::npos) return label;
+    return fmt::format("{} ({} points)", label, format_count(points));
+}
 
 CurveScales common_scales(const std::vector<Curve>& curves)
 {
@@ -196,17 +179,19 @@ GnuplotPicture plot_anisotropy(const Curve& curve, std::size_t index, const Curv
 GnuplotPicture overlay_radial_power(const std::vector<Curve>& curves, const CurveScales& scales,
                                     const std::filesystem::path& stem)
 {
-    return overlay(curves, power_axes(max_frequency(curves), scales), 2, stem);
+    const auto [shown, label] = on_one_axis(curves);
+    return overlay(shown, power_axes(max_frequency(shown), scales, label), 2, stem);
 }
 
 GnuplotPicture overlay_anisotropy(const std::vector<Curve>& curves, const CurveScales& scales,
                                   const std::filesystem::path& stem)
 {
-    auto commands = anisotropy_axes(max_frequency(curves), scales);
+    const auto [shown, label] = on_one_axis(curves);
+    auto commands = anisotropy_axes(max_frequency(shown), scales, label);
     std::set<double> backgrounds;
     for (const auto& curve : curves) backgrounds.insert(curve.background_db);
     for (const double db : backgrounds) commands += reference_line(db);
-    return overlay(curves, commands, 3, stem);
+    return overlay(shown, commands, 3, stem);
 }
 
 }

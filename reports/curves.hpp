@@ -15,6 +15,8 @@ namespace poissonlab {
 struct Curve
 {
     std::string label;
+    std::size_t points = 0; ///< N
+    int dimension = 2;
     std::vector<RadialBin> bins;
     double background_db = 0;                  ///< anisotropy of white noise, -10 log10 K
     int realizations = 0;                      ///< K
@@ -34,16 +36,21 @@ struct CurveScales
 /// regular grid do not flatten everything else.
 CurveScales common_scales(const std::vector<Curve>& curves);
 
-/// The colour of the series with that number, as "#rrggbb"; the first of few are told apart by everyone.
-std::string curve_color(std::size_t index);
-
 /// The plots of the series with that number, in its colour.
 GnuplotPicture plot_radial_power(const Curve& curve, std::size_t index, const CurveScales& scales,
                                  const std::filesystem::path& stem);
 GnuplotPicture plot_anisotropy(const Curve& curve, std::size_t index, const CurveScales& scales,
                                const std::filesystem::path& stem);
 
-/// All series in one plot, with a key.
+/// Whether the sets of some series are larger than those of others by more than a tenth, or of another
+/// dimension. Their frequencies then compare in cycles per mean spacing of the points, N^(-1/dimension).
+bool sizes_differ(const std::vector<Curve>& curves);
+
+/// The label of a key where sizes differ: with the number of points, unless it says that already.
+std::string label_with_points(const std::string& label, std::size_t points);
+
+/// All series in one plot, with a key. Where sizes differ, frequencies are in cycles per mean spacing and the
+/// key says how many points each series has.
 GnuplotPicture overlay_radial_power(const std::vector<Curve>& curves, const CurveScales& scales,
                                     const std::filesystem::path& stem);
 GnuplotPicture overlay_anisotropy(const std::vector<Curve>& curves, const CurveScales& scales,

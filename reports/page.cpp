@@ -50,11 +50,34 @@ std::string title_of(const std::vector<StoredRun>& runs)
     return title;
 }
 
+bool has_dimension(const std::vector<StoredRun>& runs, int dimension)
+{
+    return std::ranges::any_of(runs, [&](const auto& run) { return run.dimension == dimension; });
+}
+
+// What things are called in the dimensions that a report has.
+void set_dimension_words(PageData& page, const std::vector<StoredRun>& runs)
+{
+    const bool plane = has_dimension(runs, 2);
+    const bool space = has_dimension(runs, 3);
+    const auto words = [&](const std::string& name, const std::string& in_plane,
+                           const std::string& in_space) {
+        page.set(name, plane && space ? in_plane + " (3D: " + in_space + ")" : plane ? in_plane : in_space);
+    };
+    words("disk", "disk", "sphere");
+    words("disks", "disks", "spheres");
+    words("ring", "ring", "shell");
+    words("rings", "rings", "spherical shells");
+    words("lattice", "hexagonal lattice", "face-centred cubic lattice");
+    page.set("space", space);
+}
+
 std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series)
 {
     const auto realizations = range_of(series, &StoredSeries::realizations);
-    const auto dimension = runs.front().dimension;
-    auto text = fmt::format("{} series of {} points on the unit torus in {}D, {} realization{}{}",
+    const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
+    const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", runs.front().dimension);
+    auto text = fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
                             series.size() == 1 ? "One" : format_count(series.size()),
                             range_of(series, &StoredSeries::points), dimension, realizations,
                             realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
@@ -64,19 +87,43 @@ std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<Rep
     return text + ".";
 }
 
-PageData overlay_panel(const std::filesystem::path& out, const std::string& stem, const std::string& title,
-                       const std::vector<ReportSeries>& series)
+// `kind` is the flag that the template knows a plot by; `over` is its horizontal axis.
+PageData overlay_panel(const std::filesystem::path& out, const std::string& stem, const std::string& kind,
+                       const std::string& title, const std::string& over,
+                       const std::vector<std::string>& labels)
 {
     PageData data;
     data.set("title", title);
-    data.set("is_power", stem == power_overlay);
-    auto alt = title + " of all series over frequency: ";
-    for (std::size_t i = 0; i < series.size(); ++i) alt += (i > 0 ? ", " : "") + series[i].label;
+    data.set("over", over);
+    data.set(kind, true);
+    auto alt = fmt::format("{} of all series over {}: ", title, over);
+    for (std::size_t i = 0; i < labels.size(); ++i) alt += (i > 0 ? ", " : "") + labels[i];
     data.set("alt", alt);
     data.set("source", data_uri(out / (stem + ".svg")));
     data.set("svg", stem + ".svg");
     data.set("png", stem + ".png");
     return data;
+}
+
+PageData overlays(const std::vector<ReportSeries>& series, const std::filesystem::path& out)
+{
+    PageData list{PageData::type::list};
+    if (series.size() < 2) return list;
+    std::vector<std::string> labels;
+    for (const auto& entry : series) labels.push_back(entry.label);
+    std::string over = "frequency";
+    if (sizes_differ(frequency_curves(series)))
+        over += ", in cycles per mean spacing of the points because the series have sets of different sizes";
+    list << overlay_panel(out, power_overlay, "is_power", "Radially averaged power", over, labels);
+    list << overlay_panel(out, anisotropy_overlay, "is_anisotropy", "Anisotropy", over, labels);
+
+    const auto iterative = iteration_curves(series);
+    if (iterative.size() < 2) return list;
+    labels.clear();
+    for (const auto& curve : iterative) labels.push_back(curve.label);
+    list << overlay_panel(out, radius_overlay, "is_radius", "Relative radius", "iterations", labels);
+    list << overlay_panel(out, energy_overlay, "is_energy", "Energy", "iterations", labels);
+    return list;
 }
 
 }
@@ -136,6 +183,7 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     page.set("title", title_of(runs));
     page.set("summary", summary_of(runs, series));
     page.set("tone_scale", tone_scale());
+    set_dimension_words(page, runs);
 
     PageData rows{PageData::type::list};
     PageData sections{PageData::type::list};
@@ -148,13 +196,9 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     page.set("several_devices", runs.size() > 1);
     page.set("devices", optional_text(devices(runs)));
 
-    PageData overlays{PageData::type::list};
-    if (series.size() > 1) {
-        overlays << overlay_panel(out, power_overlay, "Radially averaged power", series);
-        overlays << overlay_panel(out, anisotropy_overlay, "Anisotropy", series);
-    }
     page.set("compared", series.size() > 1);
-    page.set("overlays", overlays);
+    page.set("overlays", overlays(series, out));
+    page.set("iterative", !iteration_curves(series).empty());
 
     PageData sources{PageData::type::list};
     for (const auto& run : runs) sources << provenance(run);

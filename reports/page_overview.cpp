@@ -1,6 +1,7 @@
 // The overview table, and what identifies a series wherever it is mentioned.
 #include "reports/number_format.hpp"
 #include "reports/page_parts.hpp"
+#include "reports/plot_style.hpp"
 
 #include <fmt/format.h>
 

@@ -22,8 +22,17 @@ PageData series_identity(const ReportSeries& series, std::size_t index);
 /// One row of the overview table: identity, radius, distance, covered fraction, time.
 PageData overview_row(const ReportSeries& series, std::size_t index);
 
-/// One section: identity, the four panels with captions, links to the stored files.
+/// One section: identity, the panels with captions, links to the stored files.
 PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out);
+
+/// Title, caption, alternative text, the picture itself, and a link to it at full size. `shown` and `linked`
+/// are files of the series' pictures.
+PageData picture_panel(const ReportSeries& series, const std::filesystem::path& out, const std::string& shown,
+                       const std::string& linked, const std::string& title, const std::string& caption);
+
+/// The panels of relative radius and energy over iterations; false for methods without any.
+PageData relative_radius_panel(const ReportSeries& series, const std::filesystem::path& out);
+PageData energy_panel(const ReportSeries& series, const std::filesystem::path& out);
 
 /// Where one run comes from: version, command, seed, device, config.
 PageData provenance(const StoredRun& run);

@@ -1,4 +1,4 @@
-// One series' section of the page: four panels, their captions, and the stored files.
+// One series' section of the page: panels, their captions, and the stored files.
 #include "reports/embedding.hpp"
 #include "reports/number_format.hpp"
 #include "reports/page_parts.hpp"
@@ -20,19 +20,6 @@ const char* spectrum_word(const ReportSeries& series)
     return series.stored->is_estimate ? "Power spectrum estimate" : "Periodogram";
 }
 
-// Title, alternative text, the picture itself, and a link to it at full size.
-PageData panel(const ReportSeries& series, const std::filesystem::path& out, const std::string& shown,
-               const std::string& linked, const std::string& title, const std::string& caption)
-{
-    PageData data;
-    data.set("title", title);
-    data.set("caption", caption);
-    data.set("alt", fmt::format("{}: {}. {}", series.label, title, caption));
-    data.set("source", data_uri(series.pictures / shown));
-    data.set("link", relative_link(out, series.pictures / linked));
-    return data;
-}
-
 PageData points_panel(const ReportSeries& series, const std::filesystem::path& out)
 {
     const auto& view = series.view;
@@ -40,12 +27,13 @@ PageData points_panel(const ReportSeries& series, const std::filesystem::path& o
     std::string part = fmt::format("All {} points", format_count(view.total));
     if (view.shown() != view.total)
         part = fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
-    if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.run->dimension == 3)
-        part += fmt::format(", those with z below {}, seen along z", format_significant(view.depth, 2));
+        part +=
+            fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
+    if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.stored->realizations > 1)
         part += fmt::format(" (first of {} realizations)", series.stored->realizations);
-    auto data = panel(series, out, "points.svg", "points.png", "Points", part + ".");
+    auto data = picture_panel(series, out, "points.svg", "points.png", "Points", part + ".");
     data.set("window", side);
     return data;
 }
@@ -62,21 +50,41 @@ PageData principal_ticks(const Curve& curve, int size)
     return ticks;
 }
 
-PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+std::string spectrum_caption(const ReportSeries& series)
 {
     const int size = series.stored->spectrum_size;
-    if (series.stored->spectrum_file.empty()) return false;
+    const auto side = format_count(static_cast<std::uint64_t>(size));
+    const bool planes = series.run->dimension == 3;
     auto caption = series.stored->is_estimate
                        ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
                        : std::string("Of one set,");
-    caption += fmt::format(" {0} × {0} frequencies", format_count(static_cast<std::uint64_t>(size)));
-    if (const int block = page_block(size); block > 1)
+    caption += fmt::format(" {} × {} frequencies", side, planes ? side + " × " + side : side);
+    if (planes)
+        caption += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
+                               format_fixed(-size / 2, 0), format_fixed(size / 2 - 1, 0));
+    if (const int block = spectrum_page_block(size, series.run->dimension); block > 1)
         caption += fmt::format("; a pixel here is the mean of {0} × {0}, full size one click away", block);
-    auto data =
-        panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series), caption + ".");
+    return caption + ".";
+}
+
+// Below a 2D spectrum; planes of a 3D one have no common axis.
+PageData spectrum_axis(const ReportSeries& series)
+{
+    if (series.run->dimension == 3) return false;
+    const int size = series.stored->spectrum_size;
+    PageData data;
     data.set("lowest", format_fixed(-size / 2, 0));
     data.set("highest", format_fixed(size / 2 - 1, 0));
     data.set("ticks", principal_ticks(series.curve, size));
+    return data;
+}
+
+PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.stored->spectrum_file.empty()) return false;
+    auto data = picture_panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series),
+                              spectrum_caption(series));
+    data.set("spectrum_axis", spectrum_axis(series));
     return data;
 }
 
@@ -91,15 +99,16 @@ PageData radial_panel(const ReportSeries& series, const std::filesystem::path& o
     else
         caption += fmt::format("Principal frequency {}{}.", format_significant(*curve.principal_frequency, 4),
                                *curve.principal_frequency > curve.max_frequency ? ", beyond the axis" : "");
-    return panel(series, out, "radial.svg", "radial.png", "Radially averaged power", caption);
+    return picture_panel(series, out, "radial.svg", "radial.png", "Radially averaged power", caption);
 }
 
 PageData anisotropy_panel(const ReportSeries& series, const std::filesystem::path& out)
 {
     const auto& curve = series.curve;
-    return panel(series, out, "anisotropy.svg", "anisotropy.png", "Anisotropy",
-                 fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
-                             format_fixed(curve.background_db, 1), curve.realizations));
+    return picture_panel(
+        series, out, "anisotropy.svg", "anisotropy.png", "Anisotropy",
+        fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
+                    format_fixed(curve.background_db, 1), curve.realizations));
 }
 
 PageData file_link(const std::string& text, const std::filesystem::path& out,
@@ -142,6 +151,13 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
     groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
                                         picture("png", "anisotropy.png")});
 
+    if (stored.iterations)
+        groups << file_group("Iterations",
+                             {result("csv", stored.iterations->file),
+                              picture("relative radius svg", "relative-radius.svg"),
+                              picture("png", "relative-radius.png"), picture("energy svg", "energy.svg"),
+                              picture("png", "energy.png")});
+
     std::vector<PageData> sets;
     for (const auto& file : stored.point_files)
         if (sets.size() < most_point_files_linked)
@@ -154,6 +170,18 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
 
 }
 
+PageData picture_panel(const ReportSeries& series, const std::filesystem::path& out, const std::string& shown,
+                       const std::string& linked, const std::string& title, const std::string& caption)
+{
+    PageData data;
+    data.set("title", title);
+    data.set("caption", caption);
+    data.set("alt", fmt::format("{}: {}. {}", series.label, title, caption));
+    data.set("source", data_uri(series.pictures / shown));
+    data.set("link", relative_link(out, series.pictures / linked));
+    return data;
+}
+
 PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out)
 {
     auto data = overview_row(series, index);
@@ -161,6 +189,8 @@ PageData series_section(const ReportSeries& series, std::size_t index, const std
     data.set("spectrum_panel", spectrum_panel(series, out));
     data.set("radial_panel", radial_panel(series, out));
     data.set("anisotropy_panel", anisotropy_panel(series, out));
+    data.set("relative_radius_panel", relative_radius_panel(series, out));
+    data.set("energy_panel", energy_panel(series, out));
     data.set("file_groups", file_groups(series, out));
     return data;
 }

@@ -2,7 +2,6 @@
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
-#include "reports/curves.hpp"
 #include "reports/page.hpp"
 #include "reports/report_layout.hpp"
 #include "reports/series_pictures.hpp"
@@ -27,13 +26,12 @@ void create_folders(const fs::path& out, const std::vector<ReportSeries>& series
     }
 }
 
-std::vector<GnuplotPicture> all_curves(const std::vector<ReportSeries>& series, const fs::path& out)
+// Radially averaged power and anisotropy of every series, and of all.
+void add_frequency_plots(const std::vector<ReportSeries>& series, const fs::path& out,
+                         std::vector<GnuplotPicture>& pictures)
 {
-    std::vector<Curve> curves;
-    for (const auto& entry : series) curves.push_back(entry.curve);
+    const auto curves = frequency_curves(series);
     const auto scales = common_scales(curves);
-
-    std::vector<GnuplotPicture> pictures;
     for (std::size_t i = 0; i < series.size(); ++i) {
         pictures.push_back(plot_radial_power(curves[i], i, scales, series[i].pictures / "radial"));
         pictures.push_back(plot_anisotropy(curves[i], i, scales, series[i].pictures / "anisotropy"));
@@ -42,6 +40,31 @@ std::vector<GnuplotPicture> all_curves(const std::vector<ReportSeries>& series, 
         pictures.push_back(overlay_radial_power(curves, scales, out / power_overlay));
         pictures.push_back(overlay_anisotropy(curves, scales, out / anisotropy_overlay));
     }
+}
+
+// Relative radius and energy of every series that has iterations, and of all of these.
+void add_iteration_plots(const std::vector<ReportSeries>& series, const fs::path& out,
+                         std::vector<GnuplotPicture>& pictures)
+{
+    const auto curves = iteration_curves(series);
+    if (curves.empty()) return;
+    const auto scales = common_iteration_scales(curves);
+    for (const auto& curve : curves) {
+        const auto& folder = series[curve.index].pictures;
+        pictures.push_back(plot_relative_radius(curve, scales, folder / "relative-radius"));
+        pictures.push_back(plot_energy(curve, scales, folder / "energy"));
+    }
+    if (curves.size() > 1) {
+        pictures.push_back(overlay_relative_radius(curves, scales, out / radius_overlay));
+        pictures.push_back(overlay_energy(curves, scales, out / energy_overlay));
+    }
+}
+
+std::vector<GnuplotPicture> all_plots(const std::vector<ReportSeries>& series, const fs::path& out)
+{
+    std::vector<GnuplotPicture> pictures;
+    add_frequency_plots(series, out, pictures);
+    add_iteration_plots(series, out, pictures);
     return pictures;
 }
 
@@ -64,7 +87,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
 
     // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
-    tbb::parallel_invoke([&] { draw_with_gnuplot(all_curves(series, out)); },
+    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(series, out)); },
                          [&] {
                              tbb::parallel_for_each(series, [](ReportSeries& entry) {
                                  draw_points_pictures(entry);

@@ -1,5 +1,7 @@
 #include "reports/report_layout.hpp"
 
+#include "reports/plot_style.hpp"
+
 #include <map>
 #include <set>
 
@@ -51,6 +53,27 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const fs::
             result.push_back(std::move(entry));
         }
     return result;
+}
+
+std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
+{
+    std::vector<Curve> curves;
+    for (const auto& entry : series) curves.push_back(entry.curve);
+    return curves;
+}
+
+std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series)
+{
+    const bool with_points = sizes_differ(frequency_curves(series));
+    std::vector<IterationCurve> curves;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const auto& stored = *series[i].stored;
+        if (!stored.iterations) continue;
+        auto label = key_text(series[i].label);
+        if (with_points) label = label_with_points(label, stored.points);
+        curves.push_back({i, label, series[i].run->dimension, &*stored.iterations});
+    }
+    return curves;
 }
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reports/curves.hpp"
+#include "reports/iteration_curves.hpp"
 #include "reports/points_image.hpp"
 #include "reports/stored_results.hpp"
 
@@ -14,6 +15,8 @@ namespace poissonlab {
 /// Files of the plots of all series, in the report's folder, without extension.
 inline constexpr auto power_overlay = "radial-all";
 inline constexpr auto anisotropy_overlay = "anisotropy-all";
+inline constexpr auto radius_overlay = "relative-radius-all";
+inline constexpr auto energy_overlay = "energy-all";
 
 /// One series of the report: what is stored, and what was read or drawn for the page.
 struct ReportSeries
@@ -29,5 +32,12 @@ struct ReportSeries
 /// The series of all runs in order. With one run that lies in `out`, pictures go to out/<series>, else to
 /// out/<name of the run's folder>/<series>; equal folder names are told apart by a number.
 std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+
+/// The curves of all series, once they are read.
+std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);
+
+/// The iterations of the series that have some, which the series must outlive; labels say how many points a
+/// series has where sizes differ.
+std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series);
 
 }

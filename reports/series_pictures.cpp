@@ -5,8 +5,11 @@
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
 #include "reports/grey_image.hpp"
+#include "reports/plane_image.hpp"
 #include "reports/radial_table.hpp"
 #include "reports/spectrum_image.hpp"
+
+#include <fmt/format.h>
 
 namespace poissonlab {
 
@@ -15,6 +18,8 @@ void read_curve(ReportSeries& series)
     const auto& stored = *series.stored;
     auto& curve = series.curve;
     curve.label = series.label;
+    curve.points = stored.points;
+    curve.dimension = series.run->dimension;
     curve.bins = read_radial_table(series.run->folder / stored.radial_file);
     curve.background_db = stored.background_anisotropy_db;
     curve.realizations = stored.realizations;
@@ -40,14 +45,19 @@ void draw_spectrum_picture(const ReportSeries& series)
 {
     if (series.stored->spectrum_file.empty()) return;
     const auto file = series.run->folder / series.stored->spectrum_file;
-    const auto spectrum = read_spectrum(file);
-    if (spectrum.size != series.stored->spectrum_size || spectrum.dimension != 2)
-        throw InputError(file.string() + ": must be an image of " +
-                         std::to_string(series.stored->spectrum_size) + " x " +
-                         std::to_string(series.stored->spectrum_size) + ", as results.json says");
-    write_png(series.pictures / "spectrum.png", draw_spectrum(spectrum, report_tone_mapping));
-    write_png(series.pictures / "spectrum-small.png",
-              draw_spectrum(spectrum, report_tone_mapping, page_block(spectrum.size)));
+    const auto planes = read_spectrum_planes(file);
+    const int size = planes.front().size;
+    const std::size_t expected = series.run->dimension == 2 ? 1 : 3;
+    if (size != series.stored->spectrum_size || planes.size() != expected)
+        throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", file.string(),
+                                     expected == 1 ? "an image" : "images of three planes",
+                                     series.stored->spectrum_size, series.stored->spectrum_size));
+    const auto draw = [&](int block) {
+        return expected == 1 ? draw_spectrum(planes.front(), report_tone_mapping, block)
+                             : draw_spectrum_planes(planes, report_tone_mapping, block);
+    };
+    write_png(series.pictures / "spectrum.png", draw(1));
+    write_png(series.pictures / "spectrum-small.png", draw(spectrum_page_block(size, series.run->dimension)));
 }
 
 }

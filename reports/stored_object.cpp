@@ -95,11 +95,22 @@ std::vector<StoredObject> StoredObject::objects(const std::string& name) const
     return result;
 }
 
-std::string StoredObject::shown(const std::string& name) const
+namespace {
+
+std::string shown_value(const nlohmann::json& value)
 {
-    const auto& value = at(name);
-    return value.is_string() ? value.get<std::string>() : value.dump();
+    if (value.is_string()) return value.get<std::string>();
+    const auto sampler = value.is_object() ? value.find("sampler") : value.end();
+    if (sampler == value.end()) return value.dump();
+    std::string text;
+    for (const auto& [key, member] : value.items())
+        if (key != "sampler") text += (text.empty() ? "" : ", ") + key + " = " + shown_value(member);
+    return shown_value(*sampler) + (text.empty() ? "" : " (" + text + ")");
 }
+
+}
+
+std::string StoredObject::shown(const std::string& name) const { return shown_value(at(name)); }
 
 std::vector<std::string> StoredObject::names() const
 {

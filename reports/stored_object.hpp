@@ -33,7 +33,8 @@ public:
     StoredObject object(const std::string& name) const;
     std::vector<StoredObject> objects(const std::string& name) const;
 
-    /// A scalar or list as it would be typed: strings without quotes.
+    /// A scalar or list as it would be typed, strings without quotes; a sampler with its parameters as
+    /// "dart-throwing (relative_radius = 0.7)".
     std::string shown(const std::string& name) const;
     std::vector<std::string> names() const;
 

@@ -74,6 +74,31 @@ void read_spectrum_members(const StoredObject& object, StoredSeries& series)
     series.spectrum_file = spectrum.file_name("file");
 }
 
+StoredSpread read_spread(const StoredObject& object, const std::string& name, std::size_t count)
+{
+    const auto values = object.object(name);
+    const auto read = [&](const char* member) {
+        auto numbers = values.numbers(member);
+        if (numbers.size() != count) throw values.error(member, "must have a number for each iteration");
+        return numbers;
+    };
+    return {read("min"), read("mean"), read("max")};
+}
+
+std::optional<StoredIterations> read_iterations(const StoredObject& series)
+{
+    if (!series.has("iterations")) return std::nullopt;
+    const auto object = series.object("iterations");
+    StoredIterations iterations;
+    iterations.file = object.file_name("file");
+    iterations.realizations = object.numbers("realizations");
+    const auto count = iterations.realizations.size();
+    if (count == 0) throw object.error("realizations", "must have a number for each iteration");
+    iterations.relative_radius = read_spread(object, "relative_radius", count);
+    iterations.energy = read_spread(object, "energy", count);
+    return iterations;
+}
+
 StoredSeries read_series(const StoredObject& object)
 {
     StoredSeries series;
@@ -99,6 +124,7 @@ StoredSeries read_series(const StoredObject& object)
     const auto radial = object.object("radial");
     series.radial_file = radial.file_name("file");
     series.background_anisotropy_db = radial.number("background_anisotropy_db");
+    series.iterations = read_iterations(object);
     series.point_files = object.file_names("point_files");
     if (series.point_files.empty()) throw object.error("point_files", "must name at least one file");
 

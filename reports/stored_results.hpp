@@ -18,6 +18,26 @@ struct StoredStatistic
     double max = 0;
 };
 
+/// A quantity after each iteration, over the realizations that got there.
+struct StoredSpread
+{
+    std::vector<double> min;
+    std::vector<double> mean;
+    std::vector<double> max;
+};
+
+/// The iterations of a method that has some; item 0 is the state before the first one.
+struct StoredIterations
+{
+    std::string file;
+    std::vector<double> realizations; ///< how many got to each iteration
+    StoredSpread relative_radius;
+    StoredSpread energy;
+
+    /// The largest number of iterations of a realization.
+    std::size_t count() const { return realizations.size() - 1; }
+};
+
 /// Names and values in the order in which they are shown.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
@@ -40,6 +60,7 @@ struct StoredSeries
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
     std::string radial_file;
     double background_anisotropy_db = 0;
+    std::optional<StoredIterations> iterations;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds; ///< one a realization
     double build_seconds = 0;

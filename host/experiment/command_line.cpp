@@ -36,6 +36,7 @@ constexpr auto run_footer =
 --set changes the config without editing it; keys have dots, methods count from 0:
   --set seed=2   --set analysis.points=4096   --set engine=reference
   --set method.0.label=White   --set "method.relative_radius=[0.6, 0.7]" (every method that has it)
+  --set method.0.start.relative_radius=0.7 (in a table of the method)
 Results are written to DIR when everything is done; see docs/output-folder.md. Until then, and when something
 fails, a previous result in DIR stays as it is. The last line of output is the path of the report.)";
 

@@ -14,13 +14,6 @@
 namespace poissonlab {
 namespace {
 
-/// Refuses keys that mean nothing.
-void check_keys(const ConfigTable& table, const std::vector<std::string>& known)
-{
-    for (const auto& [key, node] : table)
-        if (std::ranges::find(known, key) == known.end()) throw unknown_key(key, node, known);
-}
-
 std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
                           std::int64_t maximum, std::int64_t otherwise)
 {
@@ -66,62 +59,40 @@ void read_analysis(const ConfigTable& top, Config& config)
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
-    if (config.dimension == 3)
-        throw invalid_node("dimension", *find(*table, "dimension"),
-                           "must be 2: this version has no spectra and no report of 3D sets yet");
 }
 
-const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where)
-{
-    std::vector<std::string> names;
-    for (const SamplerSpec& spec : sampler_registry()) names.push_back(spec.name);
-    const std::string allowed = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
-
-    const ConfigNode* node = find(table, "sampler");
-    if (!node) throw InputError(to_string(where) + ": [[method]]: sampler is missing; it must be " + allowed);
-    const auto* name = node->get_if<std::string>();
-    if (!name) throw invalid_node("sampler", *node, "must be " + allowed);
-    const SamplerSpec* spec = find_sampler(*name);
-    if (!spec) throw invalid_node("sampler", *node, "must be " + allowed + did_you_mean(*name, names));
-    return *spec;
-}
-
-MethodConfig read_method(const ConfigNode& node)
+MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
 {
     const auto* table = node.get_if<ConfigTable>();
     if (!table) throw invalid_node("method", node, "must be a table, written [[method]]");
     MethodConfig method;
     method.where = node.location;
-    method.sampler = &read_sampler(*table, node.location);
-
-    std::vector<std::string> known = {"sampler", "label"};
-    for (const ParameterSpec& spec : method.sampler->parameters) known.push_back(spec.key);
-    check_keys(*table, known);
-
+    method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
+    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points"}, registry, 0);
+    if (const ConfigNode* points = find(*table, "points"))
+        method.settings.insert(method.settings.begin(),
+                               {&points_parameter(), parameter_choices(points_parameter(), *points)});
     method.label = read_text(*table, "label", "");
-    for (const ParameterSpec& spec : method.sampler->parameters)
-        if (const ConfigNode* value = find(*table, spec.key))
-            method.settings.push_back({&spec, parameter_choices(spec, *value)});
     return method;
 }
 
-void read_methods(const ConfigTable& top, Config& config)
+void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
     if (!node) throw InputError(config.file + ": no [[method]] table: a config needs at least one");
     const auto* list = node->get_if<ConfigList>();
     if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
     if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
-    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method));
+    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method, registry));
 }
 
 }
 
 Config parse_config(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& overrides)
+                    const std::vector<std::string>& overrides, const SamplerRegistry& registry)
 {
     ConfigTable top = read_toml(text, file);
-    apply_overrides(top, overrides);
+    apply_overrides(top, overrides, registry);
     check_keys(top, {"title", "seed", "engine", "device", "analysis", "method"});
 
     Config config;
@@ -134,7 +105,7 @@ Config parse_config(const std::string& text, const std::string& file,
     config.engine = read_engine(top);
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
-    read_methods(top, config);
+    read_methods(top, registry, config);
     return config;
 }
 

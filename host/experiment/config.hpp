@@ -1,7 +1,7 @@
 // The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
 #pragma once
 
-#include "experiment/parameter_values.hpp"
+#include "experiment/sampler_table.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -11,23 +11,15 @@
 
 namespace poissonlab {
 
-/// The largest number of points of a set, and of realizations of a series.
-inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
+/// The largest number of realizations of a series.
 inline constexpr std::int64_t max_realizations = 10000;
-
-/// A key of a [[method]] table, with every value that it takes.
-struct ParameterSetting
-{
-    const ParameterSpec* parameter = nullptr;
-    std::vector<ParameterChoice> choices; ///< at least one; several make one series each
-};
 
 struct MethodConfig
 {
     const SamplerSpec* sampler = nullptr;
     std::string label; ///< empty: made from the sampler's title
     SourceLocation where;
-    std::vector<ParameterSetting> settings; ///< in the order in which the sampler declares its parameters
+    std::vector<ParameterSetting> settings; ///< `points` first, then as the sampler declares its parameters
 };
 
 struct Config
@@ -49,8 +41,10 @@ struct Config
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The same for a text; `file` is how messages name it.
+/// The same for a text; `file` is how messages name it. The samplers of the `registry` must outlive the
+/// result.
 Config parse_config(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& overrides = {});
+                    const std::vector<std::string>& overrides = {},
+                    const SamplerRegistry& registry = sampler_registry());
 
 }

@@ -45,7 +45,7 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     task.label = series.label;
     task.sampler = series.sampler->name;
     task.parameters = series.parameters;
-    task.deterministic = series.sampler->deterministic;
+    task.deterministic = series.deterministic;
     task.realizations = series.realizations;
     task.create = [series, engine, device] {
         return series.sampler->create(series.parameters, series.request, engine,

@@ -59,4 +59,10 @@ InputError unknown_key(const std::string& key, const ConfigNode& node, const std
                                     nearest_key(key, known).empty() ? ";" : "", fmt::join(known, ", ")));
 }
 
+void check_keys(const ConfigTable& table, const std::vector<std::string>& known)
+{
+    for (const auto& [key, node] : table)
+        if (std::ranges::find(known, key) == known.end()) throw unknown_key(key, node, known);
+}
+
 }

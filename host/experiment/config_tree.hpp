@@ -53,4 +53,7 @@ InputError invalid_node(const std::string& key, const ConfigNode& node, const st
 /// The InputError for a key that means nothing, with the nearest known key and the list of known keys.
 InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known);
 
+/// Refuses keys that mean nothing. Throws unknown_key for the first one.
+void check_keys(const ConfigTable& table, const std::vector<std::string>& known);
+
 }

@@ -58,7 +58,8 @@ struct SeriesResult
     std::vector<double> relative_radius;
     std::vector<double> covered_fraction;
     int spectrum_size = 0;
-    std::vector<std::string> point_files; ///< relative to the output folder
+    std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
+    std::vector<std::string> point_files;                 ///< relative to the output folder
     std::vector<double> sample_seconds;
     double build_seconds = 0;
     double analysis_seconds = 0;

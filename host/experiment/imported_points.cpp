@@ -27,9 +27,9 @@ private:
 void check_set(const PointSet& points, const std::string& place, const PointSet& first,
                const std::string& first_place)
 {
-    if (points.dimension != 2)
-        throw InputError(place + ": has " + std::to_string(points.dimension) +
-                         "D points: this version analyses 2D sets only");
+    if (points.dimension != first.dimension)
+        throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, points.dimension,
+                                     first_place, first.dimension));
     if (points.size() != first.size())
         throw InputError(
             fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
@@ -76,6 +76,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
 
     Experiment experiment;
     experiment.title = task.label;
+    experiment.dimension = sets->front().dimension;
     experiment.realizations = task.realizations;
     experiment.series.push_back(std::move(task));
     experiment.machine = [] { return Machine{{}, {}, {}, {}, 0, ThreadLimit::current()}; };

@@ -1,7 +1,6 @@
 #include "experiment/overrides.hpp"
 
 #include "experiment/toml_reader.hpp"
-#include "sampling/sampler.hpp"
 
 #include <fmt/format.h>
 
@@ -75,17 +74,18 @@ std::optional<std::size_t> as_index(const std::string& text)
     return index;
 }
 
-const SamplerSpec* sampler_of(const ConfigTable& method)
+const SamplerSpec* sampler_of(const ConfigTable& method, const SamplerRegistry& registry)
 {
-    const ConfigNode* name = find(method, "sampler");
-    return name && name->get_if<std::string>() ? find_sampler(*name->get_if<std::string>()) : nullptr;
+    const ConfigNode* node = find(method, "sampler");
+    const auto* name = node ? node->get_if<std::string>() : nullptr;
+    return name ? find_sampler(*name, registry) : nullptr;
 }
 
 /// Whether a [[method]] table can have a key: those of every method, and its sampler's parameters.
-bool method_takes(const ConfigTable& method, const std::string& key)
+bool method_takes(const ConfigTable& method, const std::string& key, const SamplerRegistry& registry)
 {
-    if (key == "sampler" || key == "label") return true;
-    const SamplerSpec* sampler = sampler_of(method);
+    if (key == "sampler" || key == "label" || key == "points") return true;
+    const SamplerSpec* sampler = sampler_of(method, registry);
     // What is wrong with the sampler's name is said later, at its own line.
     if (!sampler) return true;
     return std::ranges::any_of(sampler->parameters,
@@ -93,11 +93,11 @@ bool method_takes(const ConfigTable& method, const std::string& key)
 }
 
 /// The keys that at least one of the methods takes.
-std::vector<std::string> known_keys(const ConfigList& methods)
+std::vector<std::string> known_keys(const ConfigList& methods, const SamplerRegistry& registry)
 {
-    std::vector<std::string> known = {"sampler", "label"};
+    std::vector<std::string> known = {"sampler", "label", "points"};
     for (const ConfigNode& method : methods) {
-        const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>());
+        const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>(), registry);
         if (!sampler) continue;
         for (const ParameterSpec& spec : sampler->parameters)
             if (std::ranges::find(known, spec.key) == known.end()) known.push_back(spec.key);
@@ -105,7 +105,7 @@ std::vector<std::string> known_keys(const ConfigList& methods)
     return known;
 }
 
-void set_in_methods(ConfigList& methods, const Override& change)
+void set_in_methods(ConfigList& methods, const Override& change, const SamplerRegistry& registry)
 {
     const auto table_of = [&](ConfigNode& method) -> ConfigTable& {
         if (auto* table = method.get_if<ConfigTable>()) return *table;
@@ -124,23 +124,24 @@ void set_in_methods(ConfigList& methods, const Override& change)
     }
     bool taken = false;
     for (ConfigNode& method : methods) {
-        if (!method_takes(table_of(method), change.path[1])) continue;
+        if (!method_takes(table_of(method), change.path[1], registry)) continue;
         set_below(table_of(method), change, 1);
         taken = true;
     }
-    if (!taken) throw unknown_key(change.path[1], change.value, known_keys(methods));
+    if (!taken) throw unknown_key(change.path[1], change.value, known_keys(methods, registry));
 }
 
 }
 
-void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides)
+void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides,
+                     const SamplerRegistry& registry)
 {
     for (const std::string& argument : overrides) {
         const Override change = parse(argument);
         ConfigNode* methods = change.path.front() == "method" ? find(config, "method") : nullptr;
         auto* list = methods ? methods->get_if<ConfigList>() : nullptr;
         if (list && change.path.size() > 1)
-            set_in_methods(*list, change);
+            set_in_methods(*list, change, registry);
         else if (change.path.front() == "method" && change.path.size() > 1 && !methods)
             throw InputError(change.origin + ": the config has no [[method]] table");
         else

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/config_tree.hpp"
+#include "sampling/sampler.hpp"
 
 #include <string>
 #include <vector>
@@ -10,9 +11,10 @@ namespace poissonlab {
 
 /// Applies overrides in order. Keys are dotted: `seed=2`, `analysis.points=4096`,
 /// `method.0.relative_radius=0.7` (methods count from 0), `method.relative_radius=[0.6, 0.7]` (every method
-/// whose sampler has that parameter). Values are TOML; plain words need no quotes. Keys that are not in the
-/// config are added. Values say `--set key=value` as their location. Throws InputError for what cannot be
-/// applied.
-void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides);
+/// whose sampler has that parameter), `method.0.start.relative_radius=0.7` (in a table). Values are TOML;
+/// plain words need no quotes. Keys that are not in the config are added. Values say `--set key=value` as
+/// their location. Throws InputError for what cannot be applied.
+void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides,
+                     const SamplerRegistry& registry = sampler_registry());
 
 }

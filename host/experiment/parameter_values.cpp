@@ -1,6 +1,7 @@
 #include "experiment/parameter_values.hpp"
 
 #include "experiment/nearest_key.hpp"
+#include "experiment/sampler_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -72,29 +75,46 @@ ParameterChoice single_choice(const ParameterSpec& spec, const ConfigNode& node)
     case Kind::number: {
         const auto number = as_number(node);
         if (!number || !in_range(*number, spec)) throw refused();
-        return {*number, shown_number(node, *number), node.location};
+        return {*number, shown_number(node, *number), node.location, {}};
     }
     case Kind::integer: {
         const auto* integer = node.get_if<std::int64_t>();
         if (!integer || !in_range(static_cast<double>(*integer), spec)) throw refused();
-        return {*integer, fmt::format("{}", *integer), node.location};
+        return {*integer, fmt::format("{}", *integer), node.location, {}};
+    }
+    case Kind::boolean: {
+        const auto* flag = node.get_if<bool>();
+        if (!flag) throw refused();
+        return {*flag, *flag ? "true" : "false", node.location, {}};
     }
     case Kind::choice: {
         const auto* word = node.get_if<std::string>();
         if (!word) throw refused();
         if (std::ranges::find(spec.choices, *word) == spec.choices.end())
             throw refused(did_you_mean(*word, spec.choices));
-        return {*word, *word, node.location};
+        return {*word, *word, node.location, {}};
     }
     case Kind::text:
     case Kind::paths: {
         const auto* text = node.get_if<std::string>();
         if (!text || text->empty()) throw refused();
-        if (spec.kind == Kind::paths) return {std::vector<std::string>{*text}, *text, path_location(node)};
-        return {*text, *text, node.location};
+        if (spec.kind == Kind::text) return {*text, *text, node.location, {}};
+        // In a name the file's own one says enough.
+        return {std::vector<std::string>{*text}, *text, path_location(node),
+                std::filesystem::path(*text).stem().string()};
     }
+    case Kind::sampler:
+        break; // can be several: see choices_of
     }
     throw refused();
+}
+
+/// The values that one item stands for: several only where a sampler's table has lists.
+std::vector<ParameterChoice> choices_of(const ParameterSpec& spec, const ConfigNode& node,
+                                        const SamplerRegistry& registry, int depth)
+{
+    if (spec.kind == Kind::sampler) return sampler_choices(spec, node, registry, depth);
+    return {single_choice(spec, node)};
 }
 
 }
@@ -106,31 +126,38 @@ std::string allowed_values(const ParameterSpec& spec)
         return "a number " + allowed_range(spec);
     case Kind::integer:
         return "an integer " + allowed_range(spec);
+    case Kind::boolean:
+        return "true or false";
     case Kind::choice:
         return fmt::format("one of \"{}\"", fmt::join(spec.choices, "\", \""));
     case Kind::text:
         return "a text in quotes";
     case Kind::paths:
         return "a path in quotes, or a list of them";
+    case Kind::sampler:
+        return "a sampler's name in quotes, or a table with its parameters such as "
+               "{ sampler = \"dart-throwing\", relative_radius = 0.7 }";
     }
     return {};
 }
 
-std::vector<ParameterChoice> parameter_choices(const ParameterSpec& spec, const ConfigNode& node)
+std::vector<ParameterChoice> parameter_choices(const ParameterSpec& spec, const ConfigNode& node,
+                                               const SamplerRegistry& registry, int depth)
 {
     const auto* list = node.get_if<ConfigList>();
-    if (!list) return {single_choice(spec, node)};
+    if (!list) return choices_of(spec, node, registry, depth);
     if (list->empty())
         throw invalid_node(spec.key, node, "the list is empty; each item must be " + allowed_values(spec));
     std::vector<ParameterChoice> choices;
-    for (const ConfigNode& item : *list) choices.push_back(single_choice(spec, item));
+    for (const ConfigNode& item : *list)
+        std::ranges::move(choices_of(spec, item, registry, depth), std::back_inserter(choices));
     if (spec.kind != Kind::paths) return choices;
 
     // Paths: one value of them all, shown by the first.
     std::vector<std::string> paths;
     for (const ParameterChoice& choice : choices)
         paths.push_back(std::get<std::vector<std::string>>(choice.value)[0]);
-    return {{std::move(paths), choices.front().shown, path_location(node)}};
+    return {{std::move(paths), choices.front().shown, path_location(node), choices.front().in_name}};
 }
 
 }

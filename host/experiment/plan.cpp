@@ -3,95 +3,119 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <memory>
+#include <optional>
 #include <set>
 
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t max_series = 1000;
 constexpr std::size_t longest_name = 100;
-
-/// One choice of each setting of a method, in the settings' order.
-using Combination = std::vector<const ParameterChoice*>;
-
-/// Every combination of choices; the last setting varies fastest.
-std::vector<Combination> combinations(const MethodConfig& method)
-{
-    std::vector<Combination> result = {{}};
-    for (const ParameterSetting& setting : method.settings) {
-        if (result.size() * setting.choices.size() > max_series)
-            throw InputError(fmt::format("{}: [[method]]: its lists make more than {} series",
-                                         to_string(method.where), max_series));
-        std::vector<Combination> longer;
-        for (const Combination& start : result)
-            for (const ParameterChoice& choice : setting.choices) {
-                longer.push_back(start);
-                longer.back().push_back(&choice);
-            }
-        result = std::move(longer);
-    }
-    return result;
-}
-
-std::string symbol(const ParameterSpec& spec) { return spec.symbol.empty() ? spec.key : spec.symbol; }
-
-/// For example "dart-throwing-rho-0.70".
-std::string series_name(const MethodConfig& method, const Combination& chosen)
-{
-    std::string name = method.sampler->name;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const ParameterSpec& spec = *method.settings[i].parameter;
-        // Of paths the file's name says enough.
-        const std::string value = spec.kind == ParameterSpec::Kind::paths
-                                      ? std::filesystem::path(chosen[i]->shown).stem().string()
-                                      : chosen[i]->shown;
-        name += fmt::format("-{}-{}", symbol(spec), value);
-    }
-    return safe_name(name).substr(0, longest_name);
-}
 
 /// For example "Dart throwing, rho = 0.70": the user's label and what varies, or the title and all
 /// parameters.
 std::string series_label(const MethodConfig& method, const Combination& chosen)
 {
-    std::string label = method.label.empty() ? method.sampler->title : method.label;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const ParameterSetting& setting = method.settings[i];
-        if (!method.label.empty() && setting.choices.size() == 1) continue;
-        label += fmt::format(", {} = {}", symbol(*setting.parameter), chosen[i]->shown);
-    }
-    return label;
+    const std::string values = values_text(method.settings, chosen, !method.label.empty());
+    const std::string& label = method.label.empty() ? method.sampler->title : method.label;
+    return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-bool same_parameters(const Parameters& a, const Parameters& b)
+/// Calls visit(choice, place) for every sampler among the parameters.
+template <typename Visit>
+void for_each_start(const Parameters& parameters, const Visit& visit)
 {
-    return std::ranges::equal(a.entries(), b.entries(), [](const auto& x, const auto& y) {
-        return x.first == y.first && x.second.value == y.second.value;
+    using Start = std::shared_ptr<const SamplerChoice>;
+    for (const auto& [key, entry] : parameters.entries())
+        if (const auto* start = std::get_if<Start>(&entry.value)) visit(**start, entry.location);
+}
+
+/// The checks of a sampler, after those of the samplers among its parameters.
+void check_sampler(const SamplerSpec& sampler, const Parameters& parameters, const SampleRequest& request,
+                   const SourceLocation& where)
+{
+    if (std::ranges::find(sampler.dimensions, request.dimension) == sampler.dimensions.end())
+        throw InputError(fmt::format("{}: sampler = \"{}\": this method has no {}D sets", to_string(where),
+                                     sampler.name, request.dimension));
+    for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation& place) {
+        check_sampler(*start.spec, start.parameters, request, place);
     });
+    if (sampler.check) sampler.check(parameters, request, where);
+}
+
+/// True when all realizations are one set.
+bool is_deterministic(const SamplerSpec& sampler, const Parameters& parameters)
+{
+    if (sampler.deterministic || !sampler.follows_start) return sampler.deterministic;
+    bool any = false;
+    bool all = true;
+    for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
+        any = true;
+        all = all && is_deterministic(*start.spec, start.parameters);
+    });
+    return any && all;
+}
+
+/// How many realizations there are where files decide that, the series' own or those it starts from.
+std::optional<std::size_t> available_realizations(const SamplerSpec& sampler, const Parameters& parameters)
+{
+    if (sampler.available_realizations) return sampler.available_realizations(parameters);
+    std::optional<std::size_t> fewest;
+    for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
+        const auto count = available_realizations(*start.spec, start.parameters);
+        if (count) fewest = std::min(*count, fewest.value_or(*count));
+    });
+    return fewest;
+}
+
+/// Throws InputError when a number of points is asked of sets that are there already.
+void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& parameters,
+                               const ParameterChoice& points)
+{
+    if (sampler.has_own_points)
+        throw invalid_value(
+            points.location, "points", points.shown,
+            fmt::format("does not go with the sampler \"{}\", whose sets are as large as they "
+                        "are; leave it out",
+                        sampler.name));
+    for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
+        check_points_can_be_asked(*start.spec, start.parameters, points);
+    });
+}
+
+/// The number of points that a method asks for itself, or that of the experiment.
+std::size_t points_of(const Config& config, const MethodConfig& method, const Combination& chosen,
+                      const Parameters& parameters)
+{
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (method.settings[i].parameter != &points_parameter()) continue;
+        check_points_can_be_asked(*method.sampler, parameters, *chosen[i]);
+        return static_cast<std::size_t>(std::get<std::int64_t>(chosen[i]->value));
+    }
+    return config.points;
+}
+
+bool same_series(const SeriesPlan& a, const SeriesPlan& b)
+{
+    return a.sampler == b.sampler && a.request.points == b.request.points &&
+           same_parameters(a.parameters, b.parameters);
 }
 
 SeriesPlan make_series(const Config& config, const MethodConfig& method, const Combination& chosen)
 {
-    SeriesPlan series;
-    series.name = series_name(method, chosen);
-    series.label = series_label(method, chosen);
-    series.sampler = method.sampler;
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-        series.parameters.set(method.settings[i].parameter->key, chosen[i]->value, chosen[i]->location);
-    series.request = {config.points, config.dimension, config.seed};
-
     const SamplerSpec& sampler = *method.sampler;
-    if (std::ranges::find(sampler.dimensions, config.dimension) == sampler.dimensions.end())
-        throw InputError(fmt::format("{}: sampler = \"{}\": this method has no {}D sets",
-                                     to_string(method.where), sampler.name, config.dimension));
-    if (sampler.check) sampler.check(series.parameters, series.request, method.where);
+    SeriesPlan series;
+    series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
+    series.label = series_label(method, chosen);
+    series.sampler = &sampler;
+    series.parameters = chosen_parameters(method.settings, chosen);
+    series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
+    check_sampler(sampler, series.parameters, series.request, method.where);
 
-    series.realizations = static_cast<std::uint32_t>(config.realizations);
-    if (sampler.available_realizations)
-        series.realizations = static_cast<std::uint32_t>(sampler.available_realizations(series.parameters));
-    else if (sampler.deterministic)
-        series.realizations = 1;
+    series.deterministic = is_deterministic(sampler, series.parameters);
+    const auto asked = static_cast<std::size_t>(series.deterministic ? 1 : config.realizations);
+    series.realizations =
+        static_cast<std::uint32_t>(available_realizations(sampler, series.parameters).value_or(asked));
     return series;
 }
 
@@ -102,10 +126,10 @@ std::vector<SeriesPlan> make_plan(const Config& config)
     std::vector<SeriesPlan> plan;
     std::set<std::string> names;
     for (const MethodConfig& method : config.methods) {
-        for (const Combination& chosen : combinations(method)) {
+        for (const Combination& chosen : combinations(method.settings, method.where, "[[method]]")) {
             SeriesPlan series = make_series(config, method, chosen);
             for (const SeriesPlan& other : plan)
-                if (other.sampler == series.sampler && same_parameters(other.parameters, series.parameters))
+                if (same_series(other, series))
                     throw InputError(fmt::format("{}: [[method]]: the series \"{}\" is there twice",
                                                  to_string(method.where), other.label));
             if (plan.size() == max_series)

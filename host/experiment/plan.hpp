@@ -17,7 +17,8 @@ struct SeriesPlan
     const SamplerSpec* sampler = nullptr;
     Parameters parameters;
     SampleRequest request;
-    std::uint32_t realizations = 0; ///< as asked; 1 for deterministic samplers; what there is for files
+    bool deterministic = false;     ///< all realizations are one set
+    std::uint32_t realizations = 0; ///< as asked; 1 for deterministic series; what there is for files
 };
 
 /// Every method's series in order; of lists, the last parameter varies fastest. Throws InputError for

@@ -1,5 +1,6 @@
 #include "experiment/results_json.hpp"
 
+#include "experiment/iteration_records.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
@@ -26,11 +27,45 @@ Json spread(const std::vector<double>& each)
             {"each", each}};
 }
 
+/// Where the iterations are stored and what they come to; null where a value is not finite (a single point
+/// has no relative radius).
+Json iterations_json(const SeriesTask& task, const IterationRecords& records)
+{
+    const auto values = [&](double IterationRecord::*member) {
+        const IterationSpread spread = spread_over_realizations(records, member);
+        return Json{{"min", spread.min}, {"mean", spread.mean}, {"max", spread.max}};
+    };
+    for (const auto& realization : records)
+        for (const IterationRecord& record : realization)
+            if (!std::isfinite(record.relative_radius) || !std::isfinite(record.energy)) return nullptr;
+    return {{"file", task.name + "/iterations.csv"},
+            {"realizations", realizations_that_got_there(records)},
+            {"relative_radius", values(&IterationRecord::relative_radius)},
+            {"energy", values(&IterationRecord::energy)}};
+}
+
+Json parameters_json(const Parameters& parameters);
+
+/// Values as they are; a sampler as the object of its name and parameters.
+struct ValueToJson
+{
+    template <typename Value>
+    Json operator()(const Value& value) const
+    {
+        return value;
+    }
+    Json operator()(const std::shared_ptr<const SamplerChoice>& choice) const
+    {
+        Json json = {{"sampler", choice->spec->name}};
+        json.update(parameters_json(choice->parameters));
+        return json;
+    }
+};
+
 Json parameters_json(const Parameters& parameters)
 {
     Json json = Json::object();
-    for (const auto& [key, entry] : parameters.entries())
-        std::visit([&, &name = key](const auto& value) { json[name] = value; }, entry.value);
+    for (const auto& [key, entry] : parameters.entries()) json[key] = std::visit(ValueToJson{}, entry.value);
     return json;
 }
 
@@ -73,6 +108,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result)
                         {"file", task.name + "/spectrum.exr"}};
     json["radial"] = {{"file", task.name + "/radial.csv"},
                       {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
+    if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
     json["point_files"] = result.point_files;
     json["timing"] = {{"sample_seconds", result.sample_seconds},
                       {"build_seconds", result.build_seconds},

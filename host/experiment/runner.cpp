@@ -3,6 +3,7 @@
 #include "analysis/radial_statistics.hpp"
 #include "analysis/spectrum_file.hpp"
 #include "experiment/interrupt.hpp"
+#include "experiment/iteration_records.hpp"
 #include "experiment/result_folder.hpp"
 #include "experiment/results_json.hpp"
 #include "experiment/series_analysis.hpp"
@@ -94,12 +95,14 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     SeriesAnalysis analysis(task.label, sampler->sizes_vary());
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds;
+    IterationRecords iterations;
     progress.start_series(task.label, task.realizations);
     for (std::uint32_t k = 0; k < task.realizations; ++k) {
         stop_if_interrupted();
         double seconds = 0;
         const PointSet points = timed_sample(*sampler, k, seconds);
         sample_seconds.push_back(seconds);
+        iterations.push_back(sampler->iterations());
         const std::string file = fmt::format("realization-{:03}.dat", k);
         analysis.add(points);
         write_points(folder / file, points, point_file_comment(experiment, task, k));
@@ -113,6 +116,10 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     write_whole_file(folder / "radial.csv", radial_csv(radial_statistics(spectrum)));
 
     SeriesResult result = analysis.result();
+    if (!realizations_that_got_there(iterations).empty()) {
+        write_whole_file(folder / "iterations.csv", iterations_csv(iterations));
+        result.iterations = std::move(iterations);
+    }
     result.point_files = std::move(point_files);
     // Reading a file is not sampling: imported sets have no times.
     if (!experiment.engine.empty()) result.sample_seconds = std::move(sample_seconds);

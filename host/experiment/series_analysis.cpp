@@ -15,10 +15,6 @@ void SeriesAnalysis::add(const PointSet& points)
 {
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t n = points.size();
-    if (points.dimension != 2) {
-        throw InputError(fmt::format("{}: realization {} is not 2D: this version analyses 2D sets only",
-                                     label_, result_.points.size()));
-    }
     if (!estimate_) {
         result_.spectrum_size = spectrum_size(std::max<std::size_t>(n, 1), points.dimension);
         estimate_.emplace(points.dimension, result_.spectrum_size, sizes_vary_);

@@ -10,14 +10,15 @@
 namespace poissonlab {
 
 /// Collects distances and adds up periodograms, in the order in which realizations come. The number of points
-/// of the first one decides the size of the spectrum.
+/// and the dimension of the first one decide the size of the spectrum.
 class SeriesAnalysis
 {
 public:
     /// `label` is for messages; `sizes_vary` as the sampler says it.
     SeriesAnalysis(std::string label, bool sizes_vary) : label_(std::move(label)), sizes_vary_(sizes_vary) {}
 
-    /// Throws InputError for sets that are empty, not 2D, or of another size where sizes must not vary.
+    /// Throws InputError for sets that are empty, of another dimension, or of another size where sizes must
+    /// not vary.
     void add(const PointSet& points);
 
     /// The mean of the periodograms; at least one set must have been added.

@@ -158,6 +158,7 @@ SamplerSpec file_sampler()
     spec.summary = "point sets from text, PLY or NumPy files";
     spec.dimensions = {2, 3};
     spec.parameters = {path};
+    spec.has_own_points = true;
     spec.check = check;
     spec.available_realizations = [](const Parameters& parameters) {
         return read_realizations(parameters).size();

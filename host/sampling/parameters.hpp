@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,11 +13,19 @@
 
 namespace poissonlab {
 
-/// One value of a [[method]] key.
-using ParameterValue = std::variant<double, std::int64_t, std::string, std::vector<std::string>>;
+struct SamplerChoice;
+struct SamplerSpec;
 
-/// The value as it would be typed: numbers in their shortest exact form, strings without quotes.
+/// One value of a [[method]] key.
+using ParameterValue = std::variant<double, std::int64_t, bool, std::string, std::vector<std::string>,
+                                    std::shared_ptr<const SamplerChoice>>;
+
+/// The value as it would be typed: numbers in their shortest exact form, strings without quotes, samplers as
+/// tables.
 std::string to_string(const ParameterValue& value);
+
+/// True for equal values; samplers are equal when they have the same name and equal parameters.
+bool same_value(const ParameterValue& a, const ParameterValue& b);
 
 /// A declared parameter: its key, its type, what is allowed, and how it is shown.
 struct ParameterSpec
@@ -25,9 +34,11 @@ struct ParameterSpec
     {
         number,
         integer,
+        boolean, ///< shown in names and labels where it is true
         text,
         choice,
-        paths
+        paths,
+        sampler ///< another method with its parameters: a table in the config
     };
 
     std::string key;
@@ -56,8 +67,10 @@ public:
     bool has(const std::string& key) const { return entries_.contains(key); }
     double number(const std::string& key) const;
     std::int64_t integer(const std::string& key) const;
+    bool flag(const std::string& key) const;
     const std::string& text(const std::string& key) const;
     const std::vector<std::string>& texts(const std::string& key) const;
+    const SamplerChoice& sampler(const std::string& key) const;
     const SourceLocation& location(const std::string& key) const;
 
     /// The InputError that says that the value of `key` is not possible, and why.
@@ -70,6 +83,16 @@ private:
     const Entry& at(const std::string& key) const;
 
     std::map<std::string, Entry> entries_;
+};
+
+/// True when both have the same keys with equal values, wherever they were set.
+bool same_parameters(const Parameters& a, const Parameters& b);
+
+/// A method with its parameters, as the value of another method's parameter.
+struct SamplerChoice
+{
+    const SamplerSpec* spec = nullptr; ///< of the registry; outlives this
+    Parameters parameters;
 };
 
 }

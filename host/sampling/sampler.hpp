@@ -31,6 +31,13 @@ struct SampleRequest
     std::uint64_t seed = 0;
 };
 
+/// The state of an iterative method before its first iteration (entry 0) and after each one.
+struct IterationRecord
+{
+    double relative_radius = 0;
+    double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
+};
+
 /// Makes the point sets of one series.
 class Sampler
 {
@@ -43,6 +50,9 @@ public:
     /// True where realizations differ in size by the nature of the method (saturation), rather than by
     /// mistake.
     virtual bool sizes_vary() const { return false; }
+
+    /// The iterations of the last sample(); empty for methods without any.
+    virtual std::vector<IterationRecord> iterations() const { return {}; }
 
     /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.
     virtual double build_seconds() const { return 0; }
@@ -63,8 +73,17 @@ struct SamplerSpec
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;
 
+    /// True when realizations differ only where the sets of its start do: with a deterministic start this
+    /// method is deterministic as well.
+    bool follows_start = false;
+
+    /// True when its sets are there already, with as many points as they have (files): no number can be
+    /// asked.
+    bool has_own_points = false;
+
     /// Checks what single values cannot show (missing keys, impossible combinations). Throws InputError.
-    /// `where` is the place of the [[method]] table.
+    /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.
+    /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
 
     /// How many realizations there are, where the method decides that (files); empty: as many as asked.
@@ -75,10 +94,14 @@ struct SamplerSpec
         create;
 };
 
-/// All samplers, in the order in which help and errors list them.
-const std::vector<SamplerSpec>& sampler_registry();
+/// Samplers in the order in which help and errors list them.
+using SamplerRegistry = std::vector<SamplerSpec>;
+
+/// All samplers.
+const SamplerRegistry& sampler_registry();
 
 /// The sampler of that name, or null.
-const SamplerSpec* find_sampler(const std::string& name);
+const SamplerSpec* find_sampler(const std::string& name,
+                                const SamplerRegistry& registry = sampler_registry());
 
 }

@@ -9,9 +9,9 @@
 
 namespace poissonlab {
 
-const std::vector<SamplerSpec>& sampler_registry()
+const SamplerRegistry& sampler_registry()
 {
-    static const std::vector<SamplerSpec> registry = {
+    static const SamplerRegistry registry = {
         random_sampler(),
         regular_sampler(),
         jittered_sampler(),
@@ -22,9 +22,8 @@ const std::vector<SamplerSpec>& sampler_registry()
     return registry;
 }
 
-const SamplerSpec* find_sampler(const std::string& name)
+const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& registry)
 {
-    const auto& registry = sampler_registry();
     const auto found =
         std::find_if(registry.begin(), registry.end(), [&](const SamplerSpec& s) { return s.name == name; });
     return found == registry.end() ? nullptr : &*found;

@@ -19,6 +19,9 @@ TEST(SpectrumSize, FollowsEquation66)
     EXPECT_EQ(spectrum_size(4'096, 2), 512);   // 318
     EXPECT_EQ(spectrum_size(65'536, 3), 256);  // 192
     EXPECT_EQ(spectrum_size(1, 2), 8);         // 4.96
+    EXPECT_EQ(spectrum_size(156'000, 3), 256); // 255.8
+    EXPECT_EQ(spectrum_size(157'000, 3), 256); // 256.3: a volume of 512^3 is too much
+    EXPECT_EQ(spectrum_size(1'000, 3), 64);    // 47.5
 }
 
 TEST(SpectrumEstimate, CountsEveryRealizationOnce)
@@ -148,6 +151,56 @@ TEST(SpectrumEstimate, OfUniformPointsIsWhite)
         ++checked;
     }
     EXPECT_EQ(checked, 118);
+}
+
+/// The reciprocal lattice of the cubic lattice of n^3 points: power N at multiples of n, nothing elsewhere.
+TEST(SpectrumEstimate, OfACubicLatticeIsItsReciprocalLattice)
+{
+    constexpr int n = 6;
+    constexpr int half = 16;
+    SpectrumEstimate estimate(3, 2 * half);
+    estimate.add(square_lattice(n, 3));
+    const Spectrum spectrum = estimate.mean();
+    std::size_t at = 0;
+    for (int w = -half; w < half; ++w)
+        for (int v = -half; v < half; ++v)
+            for (int u = -half; u < half; ++u, ++at) {
+                const bool peak = u % n == 0 && v % n == 0 && w % n == 0;
+                ASSERT_NEAR(spectrum.power[at], peak ? n * n * n : 0, 1e-8) << u << ' ' << v << ' ' << w;
+            }
+
+    // Shells: (6, 0, 0) in shell 6, (6, 6, 0) in round(8.49), (6, 6, 6) in round(10.39), (12, 0, 0) in 12,
+    // (12, 6, 0) in round(13.4), (12, 6, 6) in round(14.7) alone.
+    const std::vector<std::pair<int, int>> peaks = {{6, 6}, {8, 12}, {10, 8}, {12, 6}, {13, 24}, {15, 24}};
+    for (const RadialBin& bin : radial_statistics(spectrum)) {
+        double expected = 0;
+        for (const auto& [shell, count] : peaks)
+            if (bin.frequency == shell) expected = count * n * n * n / static_cast<double>(bin.samples);
+        EXPECT_NEAR(bin.power, expected, 1e-8) << bin.frequency;
+    }
+}
+
+TEST(SpectrumEstimate, OfUniformPointsInACubeIsWhite)
+{
+    // As OfUniformPointsIsWhite: each shell of n' = samples / 2 independent values of variance 1/K. 20 + 20
+    // comparisons at 4.5 standard errors: the seed fails a correct program with probability 3e-4.
+    constexpr int realizations = 6;
+    std::mt19937_64 random(5);
+    SpectrumEstimate estimate(3, 48);
+    for (int i = 0; i < realizations; ++i) estimate.add(random_points(2048, 3, random));
+    const double k = realizations;
+    const double decibel = 10.0 / std::log(10.0);
+    int checked = 0;
+    for (const RadialBin& bin : radial_statistics(estimate.mean())) {
+        if (bin.frequency < 4) continue; // too few samples for a normal approximation
+        const double independent = 0.5 * static_cast<double>(bin.samples);
+        EXPECT_NEAR(bin.power, 1.0, 4.5 * std::sqrt(1.0 / (k * independent))) << bin.frequency;
+        EXPECT_NEAR(bin.anisotropy_db, background_anisotropy_db(realizations),
+                    decibel * (0.5 / independent + 4.5 * std::sqrt((2.0 + 2.0 / k) / independent)))
+            << bin.frequency;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 20);
 }
 
 TEST(CoordinateSlice, CutsThroughTheOrigin)

@@ -57,13 +57,13 @@ TEST(ConfigError, UnknownMethodKey)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radus = [0.70, 0.75]\n"),
               "c.toml:3: relative_radus = [0.70, 0.75]: unknown key; did you mean \"relative_radius\"? "
-              "known keys: sampler, label, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, relative_radius, stop, min_distance");
 }
 
 TEST(ConfigError, ParameterOfAnotherSampler)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"random\"\nrelative_radius = 0.7\n"),
-              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label");
+              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points");
 }
 
 TEST(ConfigError, TheFirstOfSeveralMistakesIsReported)
@@ -117,12 +117,39 @@ TEST(ConfigError, PointsAndRealizations)
               "c.toml:2: realizations = 10001: must be an integer from 1 to 10000");
 }
 
+TEST(ConfigError, PointsOfAMethod)
+{
+    const auto points = [](const std::string& value) {
+        return error_of(good_method + "points = " + value + "\n");
+    };
+    const std::string allowed = "must be an integer from 1 to 134217728";
+    EXPECT_EQ(points("0"), "c.toml:3: points = 0: " + allowed);
+    EXPECT_EQ(points("[256, 1e4]"), "c.toml:3: points = 1e4: " + allowed);
+    EXPECT_EQ(points("[]"), "c.toml:3: points = []: the list is empty; each item must be "
+                            "an integer from 1 to 134217728");
+    EXPECT_EQ(points("[256, 256]"), "c.toml:1: [[method]]: the series \"Random, N = 256\" is there twice");
+    EXPECT_EQ(error_of(good_method + good_method + "points = 16384\n"),
+              "c.toml:3: [[method]]: the series \"Random\" is there twice")
+        << "as many points as analysis.points says";
+}
+
+TEST(ConfigError, FilesHaveTheirOwnPoints)
+{
+    const TemporaryFolder folder;
+    folder.write("a.dat", "0.1 0.2\n");
+    const std::string file =
+        folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = \"a.dat\"\npoints = 1\n");
+    EXPECT_EQ(message_of([&] { make_plan(read_config(file)); }),
+              file + ":4: points = 1: does not go with the sampler \"file\", whose sets are as large as they "
+                     "are; leave it out");
+}
+
 TEST(ConfigError, Dimension)
 {
     EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method),
               "c.toml:2: dimension = 4: must be an integer from 2 to 3");
-    EXPECT_EQ(error_of("[analysis]\ndimension = 3\n" + good_method),
-              "c.toml:2: dimension = 3: must be 2: this version has no spectra and no report of 3D sets yet");
+    EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
+              "c.toml:2: dimension = 2.0: must be an integer from 2 to 3");
 }
 
 TEST(ConfigError, AnalysisIsNoTable)

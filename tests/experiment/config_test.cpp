@@ -58,6 +58,13 @@ min_distance = [0.10, 0.2]
     EXPECT_EQ(to_string(choices[0].location), "c.toml:16");
 }
 
+TEST(Config, TakesThreeDimensions)
+{
+    const Config config =
+        parse_config("[analysis]\ndimension = 3\n[[method]]\nsampler = \"random\"\n", "c.toml");
+    EXPECT_EQ(config.dimension, 3);
+}
+
 TEST(Config, IgnoresTheLocale)
 {
     struct Comma : std::numpunct<char>

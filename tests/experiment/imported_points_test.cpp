@@ -47,12 +47,16 @@ TEST(ImportedPoints, UnequalSizesNameBothPlaces)
                   " has 2: realizations must have the same number");
 }
 
-TEST(ImportedPoints, SpatialSetsAreRefused)
+TEST(ImportedPoints, AllSetsHaveTheDimensionOfTheFirst)
 {
     const TemporaryFolder folder;
     const std::string a = folder.write("a.dat", "0.1 0.2 0.3\n");
-    EXPECT_EQ(message_of([&] { import_points({a}, ""); }),
-              a + ": has 3D points: this version analyses 2D sets only");
+    const std::string b = folder.write("b.dat", "0.1 0.2\n");
+    EXPECT_EQ(import_points({a}, "").dimension, 3);
+    EXPECT_EQ(message_of([&] {
+                  import_points({a, b}, "");
+              }),
+              b + ": has 2D points where " + a + " has 3D ones");
 }
 
 TEST(ImportedPoints, FoldersAreNoFiles)

@@ -54,6 +54,15 @@ TEST(Override, ReachesEveryMethodThatHasTheKey)
     EXPECT_EQ(config.methods[2].settings[0].choices[0].shown, "0.5");
 }
 
+TEST(Override, PointsAreAKeyOfEveryMethod)
+{
+    const Config config = with({"method.points=[64, 256]"});
+    for (const MethodConfig& method : config.methods) {
+        EXPECT_EQ(method.settings[0].parameter->key, "points");
+        EXPECT_EQ(method.settings[0].choices.size(), 2U);
+    }
+}
+
 TEST(Override, CanBringTheMethods)
 {
     const Config config = parse_config("seed = 1\n", "c.toml", {"method=[{sampler=\"random\"}]"});
@@ -73,7 +82,7 @@ TEST(Override, MistakesNameTheArgument)
     EXPECT_EQ(error_with("method.relative_radus=0.5"),
               "--set method.relative_radus=0.5: relative_radus = 0.5: unknown key; did you mean "
               "\"relative_radius\"? "
-              "known keys: sampler, label, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, relative_radius, stop, min_distance");
 }
 
 TEST(Override, ThatCannotBeApplied)

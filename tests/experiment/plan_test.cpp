@@ -62,7 +62,9 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
         spec.parameters.push_back(parameter);
     }
     spec.check = nullptr;
-    const auto choice = [](double value) { return ParameterChoice{value, std::to_string(int(value)), {}}; };
+    const auto choice = [](double value) {
+        return ParameterChoice{value, std::to_string(int(value)), {}, {}};
+    };
     MethodConfig method;
     method.sampler = &spec;
     method.settings = {{&spec.parameters[0], {choice(1), choice(2)}},
@@ -75,6 +77,31 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
     config.methods[0].label = "L";
     EXPECT_THAT(labels(make_plan(config)),
                 ElementsAre("L, a = 1, c = 4", "L, a = 1, c = 5", "L, a = 2, c = 4", "L, a = 2, c = 5"));
+}
+
+TEST(Plan, AMethodCanHaveItsOwnNumberOfPoints)
+{
+    const auto plan = plan_of("[[method]]\nsampler = \"random\"\n"
+                              "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.7\n"
+                              "points = [64, 1_024]\n"
+                              "[[method]]\nsampler = \"jittered\"\nlabel = \"J\"\npoints = 100\n");
+    EXPECT_THAT(names(plan), ElementsAre("random", "dart-throwing-N-64-rho-0.7",
+                                         "dart-throwing-N-1024-rho-0.7", "jittered-N-100"));
+    EXPECT_THAT(labels(plan), ElementsAre("Random", "Dart throwing, N = 64, rho = 0.7",
+                                          "Dart throwing, N = 1024, rho = 0.7", "J"));
+    EXPECT_EQ(plan[0].request.points, 256U);
+    EXPECT_EQ(plan[1].request.points, 64U);
+    EXPECT_EQ(plan[2].request.points, 1024U);
+    EXPECT_EQ(plan[3].request.points, 100U);
+    EXPECT_FALSE(plan[1].parameters.has("points")) << "samplers find it in the request";
+}
+
+TEST(Plan, ChecksSeeTheMethodsOwnPoints)
+{
+    // 20,000 points saturate below 0.79; of 64, some sets reach it.
+    const std::string method = "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.79\npoints = ";
+    EXPECT_EQ(plan_of(method + "64\n").size(), 1U);
+    EXPECT_THROW(plan_of(method + "20000\n"), InputError);
 }
 
 TEST(Plan, NumbersAreShownAsTypedWherePlain)

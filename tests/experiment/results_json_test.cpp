@@ -104,6 +104,21 @@ TEST(ResultsJson, DeterministicOrSingleSetsHaveAPeriodogram)
     EXPECT_EQ(written(one_series(), one)["series"][0]["spectrum"]["kind"], "periodogram");
 }
 
+TEST(ResultsJson, SamplersAmongTheParametersAreObjects)
+{
+    Experiment experiment = one_series();
+    SamplerChoice random{find_sampler("random"), {}};
+    SamplerChoice throwing{find_sampler("dart-throwing"), {}};
+    throwing.parameters.set("relative_radius", 0.7);
+    throwing.parameters.set("start", std::make_shared<const SamplerChoice>(random));
+    Parameters& parameters = experiment.series[0].parameters = {};
+    parameters.set("repulsion", true);
+    parameters.set("start", std::make_shared<const SamplerChoice>(throwing));
+    EXPECT_EQ(written(experiment, two_realizations())["series"][0]["parameters"],
+              json::parse(R"({"repulsion": true, "start": {"sampler": "dart-throwing", "relative_radius": 0.7,
+                                                           "start": {"sampler": "random"}}})"));
+}
+
 TEST(ResultsJson, SizesThatDifferAreAllThere)
 {
     SeriesResult result = two_realizations();
@@ -121,6 +136,13 @@ TEST(ResultsJson, APointHasNoDistance)
     EXPECT_TRUE(series["min_distance"].is_null());
     EXPECT_TRUE(series["relative_radius"].is_null());
     EXPECT_TRUE(series["covered_fraction"].is_null());
+}
+
+TEST(ResultsJson, IterationsOfAPointHaveNoMeans)
+{
+    SeriesResult result = two_realizations();
+    result.iterations = {{{infinite, 0.2}}, {{infinite, 0.2}}};
+    EXPECT_TRUE(written(one_series(), result)["series"][0]["iterations"].is_null());
 }
 
 TEST(ResultsJson, ImportedSetsHaveNoSeedAndNoEngine)

@@ -100,11 +100,11 @@ TEST(Runner, SetsThatCannotBeAnalysed)
     const TemporaryFolder folder;
     const auto empty = experiment_of({task("s", 1, [](std::uint32_t) { return PointSet{}; })});
     EXPECT_EQ(message_of([&] { run(empty, folder.path()); }), "s: realization 0 has no points");
-    const auto spatial = experiment_of({task("s", 1, [](std::uint32_t) {
-        return PointSet{3, {0.1, 0.2, 0.3}};
+    const auto mixed = experiment_of({task("s", 2, [](std::uint32_t k) {
+        return k == 0 ? diagonal(1, 0) : PointSet{3, {0.1, 0.2, 0.3}};
     })});
-    EXPECT_EQ(message_of([&] { run(spatial, folder.path()); }),
-              "s: realization 0 is not 2D: this version analyses 2D sets only");
+    EXPECT_EQ(message_of([&] { run(mixed, folder.path()); }),
+              "s: realization 1 has dimension 3, the spectrum 2");
 }
 
 TEST(Runner, OnePointIsEnough)
@@ -113,6 +113,57 @@ TEST(Runner, OnePointIsEnough)
     run(experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(1, 0); })}), folder.path());
     const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
     EXPECT_TRUE(json["series"][0]["min_distance"].is_null());
+}
+
+/// Sets that take as many iterations as their number says, and one more.
+class IterativeSampler : public FunctionSampler
+{
+public:
+    IterativeSampler() : FunctionSampler([](std::uint32_t k) { return diagonal(16, k); }, false) {}
+    PointSet sample(std::uint32_t realization) override
+    {
+        records_.clear();
+        for (std::uint32_t i = 0; i <= realization + 1; ++i)
+            records_.push_back({0.1 * (realization + 1) + 0.01 * i, 0.3 - 0.1 * realization - 0.01 * i});
+        return FunctionSampler::sample(realization);
+    }
+    std::vector<IterationRecord> iterations() const override { return records_; }
+
+private:
+    std::vector<IterationRecord> records_;
+};
+
+TEST(Runner, StoresIterations)
+{
+    const TemporaryFolder folder;
+    SeriesTask iterative = task("s", 2, {});
+    iterative.create = [] { return std::make_unique<IterativeSampler>(); };
+    const auto plain = task("plain", 1, [](std::uint32_t k) { return diagonal(16, k); });
+    run(experiment_of({iterative, plain}), folder.path());
+
+    // 17 significant digits: 0.1 + 0.01 is not 0.11.
+    EXPECT_EQ(content_of(folder.path() / "s/iterations.csv"), "realization,iteration,relative_radius,energy\n"
+                                                              "0,0,0.10000000000000001,0.29999999999999999\n"
+                                                              "0,1,0.11,0.28999999999999998\n"
+                                                              "1,0,0.20000000000000001,0.19999999999999998\n"
+                                                              "1,1,0.21000000000000002,0.18999999999999997\n"
+                                                              "1,2,0.22,0.17999999999999999\n");
+    const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
+    const auto& iterations = json["series"][0]["iterations"];
+    EXPECT_EQ(iterations["file"], "s/iterations.csv");
+    EXPECT_EQ(iterations["realizations"], nlohmann::json({2, 2, 1}));
+    const auto near = [](const nlohmann::json& values, const std::vector<double>& expected) {
+        ASSERT_EQ(values.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            EXPECT_NEAR(values[i].get<double>(), expected[i], 1e-15);
+    };
+    near(iterations["relative_radius"]["mean"], {0.15, 0.16, 0.22});
+    near(iterations["relative_radius"]["min"], {0.10, 0.11, 0.22});
+    near(iterations["energy"]["mean"], {0.25, 0.24, 0.18});
+    near(iterations["energy"]["max"], {0.30, 0.29, 0.18});
+
+    EXPECT_FALSE(json["series"][1].contains("iterations"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "plain/iterations.csv"));
 }
 
 TEST(Runner, AFailureInALaterSeriesLeavesThePreviousResultAlone)

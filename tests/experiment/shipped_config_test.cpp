@@ -17,7 +17,7 @@ TEST(ShippedConfigs, ArePlannable)
         EXPECT_FALSE(make_plan(read_config(entry.path())).empty());
         ++count;
     }
-    EXPECT_GE(count, 4);
+    EXPECT_GE(count, 6);
 }
 
 TEST(ShippedConfigs, QuickIsWhatTheReadmePromises)

@@ -4,6 +4,7 @@
 #include "io/whole_file.hpp"
 #include "page_text.hpp"
 #include "picture.hpp"
+#include "reports/curves.hpp"
 #include "reports/number_format.hpp"
 #include "support/temporary_folder.hpp"
 #include "synthetic_results.hpp"
@@ -205,6 +206,49 @@ TEST_F(ReportTest, SeveralFoldersShareOnePage)
             EXPECT_TRUE(fs::is_regular_file(out / link)) << link;
         }
     EXPECT_THAT(steps, ElementsAre("reading results", "drawing pictures", "writing the page"));
+}
+
+/// The captions of the plots of all series, and the plot of radially averaged power, where the sets of the
+/// second series have `points` points (but for the first, which is drawn).
+std::string comparison_with(int points)
+{
+    const TemporaryFolder other;
+    auto json = test::write_synthetic_results(other.path());
+    json["series"][1]["points"] = points;
+    json["series"][1]["points_each"] = {256, 256};
+    test::write_results_json(other.path(), json);
+    write_report({other.path()}, other.path());
+    const auto page = test::without_data_uris(read_whole_file(other.path() / "index.html"));
+    const auto begin = page.find("<section id=\"compared\"");
+    return page.substr(begin, page.find("</section>", begin) - begin) +
+           read_whole_file(other.path() / "radial-all.svg");
+}
+
+TEST_F(ReportTest, SeriesOfAboutOneSizeAreComparedByFrequency)
+{
+    const auto text = comparison_with(240);
+    EXPECT_THAT(text, HasSubstr(">frequency (cycles per unit length)<"));
+    EXPECT_THAT(text, Not(HasSubstr(" points)<")));
+}
+
+TEST_F(ReportTest, SeriesOfDifferentSizesAreComparedByMeanSpacing)
+{
+    const auto text = comparison_with(64);
+    EXPECT_THAT(text, HasSubstr("in cycles per mean spacing of the points"));
+    EXPECT_THAT(text, HasSubstr(">frequency (cycles per mean spacing of the points)<"));
+    EXPECT_THAT(text, HasSubstr(">Jittered, it's fine (64 points)<"));
+    EXPECT_THAT(text, HasSubstr(">Regular grid (256 points)<"));
+    // All spectra reach 32 cycles per unit length: 4 spacings of 1/8, and 2 of 1/16. The axis has room for 4.
+    EXPECT_THAT(text, HasSubstr("> 3.5</tspan>"));
+    EXPECT_THAT(text, Not(HasSubstr("> 4.5</tspan>")));
+}
+
+TEST_F(ReportTest, KeysSayTheNumberOfPointsOnce)
+{
+    EXPECT_EQ(label_with_points("Random", 1024), "Random (1,024 points)");
+    EXPECT_EQ(label_with_points("Random, N = 1024", 1024), "Random, N = 1024");
+    EXPECT_EQ(label_with_points("Darts, N = 1024, rho = 0.7", 1024), "Darts, N = 1024, rho = 0.7");
+    EXPECT_EQ(label_with_points("Darts, N = 102400", 1024), "Darts, N = 102400 (1,024 points)");
 }
 
 TEST_F(ReportTest, OneSeriesNeedsNoComparison)

@@ -59,6 +59,17 @@ TEST(StoredResults, ReadsWhatWasWritten)
     EXPECT_EQ(run.series[1].sample_seconds.size(), 2);
 }
 
+TEST(StoredResults, SamplersAmongTheParametersAreReadable)
+{
+    const TemporaryFolder folder;
+    auto json = test::write_synthetic_results(folder.path());
+    json["series"][0]["parameters"] = nlohmann::json::parse(
+        R"({"a": {"sampler": "relax", "repulsion": true, "start": {"sampler": "random"}}, "b": {"c": 1}})");
+    test::write_results_json(folder.path(), json);
+    EXPECT_EQ(read_stored_run(folder.path()).series[0].parameters,
+              (NamedTexts{{"a", "relax (repulsion = true, start = random)"}, {"b", "{\"c\":1}"}}));
+}
+
 TEST(StoredResults, OnePointHasNoDistance)
 {
     const TemporaryFolder folder;

@@ -1,6 +1,6 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
 #include "experiment/commands/commands.hpp"
-#include "experiment/parameter_values.hpp"
+#include "experiment/sampler_table.hpp"
 #include "sampling/sampler.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +11,10 @@ namespace poissonlab {
 void samplers_command()
 {
     fmt::print(
-        "Samplers of a [[method]] table, and their parameters. A list of values makes one series a value.\n");
+        "Samplers of a [[method]] table, and their parameters. A list of values makes one series a value.\n"
+        "Every table can have\n    label = a text in quotes\n        what the report calls the series\n"
+        "    {} = {}\n        {}\n",
+        points_parameter().key, allowed_values(points_parameter()), points_parameter().help);
     for (const SamplerSpec& sampler : sampler_registry()) {
         fmt::print("\n{}: {} ({}D{})\n    {}\n", sampler.name, sampler.title,
                    fmt::join(sampler.dimensions, "D, "), sampler.deterministic ? ", deterministic" : "",
