@@ -1,0 +1,93 @@
+#include "sampling/point_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+/// Cells that are scanned by a single work-item: more launches cost more than that.
+constexpr std::size_t max_single_chunk = 32768;
+constexpr std::uint32_t chunk_of_many = 1024;
+
+/// Kernels read whole vectors.
+constexpr std::uint32_t padding = 16;
+
+}
+
+PointGrid::PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
+                     std::size_t work_group_size)
+    : device_(std::move(device)), dimension_(dimension), size_(points), cells_per_axis_(cells_per_axis),
+      cells_(dimension == 2 ? std::size_t{cells_per_axis} * cells_per_axis
+                            : std::size_t{cells_per_axis} * cells_per_axis * cells_per_axis),
+      work_group_size_(work_group_size),
+      chunk_(cells_ <= max_single_chunk ? static_cast<std::uint32_t>(cells_) : chunk_of_many),
+      stride_(static_cast<std::uint32_t>(points) + padding)
+{
+    const std::size_t values = points * static_cast<std::size_t>(dimension);
+    positions_ = device_.buffer<double>(values);
+    unsorted_positions_ = device_.buffer<double>(values);
+    ids_ = device_.buffer<std::uint32_t>(points);
+    unsorted_ids_ = device_.buffer<std::uint32_t>(points);
+    counts_ = device_.buffer<std::uint32_t>(cells_);
+    starts_ = device_.buffer<std::uint32_t>(cells_ + 1);
+    totals_ = device_.buffer<std::uint32_t>((cells_ + chunk_ - 1) / chunk_);
+    point_cells_ = device_.buffer<std::uint32_t>(points);
+    places_ = device_.buffer<std::uint32_t>(points);
+    order_ = device_.buffer<std::uint32_t>(points);
+    fixed_point_ = device_.buffer<std::uint32_t>(stride_ * static_cast<std::size_t>(dimension));
+    fixed_point_.write(std::vector<std::uint32_t>(fixed_point_.size()));
+    counts_.write(std::vector<std::uint32_t>(cells_));
+
+    const std::string options = fmt::format("-D DIMENSION={}", dimension);
+    count_ = device_.kernel("point_grid.cl", "count_points", options);
+    scan_ = device_.kernel("point_grid.cl", "scan_counts", options);
+    scan_totals_ = device_.kernel("point_grid.cl", "scan_totals", options);
+    add_totals_ = device_.kernel("point_grid.cl", "add_totals", options);
+    place_ = device_.kernel("point_grid.cl", "place_points", options);
+    gather_ = device_.kernel("point_grid.cl", "gather_points", options);
+}
+
+void PointGrid::load(const PointSet& points)
+{
+    positions_.write(points.coordinates);
+    std::vector<std::uint32_t> ids(size_);
+    std::iota(ids.begin(), ids.end(), 0u);
+    ids_.write(ids);
+}
+
+void PointGrid::sort()
+{
+    std::swap(positions_, unsorted_positions_);
+    std::swap(ids_, unsorted_ids_);
+    const auto points = static_cast<std::uint32_t>(size_);
+    const auto cells = static_cast<std::uint32_t>(cells_);
+    const auto chunks = static_cast<std::uint32_t>(totals_.size());
+    count_.run(size_, work_group_size_, unsorted_positions_, points, cells_per_axis_, counts_, point_cells_,
+               places_);
+    scan_.run(chunks, work_group_size_, counts_, cells, chunk_, starts_, totals_);
+    if (chunks > 1) {
+        scan_totals_.run(1, 1, totals_, chunks);
+        add_totals_.run(cells_ + 1, work_group_size_, starts_, cells, chunk_, totals_);
+    }
+    place_.run(size_, work_group_size_, point_cells_, places_, points, starts_, order_);
+    gather_.run(cells_, work_group_size_, unsorted_positions_, unsorted_ids_, cells, starts_, order_,
+                positions_, ids_, fixed_point_, stride_);
+}
+
+PointSet PointGrid::points() const
+{
+    const auto d = static_cast<std::size_t>(dimension_);
+    const std::vector<double> sorted = positions_.read(0, size_ * d);
+    const std::vector<std::uint32_t> ids = ids_.read(0, size_);
+    PointSet set{dimension_, std::vector<double>(size_ * d)};
+    for (std::size_t i = 0; i < size_; ++i) {
+        for (std::size_t k = 0; k < d; ++k) set.coordinates[ids[i] * d + k] = sorted[i * d + k];
+    }
+    return set;
+}
+
+}

@@ -1,0 +1,11 @@
+// The two halves of reference::voronoi_cells().
+#pragma once
+
+#include "sampling/voronoi_cells.hpp"
+
+namespace poissonlab::reference {
+
+VoronoiCells voronoi_cells_2d(const PointSet& points);
+VoronoiCells voronoi_cells_3d(const PointSet& points);
+
+}

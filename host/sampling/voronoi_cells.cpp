@@ -1,0 +1,75 @@
+#include "sampling/voronoi_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Work-items that share the sites of the slow way.
+constexpr std::size_t slow_items = 256;
+
+/// Mean number of points in a cell of the grid: more mean more points to look at, fewer more cells that do
+/// not hold all Voronoi neighbours among their surroundings.
+double points_per_cell(int dimension) { return dimension == 2 ? 2.4 : 3.0; }
+
+}
+
+std::uint32_t VoronoiKernels::cells_per_axis(int dimension, std::size_t points)
+{
+    const double cells = static_cast<double>(points) / points_per_cell(dimension);
+    return std::max(1u, static_cast<std::uint32_t>(dimension == 2 ? std::sqrt(cells) : std::cbrt(cells)));
+}
+
+VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
+    : work_group_size_(work_group_size)
+{
+    volumes_ = device.buffer<double>(points);
+    displacements_ = device.buffer<double>(points * static_cast<std::size_t>(dimension));
+    energies_ = device.buffer<double>(points);
+    squared_near_ = device.buffer<double>(points);
+    slow_ = device.buffer<std::uint32_t>(points);
+    slow_count_ = device.buffer<std::uint32_t>(1);
+    const std::string file = dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d.cl";
+    forget_slow_ = device.kernel(file, "forget_slow");
+    find_fast_ = device.kernel(file, "find_centroids_fast");
+    find_slow_ = device.kernel(file, "find_centroids");
+}
+
+void VoronoiKernels::find_cells(PointGrid& grid)
+{
+    const std::uint32_t cells = grid.cells_per_axis();
+    const float margin = std::nextafter(static_cast<float>(0x1p32 / cells), 0.0f);
+    forget_slow_.run(1, 1, slow_count_);
+    find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(),
+                   grid.starts(), cells, margin, volumes_, displacements_, energies_, squared_near_, slow_,
+                   slow_count_);
+    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, slow_, slow_count_,
+                   volumes_, displacements_, energies_, squared_near_);
+}
+
+VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size)
+{
+    const std::size_t n = points.size();
+    const auto d = static_cast<std::size_t>(points.dimension);
+    PointGrid grid(device, points.dimension, n, VoronoiKernels::cells_per_axis(points.dimension, n),
+                   work_group_size);
+    VoronoiKernels kernels(device, points.dimension, n, work_group_size);
+    grid.load(points);
+    grid.sort();
+    kernels.find_cells(grid);
+
+    const std::vector<std::uint32_t> ids = grid.ids().read(0, n);
+    const auto by_id = [&](const Buffer<double>& sorted, std::size_t values) {
+        const std::vector<double> read = sorted.read(0, n * values);
+        std::vector<double> result(n * values);
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = 0; k < values; ++k) result[ids[i] * values + k] = read[i * values + k];
+        }
+        return result;
+    };
+    return {points.dimension, by_id(kernels.volumes(), 1), by_id(kernels.displacements(), d),
+            by_id(kernels.energies(), 1), by_id(kernels.squared_near(), 1)};
+}
+
+}

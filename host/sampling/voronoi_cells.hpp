@@ -1,0 +1,60 @@
+// The Voronoi cells of points on the unit torus: what Lloyd relaxation needs of them.
+#pragma once
+
+#include "device/device.hpp"
+#include "geometry/point_set.hpp"
+#include "sampling/point_grid.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace poissonlab {
+
+/// A value (displacements: `dimension` values) for each point. Points that coincide share their cell as if
+/// shifted apart along x by an infinitesimal distance, in order of their numbers.
+struct VoronoiCells
+{
+    int dimension = 2;
+    std::vector<double> volumes;       ///< in 2D areas; they sum to 1
+    std::vector<double> displacements; ///< from the point to the centroid of its cell
+    std::vector<double> energies;      ///< integral over the cell of the squared distance to the point
+    std::vector<double> squared_near;  ///< squared distance of the nearest point
+};
+
+namespace reference {
+/// By CGAL's periodic Delaunay triangulations, whose decisions are exact. `points` has at least one point.
+VoronoiCells voronoi_cells(const PointSet& points);
+}
+
+/// The same by kernels/voronoi_2d.cl and voronoi_3d.cl.
+class VoronoiKernels
+{
+public:
+    /// For sets of so many points.
+    VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size);
+
+    /// The grid that points must be sorted by.
+    static std::uint32_t cells_per_axis(int dimension, std::size_t points);
+
+    /// Enqueues the computation for sorted points. Results are in sorted order.
+    void find_cells(PointGrid& grid);
+
+    const Buffer<double>& volumes() const { return volumes_; }
+    const Buffer<double>& displacements() const { return displacements_; }
+    const Buffer<double>& energies() const { return energies_; }
+    const Buffer<double>& squared_near() const { return squared_near_; }
+
+    /// How many points of the last call needed the slow way.
+    std::size_t slow_points() const { return slow_count_.read(0, 1)[0]; }
+
+private:
+    std::size_t work_group_size_;
+    Buffer<double> volumes_, displacements_, energies_, squared_near_;
+    Buffer<std::uint32_t> slow_, slow_count_;
+    Kernel forget_slow_, find_fast_, find_slow_;
+};
+
+/// Everything at once, in the order of the points.
+VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size = 64);
+
+}

@@ -1,0 +1,107 @@
+// Sorts points by the cells of a regular grid on the torus, so that neighbours are found in adjacent cells.
+//
+// A counting sort in four steps; host/sampling/point_grid.cpp runs them:
+//   count_points   the number of points in each cell, and each point's place among them
+//   scan_counts    numbers to starts, chunk by chunk; scan_totals and add_totals join the chunks
+//   place_points   the points' order by cells
+//   gather_points  the points of each cell in order of their ids, which makes the result independent of the schedule
+//
+// Needs DIMENSION (2 or 3).
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
+
+/// One work-item owns one point. `counts` is clear before; a cell's number is x + grid_size * (y + grid_size * z).
+kernel void count_points(global const double* positions, uint point_count, uint grid_size, global uint* counts,
+                         global uint* cells, global uint* places)
+{
+    const uint id = get_global_id(0);
+    if (id >= point_count) return;
+    uint cell = 0;
+    for (int k = DIMENSION - 1; k >= 0; --k) {
+        const uint c = (uint)(positions[id * DIMENSION + k] * grid_size);
+        cell = cell * grid_size + min(c, grid_size - 1); // just below 1, the product rounds up
+    }
+    cells[id] = cell;
+    places[id] = atomic_inc(&counts[cell]);
+}
+
+/// One work-item owns `chunk` cells: turns their numbers into starts relative to the chunk's, clears the numbers, and
+/// writes the chunk's total. The last start is that of a cell after all others.
+kernel void scan_counts(global uint* counts, uint cell_count, uint chunk, global uint* starts, global uint* totals)
+{
+    const uint begin = get_global_id(0) * chunk;
+    if (begin >= cell_count) return;
+    const uint end = min(begin + chunk, cell_count);
+    uint sum = 0;
+    for (uint cell = begin; cell < end; ++cell) {
+        const uint count = counts[cell];
+        counts[cell] = 0;
+        starts[cell] = sum;
+        sum += count;
+    }
+    totals[get_global_id(0)] = sum;
+    if (end == cell_count) starts[cell_count] = sum;
+}
+
+/// A single work-item: the chunks' totals to their starts.
+kernel void scan_totals(global uint* totals, uint chunk_count)
+{
+    if (get_global_id(0) > 0) return;
+    uint sum = 0;
+    for (uint i = 0; i < chunk_count; ++i) {
+        const uint total = totals[i];
+        totals[i] = sum;
+        sum += total;
+    }
+}
+
+/// One work-item owns one start.
+kernel void add_totals(global uint* starts, uint cell_count, uint chunk, global const uint* totals)
+{
+    const uint id = get_global_id(0);
+    if (id <= cell_count) starts[id] += totals[min(id, cell_count - 1) / chunk];
+}
+
+/// One work-item owns one point.
+kernel void place_points(global const uint* cells, global const uint* places, uint point_count,
+                         global const uint* starts, global uint* order)
+{
+    const uint id = get_global_id(0);
+    if (id < point_count) order[starts[cells[id]] + places[id]] = id;
+}
+
+/// One work-item owns one cell: sorts its points by their ids and writes them in that order: position, id, and the
+/// position in fixed point (units of 2^-32, rounded down), an array of `stride` words for each axis.
+kernel void gather_points(global const double* positions, global const uint* ids, uint cell_count,
+                          global const uint* starts, global uint* order, global double* sorted_positions,
+                          global uint* sorted_ids, global uint* fixed_point, uint stride)
+{
+    const uint cell = get_global_id(0);
+    if (cell >= cell_count) return;
+    const uint begin = starts[cell];
+    const uint end = starts[cell + 1];
+
+    // Shell sort: cells hold a few points, unless all points crowd in one.
+    uint gap = 1;
+    while (gap < (end - begin) / 3) gap = 3 * gap + 1;
+    for (; gap > 0; gap /= 3) {
+        for (uint i = begin + gap; i < end; ++i) {
+            const uint source = order[i];
+            const uint id = ids[source];
+            uint j = i;
+            for (; j >= begin + gap && ids[order[j - gap]] > id; j -= gap) order[j] = order[j - gap];
+            order[j] = source;
+        }
+    }
+    for (uint i = begin; i < end; ++i) {
+        const uint source = order[i];
+        sorted_ids[i] = ids[source];
+        FOR_EACH_AXIS(k) {
+            const double position = positions[source * DIMENSION + k];
+            sorted_positions[i * DIMENSION + k] = position;
+            fixed_point[k * stride + i] = (uint)(position * 4294967296.0);
+        }
+    }
+}
