@@ -1,16 +1,20 @@
-// The centroids of the Voronoi cells of points on the torus, exactly, one cell after the other ("meshless Voronoi").
+// The centroids of the Voronoi cells of points on the torus, exactly, one cell after the other ("meshless
+// Voronoi").
 //
-// After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018: each cell is
-// cut by the bisectors of points in nearby grid cells, until no point farther away can matter (security radius). Unlike
-// there, the cell is not clipped plane by plane but walked around ("gift wrapping"): from one edge to the next, a step
-// looks at all points at once, as vectors.
-//   find_centroids_fast   cells whose Voronoi neighbours all lie in the surrounding 3 x 3 or 5 x 5 grid cells. Neighbours
-//                         are found in single precision; the result is taken only if every vertex is seen, by more than
-//                         any rounding error, to be nearer to its own three points than to any other. The geometry of the
-//                         cell is then computed from its neighbours in double precision. All other sites are listed.
-//   find_centroids        the sites of that list, in double precision, without limit to the number of points or edges.
-// Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of their ids:
-// the first gets the left part of the cell, the last the right part, those between them nothing.
+// After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018:
+// each cell is cut by the bisectors of points in nearby grid cells, until no point farther away can matter
+// (security radius). Unlike there, the cell is not clipped plane by plane but walked around ("gift
+// wrapping"): from one edge to the next, a step looks at all points at once, as vectors.
+//   find_centroids_fast   cells whose Voronoi neighbours all lie in the surrounding 3 x 3 or 5 x 5 grid
+//   cells. Neighbours
+//                         are found in single precision; the result is taken only if every vertex is seen, by
+//                         more than any rounding error, to be nearer to its own three points than to any
+//                         other. The geometry of the cell is then computed from its neighbours in double
+//                         precision. All other sites are listed.
+//   find_centroids        the sites of that list, in double precision, without limit to the number of points
+//   or edges.
+// Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of
+// their ids: the first gets the left part of the cell, the last the right part, those between them nothing.
 //
 // Points are sorted by grid cells, see point_grid.cl. Results are in that order.
 
@@ -19,9 +23,10 @@
 #define ALWAYS_INLINE __attribute__((always_inline))
 
 #define LANES 8
-#define VECTORS 12                // room for points of a window
+#define VECTORS 12 // room for points of a window
 #define MAX_POINTS (LANES * VECTORS)
-#define MAX_EDGES 16              // a power of two; more edges go the slow way
+#define MAX_EDGES 16 // more edges go the slow way
+#define BLOCK 4      // corners of a cell that are computed together
 
 /// What is known of a Voronoi cell, with coordinates relative to its site.
 typedef struct
@@ -40,9 +45,6 @@ typedef struct
     uint count;
 } Window;
 
-/// The difference of coordinates on the torus, in [-1/2, 1/2].
-ALWAYS_INLINE double2 torus_difference(double2 difference) { return difference - rint(difference); }
-
 ALWAYS_INLINE double cross_product(double2 a, double2 b) { return a.x * b.y - a.y * b.x; }
 
 ALWAYS_INLINE int minimum_of(int8 v)
@@ -60,7 +62,8 @@ ALWAYS_INLINE int sum_of(int8 v)
 }
 
 /// Appends a row's points. Copies whole vectors; what is too much is overwritten by the next row.
-ALWAYS_INLINE void append_row(Window* window, global const int* fixed_point, uint stride, uint begin, uint end)
+ALWAYS_INLINE void append_row(Window* window, global const int* fixed_point, uint stride, uint begin,
+                              uint end)
 {
     const uint count = end - begin;
     if (window->count + count > MAX_POINTS) {
@@ -105,9 +108,15 @@ ALWAYS_INLINE int8 numbered(float8 value, uint vector_number)
     return (ordered & ~127) | ((int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(vector_number * LANES));
 }
 
-/// The lanes of the site's Voronoi neighbours, counterclockwise, up to MAX_EDGES of them. Returns their number, or 0 where
-/// the walk does not close. May be wrong where rounding decides.
-ALWAYS_INLINE uint walk_around(const Differences* d, uint vectors, uint* neighbours)
+/// The lanes of the site's Voronoi neighbours, counterclockwise: `count` of them from `begin`.
+typedef struct
+{
+    uint lane[2 * MAX_EDGES + BLOCK];
+    uint begin, count;
+} Neighbours;
+
+/// Finds them. False where the walk does not close within MAX_EDGES. May be wrong where rounding decides.
+ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, Neighbours* neighbours)
 {
     const float* x = (const float*)d->x;
     const float* y = (const float*)d->y;
@@ -119,93 +128,180 @@ ALWAYS_INLINE uint walk_around(const Differences* d, uint vectors, uint* neighbo
         const int8 key = numbered(squared, v);
         nearest = min(nearest, squared > 0.0f ? key : INT_MAX);
     }
-    const uint first = (uint)minimum_of(nearest) & 127;
-    if (first >= MAX_POINTS) return 0;
+    uint left = (uint)minimum_of(nearest) & 127;
+    if (left >= MAX_POINTS) return false;
 
-    // The bisector of neighbour a meets that of d at a / 2 + t / 2 * (a turned left), t = d (d - a) / (a x d): the next
-    // neighbour is where t is smallest.
-    uint count = 0;
-    uint lane = first;
-    do {
-        if (count == MAX_EDGES) return 0;
-        neighbours[count++] = lane;
-        const float ax = x[lane];
-        const float ay = y[lane];
-        int8 next = INT_MAX;
+    // The bisector of neighbour a meets that of d at a / 2 + t / 2 * (a turned left), t = d (d - a) / (a x
+    // d): the next neighbour is where t is smallest. Two walks, to the left and to the right, hide each
+    // other's latency.
+    uint right = left;
+    uint begin = MAX_EDGES;
+    uint end = MAX_EDGES + 1;
+    neighbours->lane[begin] = left;
+    while (true) {
+        const float ax = x[left];
+        const float ay = y[left];
+        const float bx = x[right];
+        const float by = y[right];
+        int8 next_left = INT_MAX;
+        int8 next_right = INT_MAX;
         for (uint v = 0; v < vectors; ++v) {
             const float8 dx = d->x[v];
             const float8 dy = d->y[v];
             const float8 ex = dx - ax;
             const float8 ey = dy - ay;
-            const float8 turn = ax * ey - ay * ex;
-            const float8 t = (dx * ex + dy * ey) / turn;
-            next = min(next, turn > 0.0f ? numbered(t, v) : INT_MAX);
+            const float8 fx = dx - bx;
+            const float8 fy = dy - by;
+            const float8 left_turn = ax * ey - ay * ex;
+            const float8 right_turn = by * fx - bx * fy;
+            const float8 t = (dx * ex + dy * ey) / left_turn;
+            const float8 u = (dx * fx + dy * fy) / right_turn;
+            next_left = min(next_left, left_turn > 0.0f ? numbered(t, v) : INT_MAX);
+            next_right = min(next_right, right_turn > 0.0f ? numbered(u, v) : INT_MAX);
         }
-        lane = (uint)minimum_of(next) & 127;
-        if (lane >= MAX_POINTS) return 0;
-    } while (lane != first);
-    return count;
-}
-
-/// A cell from its Voronoi neighbours, and its vertices in units of 2^-32. False where it is not a polygon that goes
-/// around the site once.
-ALWAYS_INLINE bool cell_from_neighbours(const double2* neighbours, uint count, VoronoiCell* cell, float2* vertices)
-{
-    double2 a = neighbours[count - 1];
-    double2 previous;
-    double2 first;
-    bool turns_left = true;
-    uint turns = 0;
-    double area = 0, energy = 0, squared_near = 2;
-    double2 moment = 0;
-    for (uint k = 0; k <= count; ++k) {
-        const double2 b = neighbours[k < count ? k : 0];
-        const double2 e = b - a;
-        const double turn = cross_product(a, e);
-        const double t = (b.x * e.x + b.y * e.y) / turn;
-        const double2 vertex = 0.5 * (double2)(a.x - t * a.y, a.y + t * a.x);
-        if (k > 0) {
-            const double doubled = cross_product(previous, vertex);
-            area += doubled;
-            moment += doubled * (previous + vertex);
-            energy += doubled * (dot(previous, previous) + dot(vertex, vertex) + dot(previous, vertex));
-            turns_left &= turn > 0;
-            turns += (a.y < 0) & (b.y >= 0);
-            squared_near = fmin(squared_near, dot(a, a));
-            vertices[k - 1] = convert_float2(vertex * 4294967296.0);
-        }
-        previous = vertex;
-        a = b;
+        const uint to_left = (uint)minimum_of(next_left) & 127;
+        const uint to_right = (uint)minimum_of(next_right) & 127;
+        if (to_left == right) break;
+        if (max(to_left, to_right) >= MAX_POINTS || end - begin + 2 > MAX_EDGES) return false;
+        neighbours->lane[end++] = left = to_left;
+        if (to_left == to_right) break;
+        neighbours->lane[--begin] = right = to_right;
     }
-    cell->area = area / 2;
-    cell->moment = moment / 6;
-    cell->energy = energy / 12;
-    cell->squared_near = squared_near;
-    return turns_left & (turns == 1);
+    neighbours->begin = begin;
+    neighbours->count = end - begin;
+    return end - begin >= 3;
 }
 
-/// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding? `radius`: the
-/// largest distance of a vertex.
-ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const float2* vertices, uint count, float radius)
+/// Arrays of a polygon's corners have room for whole blocks, before and after.
+#define MAX_BLOCKED (MAX_EDGES + 2 * BLOCK)
+
+typedef struct
 {
-    // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d and the
-    // products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
+    double x[MAX_BLOCKED], y[MAX_BLOCKED];
+} Corners;
+
+ALWAYS_INLINE double total_of(double4 v) { return (v.x + v.y) + (v.z + v.w); }
+
+ALWAYS_INLINE double4 torus_differences(double4 difference)
+{
+    const double4 one = 1.0;
+    const double4 zero = 0.0;
+    return difference - select(zero, one, difference > 0.5) + select(zero, one, difference < -0.5);
+}
+
+/// A cell from its Voronoi neighbours, which are followed by a block of the same again. Also its vertices,
+/// from the second place on. False where it is not a polygon.
+ALWAYS_INLINE bool cell_from_neighbours(const Corners* neighbours, uint count, VoronoiCell* cell,
+                                        Corners* vertices)
+{
+    double4 squared_near = 2;
+    double4 smallest_turn = 1;
+    for (uint k = 0; k < count; k += BLOCK) {
+        const double4 ax = vload4(0, neighbours->x + k);
+        const double4 ay = vload4(0, neighbours->y + k);
+        const double4 bx = vload4(0, neighbours->x + k + 1);
+        const double4 by = vload4(0, neighbours->y + k + 1);
+        const double4 ex = bx - ax;
+        const double4 ey = by - ay;
+        const double4 turn = ax * ey - ay * ex;
+        const double4 t = (bx * ex + by * ey) / turn;
+        const double4 x = 0.5 * (ax - t * ay);
+        const double4 y = 0.5 * (ay + t * ax);
+        vstore4(x, 0, vertices->x + k + 1);
+        vstore4(y, 0, vertices->y + k + 1);
+        squared_near = fmin(squared_near, ax * ax + ay * ay);
+        smallest_turn = fmin(smallest_turn, turn);
+    }
+    const double2 turn = fmin(smallest_turn.lo, smallest_turn.hi);
+    const double2 near = fmin(squared_near.lo, squared_near.hi);
+    cell->squared_near = fmin(near.x, near.y);
+
+    // Triangles from the site to two vertices. Lanes after the last vertex repeat it, so they add nothing.
+    const double last_x = vertices->x[count];
+    const double last_y = vertices->y[count];
+    vertices->x[0] = last_x;
+    vertices->y[0] = last_y;
+    vstore4((double4)last_x, 0, vertices->x + count + 1);
+    vstore4((double4)last_y, 0, vertices->y + count + 1);
+    double4 area = 0, moment_x = 0, moment_y = 0, energy = 0;
+    for (uint k = 0; k < count; k += BLOCK) {
+        const double4 px = vload4(0, vertices->x + k);
+        const double4 py = vload4(0, vertices->y + k);
+        const double4 qx = vload4(0, vertices->x + k + 1);
+        const double4 qy = vload4(0, vertices->y + k + 1);
+        const double4 doubled = px * qy - py * qx;
+        area += doubled;
+        moment_x += doubled * (px + qx);
+        moment_y += doubled * (py + qy);
+        energy += doubled * ((px * px + py * py) + (qx * qx + qy * qy) + (px * qx + py * qy));
+    }
+    cell->area = total_of(area) / 2;
+    cell->moment = (double2)(total_of(moment_x), total_of(moment_y)) / 6;
+    cell->energy = total_of(energy) / 12;
+    return fmin(turn.x, turn.y) > 0;
+}
+
+/// A cell's vertices in units of 2^-32, relative to the site; after the last one, the site.
+typedef struct
+{
+    float x[MAX_EDGES], y[MAX_EDGES];
+} Vertices;
+
+ALWAYS_INLINE float largest_of(float8 v)
+{
+    const float4 a = fmax(v.lo, v.hi);
+    const float2 b = fmax(a.lo, a.hi);
+    return fmax(b.x, b.y);
+}
+
+/// The distances from a site to the left, right, lower, and upper border of a window, in units of 2^-32, or a
+/// little less.
+typedef struct
+{
+    float left, right, below, above;
+} Margins;
+
+/// Is the disk around each vertex, which reaches to the site, inside of the window? Points that the window
+/// does not hold cannot cut the cell then. Also finds the largest distance of a vertex.
+ALWAYS_INLINE bool is_complete(const Vertices* vertices, uint count, Margins margins, float* radius)
+{
+    float8 farthest = 0, left = 0, right = 0, below = 0, above = 0;
+    for (uint k = 0; k < count; k += LANES) {
+        const float8 x = vload8(0, vertices->x + k);
+        const float8 y = vload8(0, vertices->y + k);
+        const float8 distance = sqrt(x * x + y * y) * (1 + 0x1p-20f);
+        farthest = fmax(farthest, distance);
+        left = fmax(left, distance - x);
+        right = fmax(right, distance + x);
+        below = fmax(below, distance - y);
+        above = fmax(above, distance + y);
+    }
+    *radius = largest_of(farthest);
+    return (largest_of(left) < margins.left) & (largest_of(right) < margins.right) &
+           (largest_of(below) < margins.below) & (largest_of(above) < margins.above);
+}
+
+/// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding?
+/// `radius`: the largest distance of a vertex.
+ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices, uint count,
+                              float radius)
+{
+    // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d
+    // and the products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
     const float threshold = radius * (radius * 0x1p-18f + 8.0f);
     int8 touching = 0;
     for (uint v = 0; v < vectors; ++v) {
-        const float8 x = d->x[v];
-        const float8 y = d->y[v];
-        const float8 half_squared = 0.5f * (x * x + y * y);
-        for (uint k = 0; k < count; ++k) {
-            touching -= half_squared - (x * vertices[k].x + y * vertices[k].y) < threshold;
-        }
+        const float8 dx = d->x[v];
+        const float8 dy = d->y[v];
+        const float8 slack = 0.5f * (dx * dx + dy * dy) - threshold;
+        for (uint k = 0; k < count; ++k) touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
     }
     return sum_of(touching) == 3 * (int)count; // the site itself and two neighbours
 }
 
-/// The cell of a site from a window that reaches `margin` (units of 2^-32) in every direction, at least. Returns 0 where it
-/// is sure, 1 where a larger window may help, 2 where doubles are needed.
-ALWAYS_INLINE int cell_in_window(const Window* window, uint site, int site_x, int site_y, float margin,
+/// The cell of a site from a window with these margins around it. Returns 0 where it is sure, 1 where a
+/// larger window may help, 2 where doubles are needed.
+ALWAYS_INLINE int cell_in_window(const Window* window, uint site, int site_x, int site_y, Margins margins,
                                  global const double2* positions, VoronoiCell* cell)
 {
     const uint vectors = (window->count + LANES - 1) / LANES;
@@ -219,25 +315,41 @@ ALWAYS_INLINE int cell_in_window(const Window* window, uint site, int site_x, in
     const int8 is_empty = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(last * LANES) >= (int)window->count;
     d.x[last] = select(d.x[last], 0x1p40f, is_empty);
 
-    uint lanes[MAX_EDGES];
-    const uint count = walk_around(&d, vectors, lanes);
-    if (count < 3) return 1;
-    const double2 position = positions[site];
-    double2 neighbours[MAX_EDGES];
-    for (uint k = 0; k < count; ++k) {
-        neighbours[k] = torus_difference(positions[window->index[lanes[k]]] - position);
+    Neighbours found;
+    if (!walk_around(&d, vectors, &found)) return 1;
+    const uint count = found.count;
+    uint* lanes = found.lane + found.begin;
+    for (uint k = 0; k < BLOCK; ++k) lanes[count + k] = lanes[k < count ? k : 0];
+    Corners neighbours;
+    for (uint k = 0; k < count + BLOCK; ++k) {
+        const double2 position = positions[window->index[lanes[k]]];
+        neighbours.x[k] = position.x;
+        neighbours.y[k] = position.y;
     }
-    float2 vertices[MAX_EDGES];
-    if (!cell_from_neighbours(neighbours, count, cell, vertices)) return 1;
-    float squared_radius = 0;
-    for (uint k = 0; k < count; ++k) squared_radius = fmax(squared_radius, dot(vertices[k], vertices[k]));
-    const float radius = sqrt(squared_radius);
-    if (!(2.0001f * radius < margin)) return 1;
-    return is_certain(&d, vectors, vertices, count, radius) ? 0 : 2;
+    const double2 position = positions[site];
+    for (uint k = 0; k < count + BLOCK; k += BLOCK) {
+        vstore4(torus_differences(vload4(0, neighbours.x + k) - position.x), 0, neighbours.x + k);
+        vstore4(torus_differences(vload4(0, neighbours.y + k) - position.y), 0, neighbours.y + k);
+    }
+    Corners corners;
+    if (!cell_from_neighbours(&neighbours, count, cell, &corners)) return 1;
+    Vertices vertices;
+    for (uint k = 0; k < MAX_EDGES; k += LANES) {
+        vstore8((float8)0, 0, vertices.x + k);
+        vstore8((float8)0, 0, vertices.y + k);
+    }
+    for (uint k = 0; k < count; k += BLOCK) {
+        vstore4(convert_float4(vload4(0, corners.x + k + 1) * 4294967296.0), 0, vertices.x + k);
+        vstore4(convert_float4(vload4(0, corners.y + k + 1) * 4294967296.0), 0, vertices.y + k);
+    }
+    float radius;
+    if (!is_complete(&vertices, count, margins, &radius)) return 1;
+    return is_certain(&d, vectors, &vertices, count, radius) ? 0 : 2;
 }
 
-ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double* areas, global double2* displacements,
-                              global double* energies, global double* squared_near)
+ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double* areas,
+                              global double2* displacements, global double* energies,
+                              global double* squared_near)
 {
     areas[site] = cell->area;
     displacements[site] = cell->area > 0 ? cell->moment / cell->area : (double2)0;
@@ -245,13 +357,13 @@ ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double*
     squared_near[site] = cell->squared_near;
 }
 
-/// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to centroids.
-/// `margin`: the width of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended to `slow`
-/// (in any order); slow_count is 0 before.
+/// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to
+/// centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are
+/// appended to `slow` (in any order); slow_count is 0 before.
 kernel void find_centroids_fast(global const double2* positions, global const int* fixed_point, uint stride,
-                                global const uint* starts, uint grid_size, float margin, global double* areas,
-                                global double2* displacements, global double* energies, global double* squared_near,
-                                global uint* slow, global uint* slow_count)
+                                global const uint* starts, uint grid_size, float width, global double* areas,
+                                global double2* displacements, global double* energies,
+                                global double* squared_near, global uint* slow, global uint* slow_count)
 {
     const uint id = get_global_id(0);
     if (id >= grid_size * grid_size) return;
@@ -261,27 +373,44 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     const uint cell_x = id % grid_size;
     const uint cell_y = id / grid_size;
 
-    uint pending = begin; // sites from here on have no cell yet
+    // The sites whose cells are still to be found, as bits; the others of very full grid cells go the slow
+    // way.
+    const uint count = min(end - begin, 32u);
+    uint pending = 0xffffffffu >> (32 - count);
+    for (uint i = count; i < end - begin; ++i) slow[atomic_inc(slow_count)] = begin + i;
     Window window;
-    for (uint reach = 1; reach <= 2 && 2 * reach + 2 <= grid_size && pending < end; ++reach) {
+    for (uint reach = 1; reach <= 2 && 2 * reach + 2 <= grid_size && pending != 0; ++reach) {
         gather_window(&window, cell_x, cell_y, reach, grid_size, starts, fixed_point, stride);
         if (window.count > MAX_POINTS) break;
-        for (; pending < end; ++pending) {
+        for (uint i = 0; i < count; ++i) {
+            if (!(pending >> i & 1)) continue;
+            const uint site = begin + i;
+            const int x = fixed_point[site];
+            const int y = fixed_point[stride + site];
+            // Rounding of the positions and of the borders is below 1,024.
+            const float left = (float)(uint)x - cell_x * width - 1024.0f;
+            const float below = (float)(uint)y - cell_y * width - 1024.0f;
+            const float width_around = (2 * reach + 1) * width - 4096.0f;
+            const Margins margins = {reach * width + left, width_around - (reach * width + left),
+                                     reach * width + below, width_around - (reach * width + below)};
             VoronoiCell cell;
-            const int failure = cell_in_window(&window, pending, fixed_point[pending], fixed_point[stride + pending],
-                                               margin * reach, positions, &cell);
-            if (failure == 1 && reach == 1) break;
+            const int failure = cell_in_window(&window, site, x, y, margins, positions, &cell);
+            if (failure == 1 && reach == 1) continue;
+            pending &= ~(1u << i);
             if (failure == 0) {
-                store_cell(&cell, pending, areas, displacements, energies, squared_near);
+                store_cell(&cell, site, areas, displacements, energies, squared_near);
             } else {
-                slow[atomic_inc(slow_count)] = pending;
+                slow[atomic_inc(slow_count)] = site;
             }
         }
     }
-    for (; pending < end; ++pending) slow[atomic_inc(slow_count)] = pending;
+    for (uint i = 0; i < count; ++i) {
+        if (pending >> i & 1) slow[atomic_inc(slow_count)] = begin + i;
+    }
 }
 
-/// What is left of a walk along an edge: the nearest vertex, as the parameter t of the edge's line, and who makes it.
+/// What is left of a walk along an edge: the nearest vertex, as the parameter t of the edge's line, and who
+/// makes it.
 typedef struct
 {
     double2 difference; // the point behind the vertex
@@ -289,7 +418,8 @@ typedef struct
     double t;
 } Step;
 
-/// A point d, whose bisector holds p with d . p = offset, meets the line of neighbour `a` at parameter t, see walk_around.
+/// A point d, whose bisector holds p with d . p = offset, meets the line of neighbour `a` at parameter t, see
+/// walk_around.
 ALWAYS_INLINE void consider(const double2 a, double a_offset, const double2 d, double offset, Step* best)
 {
     const double2 e = d - a;
@@ -297,10 +427,11 @@ ALWAYS_INLINE void consider(const double2 a, double a_offset, const double2 d, d
     if (!(turn > 0)) return;
     // With both offsets half the squared lengths, the numerator is d . (d - a) / 2.
     const bool both_bisectors = (offset > 0) & (a_offset > 0);
-    const double t = both_bisectors ? dot(d, e) / (2 * turn)
-                                    : (offset - a_offset * dot(d, a) / dot(a, a)) / turn;
+    const double t =
+        both_bisectors ? dot(d, e) / (2 * turn) : (offset - a_offset * dot(d, a) / dot(a, a)) / turn;
     if (!(t <= best->t)) return;
-    if (t == best->t && cross_product(best->difference, d) < 0) return; // of several at a vertex, the last counterclockwise
+    if (t == best->t && cross_product(best->difference, d) < 0)
+        return; // of several at a vertex, the last counterclockwise
     *best = (Step){d, offset, t};
 }
 
@@ -319,30 +450,30 @@ typedef struct
 /// Everything farther away than this is outside of rings 0 to `ring`.
 double reach_of(const Surroundings* s, int ring) { return ring * ((1 - 0x1p-40) / s->grid_size); }
 
-
 /// Floor of i / n and the remainder, for repeated grids.
 int repetition_of(int i, int n) { return i >= 0 ? i / n : -((n - 1 - i) / n); }
 
-/// Calls are textual: OpenCL C has no function pointers. BODY sees `difference` and `index` of each point in a ring.
-#define FOR_EACH_IN_RING(s, ring, BODY)                                                                                \
-    for (int j_ = -(ring); j_ <= (ring); ++j_) {                                                                       \
-        const int step_ = j_ == -(ring) || j_ == (ring) || (ring) == 0 ? 1 : 2 * (ring);                               \
-        const int n_ = (int)(s)->grid_size;                                                                            \
-        const int repeat_y_ = repetition_of((s)->cell_y + j_, n_);                                                     \
-        for (int i_ = -(ring); i_ <= (ring); i_ += step_) {                                                            \
-            const int repeat_x_ = repetition_of((s)->cell_x + i_, n_);                                                 \
-            const uint cell_ = (uint)((s)->cell_x + i_ - repeat_x_ * n_) +                                             \
-                               (uint)((s)->cell_y + j_ - repeat_y_ * n_) * (s)->grid_size;                             \
-            const double2 repetition = (double2)(repeat_x_, repeat_y_);                                                \
-            for (uint index = (s)->starts[cell_]; index < (s)->starts[cell_ + 1]; ++index) {                           \
-                const double2 difference = (s)->positions[index] - (s)->position + repetition;                         \
-                BODY                                                                                                   \
-            }                                                                                                          \
-        }                                                                                                              \
+/// Calls are textual: OpenCL C has no function pointers. BODY sees `difference` and `index` of each point in
+/// a ring.
+#define FOR_EACH_IN_RING(s, ring, BODY)                                                                      \
+    for (int j_ = -(ring); j_ <= (ring); ++j_) {                                                             \
+        const int step_ = j_ == -(ring) || j_ == (ring) || (ring) == 0 ? 1 : 2 * (ring);                     \
+        const int n_ = (int)(s)->grid_size;                                                                  \
+        const int repeat_y_ = repetition_of((s)->cell_y + j_, n_);                                           \
+        for (int i_ = -(ring); i_ <= (ring); i_ += step_) {                                                  \
+            const int repeat_x_ = repetition_of((s)->cell_x + i_, n_);                                       \
+            const uint cell_ = (uint)((s)->cell_x + i_ - repeat_x_ * n_) +                                   \
+                               (uint)((s)->cell_y + j_ - repeat_y_ * n_) * (s)->grid_size;                   \
+            const double2 repetition = (double2)(repeat_x_, repeat_y_);                                      \
+            for (uint index = (s)->starts[cell_]; index < (s)->starts[cell_ + 1]; ++index) {                 \
+                const double2 difference = (s)->positions[index] - (s)->position + repetition;               \
+                BODY                                                                                         \
+            }                                                                                                \
+        }                                                                                                    \
     }
 
-/// The nearest of the points that do not coincide with the site; and whether points of lower or of higher id coincide with
-/// it.
+/// The nearest of the points that do not coincide with the site; and whether points of lower or of higher id
+/// coincide with it.
 double2 nearest_point(const Surroundings* s, bool* has_twin_before, bool* has_twin_after)
 {
     *has_twin_before = *has_twin_after = false;
@@ -373,7 +504,8 @@ Step end_of_edge(const Surroundings* s, double2 a, double a_offset, bool has_twi
     if (has_twin_before) consider(a, a_offset, (double2)(-1, 0), 0, &best);
     if (has_twin_after) consider(a, a_offset, (double2)(1, 0), 0, &best);
     // Points in disks around a vertex through the site are at most twice as far from the site as the vertex.
-    for (int ring = 0; ring == 0 || !(reach_of(s, ring - 1) > 2 * length(vertex_of(a, a_offset, best.t))); ++ring) {
+    for (int ring = 0; ring == 0 || !(reach_of(s, ring - 1) > 2 * length(vertex_of(a, a_offset, best.t)));
+         ++ring) {
         FOR_EACH_IN_RING(s, ring, {
             const double squared = dot(difference, difference);
             if (squared > 0) consider(a, a_offset, difference, squared / 2, &best);
@@ -413,7 +545,8 @@ VoronoiCell cell_by_rings(const Surroundings* s)
         const double2 vertex = vertex_of(a, a_offset, step.t);
         add_triangle(previous, vertex, &cell);
         previous = vertex;
-        // Directions turn to the left by less than half a turn a step, so this ends even where rounding hides the first.
+        // Directions turn to the left by less than half a turn a step, so this ends even where rounding hides
+        // the first.
         is_closed = cross_product(a, first) > 0 && cross_product(first, step.difference) >= 0;
     }
     add_triangle(previous, start, &cell);

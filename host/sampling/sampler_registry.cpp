@@ -2,6 +2,7 @@
 #include "sampling/baselines.hpp"
 #include "sampling/dart_throwing.hpp"
 #include "sampling/file_sampler.hpp"
+#include "sampling/lloyd_relaxation.hpp"
 #include "sampling/relaxation_dart_throwing.hpp"
 #include "sampling/sampler.hpp"
 
@@ -17,6 +18,7 @@ const SamplerRegistry& sampler_registry()
         jittered_sampler(),
         dart_throwing_sampler(),
         relaxation_dart_throwing_sampler(),
+        lloyd_sampler(),
         file_sampler(),
     };
     return registry;

@@ -1,0 +1,45 @@
+// What the two engines of Lloyd relaxation have in common: the course of the iterations.
+#pragma once
+
+#include "geometry/relative_radius.hpp"
+#include "sampling/lloyd_relaxation.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace poissonlab {
+
+/// What is measured on an iterate.
+struct IterateMeasure
+{
+    double energy = 0;       ///< integral over the torus of the squared distance to the nearest point
+    double squared_near = 0; ///< smallest squared distance of two points
+};
+
+/// Runs the iterations of `State`, which has: IterateMeasure measure(), which computes the Voronoi cells;
+/// void move(), which moves the points to their centroids after that; void keep(), which remembers the points
+/// as they are; and PointSet kept(), those that were remembered last.
+template <typename State>
+LloydResult run_iterations(State& state, std::size_t points, int dimension, const LloydRequest& request)
+{
+    LloydResult result;
+    double best = -1;
+    for (std::size_t iteration = 0;; ++iteration) {
+        const IterateMeasure measure = state.measure();
+        const double radius = relative_radius(std::sqrt(measure.squared_near), points, dimension);
+        const double cells = std::pow(static_cast<double>(points), 2.0 / dimension);
+        result.iterations.push_back({radius, measure.energy * cells});
+        const bool is_last = iteration == request.iterations || radius >= request.until_relative_radius;
+        if (request.keep_best ? radius > best : is_last) {
+            best = radius;
+            result.kept = iteration;
+            state.keep();
+        }
+        if (is_last) break;
+        state.move();
+    }
+    result.points = state.kept();
+    return result;
+}
+
+}

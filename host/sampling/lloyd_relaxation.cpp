@@ -1,0 +1,81 @@
+// Runs the kernels of Lloyd relaxation.
+#include "sampling/lloyd_relaxation.hpp"
+
+#include "sampling/domain_buffers.hpp"
+#include "sampling/lloyd_iteration.hpp"
+#include "sampling/point_grid.hpp"
+#include "sampling/voronoi_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t default_work_group_size = 64;
+
+/// Points that one work-item of summarize_points owns. Sums are taken in this order on every device.
+constexpr std::uint32_t summary_run = 256;
+
+class DeviceState
+{
+public:
+    DeviceState(Device& device, const PointSet& points, const Domain& domain, std::size_t group_size)
+        : points_(points.size()), group_size_(group_size),
+          grid_(device, points.dimension, points_, VoronoiKernels::cells_per_axis(points.dimension, points_),
+                group_size),
+          voronoi_(device, points.dimension, points_, group_size),
+          mover_(device, domain, points.dimension, group_size),
+          energy_sums_(device.buffer<double>(summaries())), smallest_(device.buffer<double>(summaries())),
+          summarize_(device.kernel("relaxation.cl", "summarize_points",
+                                   fmt::format("-D DIMENSION={}", points.dimension)))
+    {
+        grid_.load(points);
+    }
+
+    IterateMeasure measure()
+    {
+        grid_.sort();
+        voronoi_.find_cells(grid_);
+        summarize_.run(summaries(), group_size_, voronoi_.energies(), voronoi_.squared_near(),
+                       static_cast<std::uint32_t>(points_), summary_run, energy_sums_, smallest_);
+        IterateMeasure measure{0, std::numeric_limits<double>::infinity()};
+        for (const double sum : energy_sums_.read(0, summaries())) measure.energy += sum;
+        for (const double near : smallest_.read(0, summaries()))
+            measure.squared_near = std::min(measure.squared_near, near);
+        return measure;
+    }
+
+    void move() { mover_.move(grid_, voronoi_.displacements(), false); }
+    void keep() { kept_ = grid_.points(); }
+    PointSet kept() { return std::move(kept_); }
+
+private:
+    std::size_t summaries() const { return (points_ + summary_run - 1) / summary_run; }
+
+    std::size_t points_;
+    std::size_t group_size_;
+    PointGrid grid_;
+    VoronoiKernels voronoi_;
+    PointMover mover_;
+    Buffer<double> energy_sums_, smallest_;
+    Kernel summarize_;
+    PointSet kept_;
+};
+
+}
+
+LloydRelaxation::LloydRelaxation(Device device, std::size_t work_group_size)
+    : device_(std::move(device)),
+      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+{}
+
+LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain, const LloydRequest& request)
+{
+    DeviceState state(device_, points, domain, work_group_size_);
+    return run_iterations(state, points.size(), points.dimension, request);
+}
+
+}

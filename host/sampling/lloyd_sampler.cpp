@@ -1,0 +1,128 @@
+// The sampler "lloyd": what the config can ask of Lloyd relaxation, and of the repulsion after it.
+#include "geometry/relative_radius.hpp"
+#include "sampling/lloyd_relaxation.hpp"
+#include "sampling/repulsion.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+/// Memory that an iteration needs, and CGAL's much more, limit what is worth asking for.
+constexpr std::int64_t max_iterations = 1'000'000;
+
+class LloydSampler final : public Sampler
+{
+public:
+    LloydSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
+                 const DeviceProvider& device)
+    {
+        const SamplerChoice start =
+            parameters.has("start") ? parameters.sampler("start") : SamplerChoice{find_sampler("random"), {}};
+        start_ = start.spec->create(start.parameters, request, engine, device);
+        request_.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
+        if (parameters.has("until_relative_radius")) {
+            request_.until_relative_radius = parameters.number("until_relative_radius");
+        }
+        request_.keep_best = parameters.has("keep") && parameters.text("keep") == "best";
+        repels_ = parameters.has("repulsion") && parameters.flag("repulsion");
+        if (engine == Engine::opencl) device_ = &device();
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const Domain torus;
+        const PointSet start = start_->sample(realization);
+        const double built = device_ ? device_->build_seconds() : 0;
+        LloydResult result = device_ ? LloydRelaxation(*device_).relax(start, torus, request_)
+                                     : reference::relax(start, torus, request_);
+        iterations_ = std::move(result.iterations);
+        if (repels_) {
+            const RepulsionRequest repulsion{
+                min_distance_for(request_.until_relative_radius, start.size(), start.dimension)};
+            result.points = device_ ? Repulsion(*device_).repel(result.points, torus, repulsion).points
+                                    : reference::repel(result.points, torus, repulsion).points;
+        }
+        if (device_) own_build_seconds_ += device_->build_seconds() - built;
+        return std::move(result.points);
+    }
+
+    bool sizes_vary() const override { return start_->sizes_vary(); }
+    std::vector<IterationRecord> iterations() const override { return iterations_; }
+    double build_seconds() const override { return start_->build_seconds() + own_build_seconds_; }
+
+private:
+    std::unique_ptr<Sampler> start_;
+    LloydRequest request_;
+    bool repels_ = false;
+    Device* device_ = nullptr;
+    double own_build_seconds_ = 0;
+    std::vector<IterationRecord> iterations_;
+};
+
+std::vector<ParameterSpec> parameters()
+{
+    using Kind = ParameterSpec::Kind;
+    ParameterSpec iterations;
+    iterations.key = "iterations";
+    iterations.kind = Kind::integer;
+    iterations.help = "Lloyd iterations, at most; 0 with repulsion = true for repulsion alone";
+    iterations.maximum = max_iterations;
+    iterations.symbol = "i";
+
+    ParameterSpec start;
+    start.key = "start";
+    start.kind = Kind::sampler;
+    start.help = "the method that makes the sets to begin with; random by default";
+
+    ParameterSpec until;
+    until.key = "until_relative_radius";
+    until.help = "stop at the first iterate that has this relative radius; the aim of repulsion as well";
+    until.maximum = 1;
+    until.exclusive_minimum = true;
+    until.symbol = "until";
+
+    ParameterSpec keep;
+    keep.key = "keep";
+    keep.kind = Kind::choice;
+    keep.help = "the iterate to give: the last (the default), or the best, of the largest relative radius";
+    keep.choices = {"last", "best"};
+
+    ParameterSpec repulsion;
+    repulsion.key = "repulsion";
+    repulsion.kind = Kind::boolean;
+    repulsion.help = "push apart what is closer than until_relative_radius after the last iteration";
+    return {iterations, start, until, keep, repulsion};
+}
+
+void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
+{
+    const std::string place = to_string(where) + ": sampler = \"lloyd\": ";
+    if (!parameters.has("iterations")) throw InputError(place + "needs iterations");
+    if (parameters.has("repulsion") && parameters.flag("repulsion") &&
+        !parameters.has("until_relative_radius")) {
+        throw parameters.error("repulsion",
+                               "needs until_relative_radius, the relative radius that it is to reach");
+    }
+}
+
+}
+
+SamplerSpec lloyd_sampler()
+{
+    SamplerSpec spec;
+    spec.name = "lloyd";
+    spec.title = "Lloyd relaxation";
+    spec.summary = "points of another method, moved to the centroids of their Voronoi cells again and again";
+    spec.dimensions = {2, 3};
+    spec.parameters = parameters();
+    spec.follows_start = true;
+    spec.check = check;
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<LloydSampler>(given, request, engine, device);
+    };
+    return spec;
+}
+
+}
