@@ -28,40 +28,51 @@ kernel void push_points(global const double* positions, global const uint* ids, 
         cell[k] = min((int)(position[k] * grid_size), n - 1);
     }
     double near = 1; // the point's own images
+    const double far = distance * distance * (1 + 0x1p-40); // no root needed beyond
 
     // The cells around, row by row; on small grids several times, as the images that they are there.
-    const int width = 2 * reach + 1;
-    const int around = DIMENSION == 2 ? width * width : width * width * width;
-    for (int c = 0; c < around; ++c) {
-        int remaining = c;
-        int repetition[DIMENSION];
-        uint other_cell = 0;
-        uint stride = 1;
-        for (int k = 0; k < DIMENSION; ++k) {
-            const int moved = cell[k] + remaining % width - reach;
-            remaining /= width;
-            repetition[k] = repetition_of(moved, n);
-            other_cell += (uint)(moved - repetition[k] * n) * stride;
-            stride *= grid_size;
-        }
-        for (uint other = starts[other_cell]; other < starts[other_cell + 1]; ++other) {
-            if (other == item) continue;
-            double difference[DIMENSION];
-            double squared = 0;
-            for (int k = 0; k < DIMENSION; ++k) {
-                difference[k] = positions[other * DIMENSION + k] - position[k] + repetition[k];
-                squared += difference[k] * difference[k];
+    const int reach_z = DIMENSION == 3 ? reach : 0;
+    for (int z = -reach_z; z <= reach_z; ++z) {
+        for (int y = -reach; y <= reach; ++y) {
+            double repetition[DIMENSION];
+            uint row = 0;
+            for (int k = DIMENSION - 1; k > 0; --k) {
+                const int moved = cell[k] + (k == 1 ? y : z);
+                const int repeated = moved >= 0 && moved < n ? 0 : repetition_of(moved, n);
+                repetition[k] = repeated;
+                row = row * grid_size + (uint)(moved - repeated * n);
             }
-            near = fmin(near, squared);
-            const double length = sqrt(squared);
-            if (length >= distance) continue;
-            const uint other_id = ids[other];
-            const double part = has_fixed && is_fixed[other_id] ? 1 : 0.5;
-            const double push = part * (distance - length);
-            if (length == 0) {
-                sum[0] += id < other_id ? -push : push;
-            } else {
-                for (int k = 0; k < DIMENSION; ++k) sum[k] -= difference[k] / length * push;
+            row *= grid_size;
+
+            // Cells of a row lie one after the other, up to the border of the torus.
+            for (int x = cell[0] - reach; x <= cell[0] + reach;) {
+                const int repeated = x >= 0 && x < n ? 0 : repetition_of(x, n);
+                const int first = x - repeated * n;
+                const int end = min(first + cell[0] + reach + 1 - x, n);
+                repetition[0] = repeated;
+                const uint others_end = starts[row + end];
+                for (uint other = starts[row + first]; other < others_end; ++other) {
+                    if (other == item) continue;
+                    double difference[DIMENSION];
+                    double squared = 0;
+                    for (int k = 0; k < DIMENSION; ++k) {
+                        difference[k] = positions[other * DIMENSION + k] - position[k] + repetition[k];
+                        squared += difference[k] * difference[k];
+                    }
+                    near = fmin(near, squared);
+                    if (squared > far) continue;
+                    const double length = sqrt(squared);
+                    if (length >= distance) continue;
+                    const uint other_id = ids[other];
+                    const double part = has_fixed && is_fixed[other_id] ? 1 : 0.5;
+                    const double push = part * (distance - length);
+                    if (length == 0) {
+                        sum[0] += id < other_id ? -push : push;
+                    } else {
+                        for (int k = 0; k < DIMENSION; ++k) sum[k] -= difference[k] / length * push;
+                    }
+                }
+                x += end - first;
             }
         }
     }
