@@ -1,5 +1,6 @@
 #include "geometry/domain.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,15 @@ namespace {
 
 /// Contacts of one movement with boundaries; what is left after so many is given up. As in common/domain.clh.
 constexpr int max_contacts = 4;
+
+/// A point that is no deeper than this in a region is on its boundary, so that rounding, of coordinates and
+/// at the region's corners, decides nothing. As in common/domain.clh.
+constexpr double boundary_depth = 0x1p-46;
+
+/// Sliding leads away from the boundary by these: a part of the movement, and a distance. More than rounding,
+/// which thus neither leads back into the region nor, over many movements, deeper. As in common/domain.clh.
+constexpr double lift_part = 0x1p-48;
+constexpr double lift_distance = 0x1p-51;
 
 struct Contact
 {
@@ -18,20 +28,23 @@ struct Contact
 double inner_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Moves the contact to where a movement from `start` (relative to the region's centre) enters the region, if
-/// that is earlier. Inside, the nearest boundary counts as the one that is being entered.
+/// that is earlier. Deep inside, the nearest boundary counts as the one that is being entered.
 void enter_region(const ConvexRegion& region, const Vector& start, const Vector& movement, Contact& contact)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double entry = -infinity;
     double exit = infinity;
     double nearest = -infinity;
+    double nearest_rise = 0;
     const HalfSpace* entered = nullptr;
     const HalfSpace* nearest_boundary = nullptr;
     for (const HalfSpace& half_space : region.half_spaces) {
         const double height = inner_product(half_space.normal, start) - half_space.offset;
         const double rise = inner_product(half_space.normal, movement);
+        if (height >= -boundary_depth && rise >= 0) return; // on it or above it, and not going down
         if (height > nearest) {
             nearest = height;
+            nearest_rise = rise;
             nearest_boundary = &half_space;
         }
         if (rise < 0) {
@@ -41,17 +54,17 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
             }
         } else if (rise > 0) {
             exit = std::min(exit, -height / rise);
-        } else if (height >= 0) {
-            return; // moves along the boundary, or outside of it
         }
     }
-    if (nearest <= 0) { // starts inside: may leave by the nearest boundary, or stay as deep as it is
-        entry = 0;
+    if (nearest_boundary == nullptr) return; // no half-spaces
+    if (nearest < -boundary_depth) {         // may leave by the nearest boundary, or stay as deep as it is
         entered = nearest_boundary;
-        if (inner_product(entered->normal, movement) >= 0) return;
-    } else if (!(entry >= 0 && entry < exit)) {
+        entry = 0;
+        if (nearest_rise >= 0) return;
+    } else if (!(entry < exit)) {
         return;
     }
+    entry = std::max(entry, 0.0);
     if (entry < contact.part) contact = {entry, entered->normal};
 }
 
@@ -133,7 +146,9 @@ Vector allowed_displacement(const Domain& domain, const Vector& position, const 
         for (int k = 0; k < 3; ++k) done[k] += contact.part * movement[k];
         if (contact.part == 1 || !slides) break;
         for (double& m : movement) m *= 1 - contact.part;
-        const double into = inner_product(movement, contact.normal);
+        double size = 0;
+        for (const double m : movement) size += std::abs(m);
+        const double into = inner_product(movement, contact.normal) - (lift_part * size + lift_distance);
         for (int k = 0; k < 3; ++k) movement[k] -= into * contact.normal[k];
     }
     return done;

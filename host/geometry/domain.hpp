@@ -24,9 +24,10 @@ struct HalfSpace
     double offset = 0;
 };
 
-/// The intersection of half-spaces, which are given relative to a centre on the torus. A position is inside
-/// when its shortest difference to the centre is, so a region ends at half the torus in every direction, and
-/// a slab across all of it is the intersection of two half-spaces.
+/// The intersection of half-spaces, which are given relative to a centre on the torus. Along each axis a
+/// region either stays within half the torus around its centre, or goes on unchanged for ever: a slab across
+/// all of the torus is the intersection of two half-spaces. Regions that adjoin should overlap: along a
+/// common face there is no way in, but a movement exactly in the plane of that face is free.
 struct ConvexRegion
 {
     Vector centre{};
@@ -51,7 +52,8 @@ struct Domain
 
 /// What is left of a displacement when movement must not enter forbidden regions: it ends where it meets one
 /// or, with `slides`, goes on along the boundary with the component that is left. A point that is inside of a
-/// region can leave it but not get deeper. `position` in [0, 1).
+/// region can leave it but not get deeper; up to 2^-46 inside counts as on the boundary. `position` in [0,
+/// 1), components of the displacement in [-1, 1].
 Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement,
                             bool slides);
 
