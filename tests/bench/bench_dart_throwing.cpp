@@ -108,11 +108,12 @@ int main(int argc, char** argv)
 {
     return poissonlab::bench::run_benchmarks(
         argc, argv,
-        {{"16,384 points at 0.75: plain sequential / kernel", "plain/75", "kernel/75", 3.0},
-         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference/75", "kernel/75",
-          1.6},
-         {"saturation, 1,000,000 points: sequential reference / kernel", "reference_to_saturation/1000000",
-          "kernel_to_saturation/1000000", 3.0},
-         {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9", "kernel_to_saturation/1000000",
-          "kernel_to_saturation/16384", 0.0}});
+        {{"16,384 points at 0.75: plain sequential / kernel", "plain/75", "kernel/75",
+          3.0},
+         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference/75",
+          "kernel/75", 1.6},
+         {"saturation, 1,000,000 points: sequential reference / kernel",
+          "reference_to_saturation/1000000", "kernel_to_saturation/1000000", 3.0},
+         {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9",
+          "kernel_to_saturation/1000000", "kernel_to_saturation/16384", 0.0}});
 }

@@ -46,10 +46,7 @@ public:
 
 private:
     /// "function/argument", without what only says how it was measured.
-    static std::string name_of(const Run& run)
-    {
-        return run.run_name.function_name + "/" + run.run_name.args;
-    }
+    static std::string name_of(const Run& run) { return run.run_name.function_name + "/" + run.run_name.args; }
 
     std::map<std::string, double> medians_;
 };
