@@ -2,7 +2,9 @@
 #include "sampling/repulsion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace poissonlab::reference {
