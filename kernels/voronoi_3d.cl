@@ -323,6 +323,7 @@ ALWAYS_INLINE int walk_along(Walk* w, const Site* s)
                 const int near_lane =
                     first_hit(near->x, near->y, near->z, near->h, near->vectors, pf, uf, threshold);
                 bool is_found = false;
+                const uint faces = w->faces;
                 uint face = NONE;
                 double3 vertex;
                 double squared;
@@ -337,6 +338,10 @@ ALWAYS_INLINE int walk_along(Walk* w, const Site* s)
                     const int lane = first_hit(all->x, all->y, all->z, all->h, all->vectors, pf, uf, threshold);
                     if (lane < 0) return 1;
                     if (near_lane < 0 || lane != near->lanes[near_lane]) {
+                        if (w->faces > faces) { // what was nearest among the near ones is no face, so far
+                            w->face_of[near->lanes[near_lane]] = NONE;
+                            w->faces = faces;
+                        }
                         face = face_at(w, s, (uint)lane);
                         if (face == NONE) return 2;
                         if (!meet(db, hb, da, ha, w->difference[face], w->h[face], direction, &vertex)) return 2;
