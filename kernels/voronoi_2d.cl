@@ -115,8 +115,8 @@ typedef struct
     uint begin, count;
 } Neighbours;
 
-/// Finds them. False where the walk does not close within MAX_EDGES. May be wrong where rounding decides.
-ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, Neighbours* neighbours)
+/// Finds them among the first `point_count` lanes. False where the walk does not close within MAX_EDGES. May be wrong where rounding decides.
+ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_count, Neighbours* neighbours)
 {
     const float* x = (const float*)d->x;
     const float* y = (const float*)d->y;
@@ -129,7 +129,7 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, Neighbours* n
         nearest = min(nearest, squared > 0.0f ? key : INT_MAX);
     }
     uint left = (uint)minimum_of(nearest) & 127;
-    if (left >= MAX_POINTS) return false;
+    if (left >= point_count) return false;
 
     // The bisector of neighbour a meets that of d at a / 2 + t / 2 * (a turned left), t = d (d - a) / (a x
     // d): the next neighbour is where t is smallest. Two walks, to the left and to the right, hide each
@@ -162,7 +162,7 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, Neighbours* n
         const uint to_left = (uint)minimum_of(next_left) & 127;
         const uint to_right = (uint)minimum_of(next_right) & 127;
         if (to_left == right) break;
-        if (max(to_left, to_right) >= MAX_POINTS || end - begin + 2 > MAX_EDGES) return false;
+        if (max(to_left, to_right) >= point_count || end - begin + 2 > MAX_EDGES) return false;
         neighbours->lane[end++] = left = to_left;
         if (to_left == to_right) break;
         neighbours->lane[--begin] = right = to_right;
@@ -316,7 +316,7 @@ ALWAYS_INLINE int cell_in_window(const Window* window, uint site, int site_x, in
     d.x[last] = select(d.x[last], 0x1p40f, is_empty);
 
     Neighbours found;
-    if (!walk_around(&d, vectors, &found)) return 1;
+    if (!walk_around(&d, vectors, window->count, &found)) return 1;
     const uint count = found.count;
     uint* lanes = found.lane + found.begin;
     for (uint k = 0; k < BLOCK; ++k) lanes[count + k] = lanes[k < count ? k : 0];

@@ -20,7 +20,7 @@
 #define ALWAYS_INLINE __attribute__((always_inline))
 
 #define LANES 8
-#define VECTORS 44      // room for points of a window
+#define VECTORS 56      // room for points of a window
 #define MAX_POINTS (LANES * VECTORS)
 #define NEAR_VECTORS 12 // room for points near a site
 #define MAX_NEAR (LANES * NEAR_VECTORS)
@@ -323,6 +323,7 @@ ALWAYS_INLINE int walk_along(Walk* w, const Site* s)
                 const int near_lane =
                     first_hit(near->x, near->y, near->z, near->h, near->vectors, pf, uf, threshold);
                 bool is_found = false;
+                const uint faces = w->faces;
                 uint face = NONE;
                 double3 vertex;
                 double squared;
@@ -337,6 +338,10 @@ ALWAYS_INLINE int walk_along(Walk* w, const Site* s)
                     const int lane = first_hit(all->x, all->y, all->z, all->h, all->vectors, pf, uf, threshold);
                     if (lane < 0) return 1;
                     if (near_lane < 0 || lane != near->lanes[near_lane]) {
+                        if (w->faces > faces) { // what was nearest among the near ones is no face, so far
+                            w->face_of[near->lanes[near_lane]] = NONE;
+                            w->faces = faces;
+                        }
                         face = face_at(w, s, (uint)lane);
                         if (face == NONE) return 2;
                         if (!meet(db, hb, da, ha, w->difference[face], w->h[face], direction, &vertex)) return 2;
@@ -580,7 +585,7 @@ kernel void find_centroids_fast(global const double* positions, global const int
                 const double3 below = (at + reach) * width;
                 const double3 above = (reach + 1 - at) * width;
                 failure = cell_in_window(&window, fixed_point[site], fixed_point[stride + site],
-                                         fixed_point[2 * stride + site], position, below, above, 1.99 * width,
+                                         fixed_point[2 * stride + site], position, below, above, 1.8 * width,
                                          positions, &result);
             }
             if (failure == 0) {
@@ -736,26 +741,35 @@ uint clip_polygon(double3* corner, uint corners, HalfSpace h, Seam* seam)
     return count;
 }
 
-/// The polygon of a seam. Returns its number of corners.
-uint join_seam(Seam* seam, double3* corner)
+/// Adds the faces that a seam borders: one, unless rounding makes several loops. False where there is no room.
+bool add_seam(Polyhedron* p, Seam* seam)
 {
-    const uint count = seam->count;
-    for (uint i = 0; i < count; ++i) {
-        corner[i] = seam->from[i];
+    uint begin = 0; // of the loop
+    for (uint i = 0; i < seam->count; ++i) {
         const double3 end = seam->to[i];
-        // Where there is none that begins at the end, there is a second loop.
-        for (uint j = i + 1; j < count; ++j) {
-            if (!equal_positions(seam->from[j], end)) continue;
-            const double3 from = seam->from[j];
-            const double3 to = seam->to[j];
-            seam->from[j] = seam->from[i + 1];
-            seam->to[j] = seam->to[i + 1];
-            seam->from[i + 1] = from;
-            seam->to[i + 1] = to;
-            break;
+        const bool is_closed = equal_positions(end, seam->from[begin]);
+        if (!is_closed) {
+            for (uint j = i + 1; j < seam->count; ++j) {
+                if (!equal_positions(seam->from[j], end)) continue;
+                const double3 from = seam->from[j];
+                const double3 to = seam->to[j];
+                seam->from[j] = seam->from[i + 1];
+                seam->to[j] = seam->to[i + 1];
+                seam->from[i + 1] = from;
+                seam->to[i + 1] = to;
+                break;
+            }
+            continue;
         }
+        const uint corners = i + 1 - begin;
+        if (corners >= 3) { // others have no area
+            if (p->faces == SLOW_FACES) return false;
+            for (uint k = 0; k < corners; ++k) p->corner[p->faces][k] = seam->from[begin + k];
+            p->corners[p->faces++] = corners;
+        }
+        begin = i + 1;
     }
-    return count;
+    return true;
 }
 
 /// False where there is no room.
@@ -783,11 +797,7 @@ bool clip(Polyhedron* p, HalfSpace h)
         p->corners[faces++] = corners;
     }
     p->faces = faces;
-    if (seam.count >= 3) {
-        if (faces == SLOW_FACES) return false;
-        p->corners[faces] = join_seam(&seam, p->corner[faces]);
-        ++p->faces;
-    }
+    if (!add_seam(p, &seam)) return false;
     p->squared_radius = 0;
     for (uint f = 0; f < p->faces; ++f) {
         for (uint i = 0; i < p->corners[f]; ++i) {
