@@ -8,8 +8,9 @@
 //                         found in single precision; vertices are computed from them in double precision. The result is
 //                         taken only if the walk closes and every vertex is seen, by more than any rounding error, to be
 //                         nearer to its own four points than to any other. All other sites are listed.
-//   find_centroids        the sites of that list, in double precision, by clipping: each face is a polygon of its own, so
-//                         that ties, as lattices have them, do no harm. Faces that are too many are done one by one.
+//   find_centroids        the sites of that list, in double precision, by clipping: faces are polygons that share their
+//                         corners, so that ties, as lattices have them, do no harm. Cells with too many faces or corners
+//                         are made edge by edge, without storage.
 // Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of their ids:
 // the first gets the left part of the cell, the last the right part, those between them nothing.
 //
@@ -426,7 +427,7 @@ ALWAYS_INLINE bool is_certain(const Walk* w, const Site* s)
     return sum_of(count) == 4 * (int)w->vertices || is_certain_in_doubles(w, s, far_threshold);
 }
 
-/// Adds twice the tetrahedron of the site, the foot f of a face and an edge from p to q, det = 6 times its volume: sums of
+/// Sums over the tetrahedra of the site, the foot f of a face and an edge from p to q, det = 6 times its volume: sums of
 /// det, det * (f + p + q) and so on, to be divided at the end.
 ALWAYS_INLINE void integrate(const Walk* w, VoronoiCell* cell)
 {
