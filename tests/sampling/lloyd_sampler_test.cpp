@@ -41,10 +41,8 @@ std::string refusal(const Parameters& p)
 
 std::unique_ptr<Sampler> create(Values values, int dimension = 2, Engine engine = Engine::opencl)
 {
-    const DeviceProvider device = [device = std::make_shared<Device>(Device::open())]() -> Device& {
-        return *device;
-    };
-    return spec().create(parameters(values), {512, dimension, 7}, engine, device);
+    static Device device = Device::open();
+    return spec().create(parameters(values), {512, dimension, 7}, engine, []() -> Device& { return device; });
 }
 
 const ParameterValue none = std::int64_t{0};
