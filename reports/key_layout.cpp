@@ -82,8 +82,14 @@ std::string shortened(const std::string& text, double width, double share)
 {
     if (text_width(text) <= width) return text;
     const double room = width - text_width(ellipsis);
-    const auto begin = widest_prefix(text, share * room);
-    return begin + ellipsis + widest_suffix(text, room - text_width(begin));
+    auto begin = widest_prefix(text, share * room);
+    auto end = widest_suffix(text, room - text_width(begin));
+    // Whole words where that costs little.
+    if (const auto blank = begin.rfind(' '); blank != std::string::npos && 2 * blank > begin.size())
+        begin.resize(blank + 1);
+    if (const auto blank = end.find(' '); blank != std::string::npos && 3 * blank < end.size())
+        end.erase(0, blank);
+    return begin + ellipsis + end;
 }
 
 // Where lines may end, best first.
