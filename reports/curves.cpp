@@ -74,7 +74,6 @@ struct Overlaid
 Overlaid on_one_axis(const std::vector<Curve>& curves)
 {
     Overlaid result{curves};
-    for (auto& curve : result.curves) curve.label = key_text(curve.label);
     if (!sizes_differ(curves)) return result;
     result.frequency_label = spacing_frequency;
     for (auto& curve : result.curves) {
@@ -134,7 +133,7 @@ bool sizes_differ(const std::vector<Curve>& curves)
 
 std::string label_with_points(const std::string& label, std::size_t points)
 {
-    if ((label + ",").find(fmt::format("N = {},", points)) != std::string::npos) return label;
+    if ((label + ", ").find(fmt::format("N = {}, ", format_count(points))) != std::string::npos) return label;
     return fmt::format("{} ({} points)", label, format_count(points));
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <regex>
 #include <utility>
 
 namespace poissonlab {
@@ -39,6 +40,19 @@ std::string format_count(std::uint64_t value)
         text += digits[i];
     }
     return text;
+}
+
+std::string with_formatted_points(const std::string& label)
+{
+    static const std::regex points("\\bN = ([0-9]{4,19})(?![0-9.,]*[0-9])");
+    std::string text;
+    auto rest = label.cbegin();
+    for (std::sregex_iterator match(label.begin(), label.end(), points), end; match != end; ++match) {
+        text.append(rest, (*match)[1].first);
+        text += format_count(std::stoull((*match)[1]));
+        rest = (*match)[1].second;
+    }
+    return text.append(rest, label.cend());
 }
 
 std::string format_significant(double value, int digits)

@@ -10,6 +10,9 @@ namespace poissonlab {
 /// 16384 -> "16,384".
 std::string format_count(std::uint64_t value);
 
+/// A label with its numbers of points like that: "Random, N = 16384" -> "Random, N = 16,384".
+std::string with_formatted_points(const std::string& label);
+
 /// Significant digits, zeros at the end included; very small and very large numbers as "2.3 × 10⁻⁵". Minus as
 /// U+2212.
 std::string format_significant(double value, int digits);

@@ -1,8 +1,11 @@
 #include "reports/plot_style.hpp"
 
+#include "reports/key_layout.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 namespace poissonlab {
 
@@ -11,7 +14,11 @@ namespace {
 constexpr int overlay_width = 540;
 constexpr int overlay_plot_height = 328;
 constexpr int key_line_height = 19;
-constexpr std::size_t longest_key_text = 64; // without the number of points
+
+// Letters are larger in the PNG: 12 points are 16 pixels of the SVG, and a little more where the width of
+// each letter is rounded to whole pixels. Keys begin where the axis does.
+constexpr double gnuplot_font_size = 12;
+constexpr KeyRoom key_room{16.5, overlay_width - 102.0, 44};
 
 // After Okabe and Ito, whose colours people with colour deficiencies tell apart.
 constexpr std::array<const char*, 7> palette = {"#0072b2", "#d55e00", "#009e73", "#c4569a",
@@ -51,25 +58,29 @@ std::string reference_line(double height)
                        height, mark_color);
 }
 
-std::string key_text(const std::string& label)
-{
-    if (label.size() <= longest_key_text) return label;
-    // Cut between characters, not inside one.
-    auto end = longest_key_text;
-    while (end > 0 && (static_cast<unsigned char>(label[end]) & 0xc0U) == 0x80U) --end;
-    return label.substr(0, end) + "…";
-}
-
 GnuplotPicture with_key(const std::string& commands, const std::string& plot,
                         const std::vector<KeyEntry>& key, const std::filesystem::path& stem)
 {
-    std::string text =
-        commands + "set key below left Left reverse maxcols 1 samplen 2.5 spacing 1.15 height 0.8\n" + plot;
-    for (const auto& entry : key)
-        text += fmt::format(", keyentry with lines {} title {} noenhanced", line_style(entry.index),
-                            gnuplot_quoted(entry.text));
-    const int height = overlay_plot_height + key_line_height * static_cast<int>(key.size());
-    return {text, overlay_width, height, stem};
+    std::vector<std::string> labels;
+    for (const auto& entry : key) labels.push_back(entry.text);
+    const auto layout = lay_out_key(labels, key_room);
+
+    std::string text = commands +
+                       fmt::format("set key below left Left reverse maxcols 1 samplen 2.5 spacing 1.15 "
+                                   "height 0.8 font ',{:.2f}'\n",
+                                   layout.scale * gnuplot_font_size) +
+                       plot;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        auto style = line_style(key[i].index);
+        for (const auto& line : layout.lines[i]) {
+            text += fmt::format(", keyentry with lines {} title {} noenhanced", style, gnuplot_quoted(line));
+            style = "lt nodraw"; // for the second line
+            ++count;
+        }
+    }
+    const double key_height = layout.scale * key_line_height * static_cast<double>(count);
+    return {text, overlay_width, overlay_plot_height + static_cast<int>(std::ceil(key_height)), stem};
 }
 
 }

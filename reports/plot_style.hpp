@@ -40,9 +40,6 @@ std::string axes(const std::string& label, double low, double high, const ValueA
 /// A dashed line across the plot, in front of the curves: a curve that lies on it must be seen to.
 std::string reference_line(double height);
 
-/// A label for a key: cut where it is long, between characters.
-std::string key_text(const std::string& label);
-
 /// A series in a plot of several.
 struct KeyEntry
 {
@@ -50,8 +47,8 @@ struct KeyEntry
     std::string text;
 };
 
-/// The picture of a plot with a key below it, a line an entry. `commands` hold all but the key; `plot` is the
-/// plot command for the curves, without titles.
+/// The picture of a plot with a key below it, a line an entry or two where it is long. `commands` hold all
+/// but the key; `plot` is the plot command for the curves, without titles.
 GnuplotPicture with_key(const std::string& commands, const std::string& plot,
                         const std::vector<KeyEntry>& key, const std::filesystem::path& stem);
 

@@ -1,6 +1,6 @@
 #include "reports/report_layout.hpp"
 
-#include "reports/plot_style.hpp"
+#include "reports/number_format.hpp"
 
 #include <map>
 #include <set>
@@ -48,7 +48,8 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const fs::
             entry.run = &runs[i];
             entry.stored = &series;
             const bool ambiguous = runs.size() > 1 && uses[series.label] > 1;
-            entry.label = ambiguous ? series.label + " (" + roots[i].filename().string() + ")" : series.label;
+            entry.label = with_formatted_points(series.label);
+            if (ambiguous) entry.label += " (" + roots[i].filename().string() + ")";
             entry.pictures = roots[i] / series.name;
             result.push_back(std::move(entry));
         }
@@ -69,7 +70,7 @@ std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& se
     for (std::size_t i = 0; i < series.size(); ++i) {
         const auto& stored = *series[i].stored;
         if (!stored.iterations) continue;
-        auto label = key_text(series[i].label);
+        auto label = series[i].label;
         if (with_points) label = label_with_points(label, stored.points);
         curves.push_back({i, label, series[i].run->dimension, &*stored.iterations});
     }

@@ -23,7 +23,8 @@ struct ReportSeries
 {
     const StoredRun* run = nullptr; ///< the runs outlive this
     const StoredSeries* stored = nullptr;
-    std::string label; ///< as stored; with the run's folder where several runs use the same label
+    std::string label; ///< as stored, numbers of points formatted; with the run's folder where several runs
+                       ///< use the same label
     std::filesystem::path pictures; ///< folder of its pictures
     Curve curve;
     PointsView view;

@@ -7,95 +7,123 @@
 namespace poissonlab::bench {
 namespace {
 
-constexpr std::size_t points = 16384;
 constexpr std::uint32_t threads = 2;
 
+/// How many points are thrown where their number is given.
+constexpr std::size_t points_in(int dimension) { return dimension == 2 ? 16'384 : 65'536; }
+
+template <int D>
 DartThrowingRequest to_points(double relative_radius, std::uint32_t realization)
 {
     DartThrowingRequest request;
-    request.min_distance = min_distance_for(relative_radius, points, 2);
-    request.points = points;
+    request.dimension = D;
+    request.min_distance = min_distance_for(relative_radius, points_in(D), D);
+    request.points = points_in(D);
     request.stream = stream_key(1, Purpose::dart_throwing, realization);
     return request;
 }
 
+template <int D>
 DartThrowingRequest to_saturation(std::size_t expected_points, std::uint32_t realization)
 {
     DartThrowingRequest request;
-    request.min_distance = min_distance_for(saturation_relative_radius(2), expected_points, 2);
+    request.dimension = D;
+    request.min_distance = min_distance_for(saturation_relative_radius(D), expected_points, D);
     request.stream = stream_key(1, Purpose::dart_throwing, realization);
     return request;
 }
 
-void plain(benchmark::State& state)
+/// The benchmark's argument is the relative radius in percent.
+double relative_radius(const benchmark::State& state) { return static_cast<double>(state.range(0)) / 100; }
+
+/// The benchmark's argument is about how many points a saturated set has.
+std::size_t expected_points(const benchmark::State& state)
 {
-    const double min_distance = min_distance_for(static_cast<double>(state.range(0)) / 100, points, 2);
-    std::uint64_t seed = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(plain_dart_throwing(points, min_distance, ++seed));
+    return static_cast<std::size_t>(state.range(0));
 }
 
+template <int D>
+void plain(benchmark::State& state)
+{
+    const double min_distance = min_distance_for(relative_radius(state), points_in(D), D);
+    std::uint64_t seed = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(plain_dart_throwing<D>(points_in(D), min_distance, ++seed));
+}
+
+template <int D>
 void sequential_reference(benchmark::State& state)
 {
     std::uint32_t realization = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            reference::throw_darts(to_points(static_cast<double>(state.range(0)) / 100, ++realization)));
-    }
+    for (auto _ : state)
+        benchmark::DoNotOptimize(reference::throw_darts(to_points<D>(relative_radius(state), ++realization)));
 }
 
+template <int D>
 void kernel(benchmark::State& state)
 {
     DartThrower thrower(Device::open({}, threads));
     std::uint32_t realization = 0;
-    thrower.throw_darts(to_points(0.7, realization)); // builds the kernels
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            thrower.throw_darts(to_points(static_cast<double>(state.range(0)) / 100, ++realization)));
-    }
+    thrower.throw_darts(to_points<D>(relative_radius(state), realization)); // builds the kernels
+    for (auto _ : state)
+        benchmark::DoNotOptimize(thrower.throw_darts(to_points<D>(relative_radius(state), ++realization)));
 }
 
+template <int D>
 void reference_to_saturation(benchmark::State& state)
 {
     std::uint32_t realization = 0;
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(
-            reference::throw_darts(to_saturation(static_cast<std::size_t>(state.range(0)), ++realization)));
-    }
+            reference::throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
+template <int D>
 void kernel_to_saturation(benchmark::State& state)
 {
     DartThrower thrower(Device::open({}, threads));
     std::uint32_t realization = 0;
-    thrower.throw_darts(to_saturation(static_cast<std::size_t>(state.range(0)), realization));
-    for (auto _ : state) {
+    thrower.throw_darts(to_saturation<D>(expected_points(state), realization));
+    for (auto _ : state)
         benchmark::DoNotOptimize(
-            thrower.throw_darts(to_saturation(static_cast<std::size_t>(state.range(0)), ++realization)));
-    }
+            thrower.throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
-BENCHMARK(plain)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
-BENCHMARK(sequential_reference)
+BENCHMARK_TEMPLATE(plain, 2)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
+BENCHMARK_TEMPLATE(sequential_reference, 2)
     ->Arg(70)
     ->Arg(75)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Repetitions(9);
-BENCHMARK(kernel)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
-BENCHMARK(reference_to_saturation)
+BENCHMARK_TEMPLATE(kernel, 2)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
+BENCHMARK_TEMPLATE(reference_to_saturation, 2)
     ->Arg(1'000'000)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1)
     ->Repetitions(3);
-BENCHMARK(kernel_to_saturation)
+BENCHMARK_TEMPLATE(kernel_to_saturation, 2)
     ->Arg(16'384)
     ->Arg(131'072)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Repetitions(5);
-BENCHMARK(kernel_to_saturation)
+BENCHMARK_TEMPLATE(kernel_to_saturation, 2)
     ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1)
+    ->Repetitions(5);
+BENCHMARK_TEMPLATE(plain, 3)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
+BENCHMARK_TEMPLATE(kernel, 3)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
+BENCHMARK_TEMPLATE(reference_to_saturation, 3)
+    ->Arg(65'536)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1)
+    ->Repetitions(5);
+BENCHMARK_TEMPLATE(kernel_to_saturation, 3)
+    ->Arg(65'536)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1)
@@ -108,12 +136,14 @@ int main(int argc, char** argv)
 {
     return poissonlab::bench::run_benchmarks(
         argc, argv,
-        {{"16,384 points at 0.75: plain sequential / kernel", "plain/75", "kernel/75",
-          3.0},
-         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference/75",
-          "kernel/75", 1.6},
-         {"saturation, 1,000,000 points: sequential reference / kernel",
-          "reference_to_saturation/1000000", "kernel_to_saturation/1000000", 3.0},
+        {{"16,384 points at 0.75: plain sequential / kernel", "plain<2>/75", "kernel<2>/75", 3.0},
+         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference<2>/75",
+          "kernel<2>/75", 1.6},
+         {"saturation, 1,000,000 points: sequential reference / kernel", "reference_to_saturation<2>/1000000",
+          "kernel_to_saturation<2>/1000000", 3.0},
          {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9",
-          "kernel_to_saturation/1000000", "kernel_to_saturation/16384", 0.0}});
+          "kernel_to_saturation<2>/1000000", "kernel_to_saturation<2>/16384", 0.0},
+         {"3D, 65,536 points at 0.75: plain sequential / kernel", "plain<3>/75", "kernel<3>/75", 2.5},
+         {"3D, saturation, 65,536 points: sequential reference / kernel", "reference_to_saturation<3>/65536",
+          "kernel_to_saturation<3>/65536", 2.5}});
 }

@@ -14,6 +14,16 @@ TEST(NumberFormat, Counts)
     EXPECT_EQ(format_count(1000000), "1,000,000");
 }
 
+TEST(NumberFormat, PointsInLabels)
+{
+    EXPECT_EQ(with_formatted_points("Random, N = 16384"), "Random, N = 16,384");
+    EXPECT_EQ(with_formatted_points("A, N = 1024, i = 2048, start = B (N = 1048576)"),
+              "A, N = 1,024, i = 2048, start = B (N = 1,048,576)");
+    for (const char* label : {"", "Random", "N = 256", "N = 16,384", "N = 1234.5", "N = 1234,567",
+                              "SIN = 1234", "N = 123456789012345678901234567890"})
+        EXPECT_EQ(with_formatted_points(label), label);
+}
+
 TEST(NumberFormat, SignificantDigits)
 {
     EXPECT_EQ(format_significant(0.005877, 4), "0.005877");

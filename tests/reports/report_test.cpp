@@ -246,9 +246,9 @@ TEST_F(ReportTest, SeriesOfDifferentSizesAreComparedByMeanSpacing)
 TEST_F(ReportTest, KeysSayTheNumberOfPointsOnce)
 {
     EXPECT_EQ(label_with_points("Random", 1024), "Random (1,024 points)");
-    EXPECT_EQ(label_with_points("Random, N = 1024", 1024), "Random, N = 1024");
-    EXPECT_EQ(label_with_points("Darts, N = 1024, rho = 0.7", 1024), "Darts, N = 1024, rho = 0.7");
-    EXPECT_EQ(label_with_points("Darts, N = 102400", 1024), "Darts, N = 102400 (1,024 points)");
+    EXPECT_EQ(label_with_points("Random, N = 1,024", 1024), "Random, N = 1,024");
+    EXPECT_EQ(label_with_points("Darts, N = 1,024, rho = 0.7", 1024), "Darts, N = 1,024, rho = 0.7");
+    EXPECT_EQ(label_with_points("Darts, N = 1,024,000", 1024), "Darts, N = 1,024,000 (1,024 points)");
 }
 
 TEST_F(ReportTest, OneSeriesNeedsNoComparison)

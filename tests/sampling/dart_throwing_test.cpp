@@ -2,6 +2,7 @@
 // holds.
 #include "sampling/dart_throwing.hpp"
 
+#include "bench/plain_dart_throwing.hpp"
 #include "geometry/relative_radius.hpp"
 #include "support/brute_force.hpp"
 
@@ -114,6 +115,25 @@ TEST(DartThrowingOrder, StreamsDiffer)
     const PointSet a = reference::throw_darts(request_for(2, 100, 0.6, 1));
     const PointSet b = reference::throw_darts(request_for(2, 100, 0.6, 2));
     for (std::size_t i = 0; i < a.coordinates.size(); ++i) EXPECT_NE(a.coordinates[i], b.coordinates[i]);
+}
+
+/// What the kernels are timed against must do the same work.
+template <int D>
+void check_plain_version(std::size_t count, double relative_radius)
+{
+    const double min_distance = min_distance_for(relative_radius, count, D);
+    const auto points = bench::plain_dart_throwing<D>(count, min_distance, 5);
+    EXPECT_EQ(points.size(), count);
+    const PointSet set = to_point_set<D>(std::span<const TorusPoint<D>>(points));
+    const double least = test::brute_force_min_distance(set);
+    EXPECT_GE(least, min_distance);
+    EXPECT_LT(least, 1.02 * min_distance) << "farther apart than was asked for";
+}
+
+TEST(PlainDartThrowing, KeepsTheDistance)
+{
+    check_plain_version<2>(2000, 0.74);
+    check_plain_version<3>(2000, 0.75);
 }
 
 }
