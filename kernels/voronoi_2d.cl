@@ -25,7 +25,9 @@
 #define LANES 8
 #define VECTORS 12 // room for points of a window
 #define MAX_POINTS (LANES * VECTORS)
+#define LANE_BITS 127 // lanes are numbered below this
 #define MAX_EDGES 16 // more edges go the slow way
+#define MAX_REACH 2  // rings of grid cells around a site's
 #define BLOCK 4      // corners of a cell that are computed together
 
 /// What is known of a Voronoi cell, with coordinates relative to its site.
@@ -47,11 +49,16 @@ typedef struct
 
 ALWAYS_INLINE double cross_product(double2 a, double2 b) { return a.x * b.y - a.y * b.x; }
 
-ALWAYS_INLINE int minimum_of(int8 v)
+/// fmin and fmax must treat NaN apart, which costs most of their time.
+ALWAYS_INLINE float8 smaller_of(float8 a, float8 b) { return a < b ? a : b; }
+ALWAYS_INLINE float4 larger_of(float4 a, float4 b) { return a > b ? a : b; }
+ALWAYS_INLINE double4 smaller_of_doubles(double4 a, double4 b) { return a < b ? a : b; }
+
+ALWAYS_INLINE float minimum_of(float8 v)
 {
-    const int4 a = min(v.lo, v.hi);
-    const int2 b = min(a.lo, a.hi);
-    return min(b.x, b.y);
+    const float4 a = v.lo < v.hi ? v.lo : v.hi;
+    const float2 b = a.lo < a.hi ? a.lo : a.hi;
+    return b.x < b.y ? b.x : b.y;
 }
 
 ALWAYS_INLINE int sum_of(int8 v)
@@ -100,18 +107,22 @@ typedef struct
     float8 x[VECTORS], y[VECTORS];
 } Differences;
 
-/// Float lanes as integers with the same order, the lane's number in the lowest bits.
-ALWAYS_INLINE int8 numbered(float8 value, uint vector_number)
+/// Marks lanes that do not take part in a minimum, and as a key that of no lane.
+#define NO_KEY FLT_MAX
+
+/// The lane's number in the lowest bits of a value, so that the minimum tells where it is.
+ALWAYS_INLINE float8 numbered(float8 value, uint vector_number)
 {
-    const int8 bits = as_int8(value);
-    const int8 ordered = bits ^ ((bits >> 31) & 0x7fffffff);
-    return (ordered & ~127) | ((int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(vector_number * LANES));
+    const int8 lane = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(vector_number * LANES);
+    return as_float8((as_int8(value) & ~LANE_BITS) | lane);
 }
+
+ALWAYS_INLINE uint lane_of(float key) { return as_uint(key) & LANE_BITS; }
 
 /// The lanes of the site's Voronoi neighbours, counterclockwise: `count` of them from `begin`.
 typedef struct
 {
-    uint lane[2 * MAX_EDGES + BLOCK];
+    uint lane[2 * MAX_EDGES + BLOCK + 1];
     uint begin, count;
 } Neighbours;
 
@@ -121,14 +132,15 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
     const float* x = (const float*)d->x;
     const float* y = (const float*)d->y;
 
+    const float8 none = NO_KEY;
+
     // The nearest point is a Voronoi neighbour.
-    int8 nearest = INT_MAX;
+    float8 nearest = none;
     for (uint v = 0; v < vectors; ++v) {
         const float8 squared = d->x[v] * d->x[v] + d->y[v] * d->y[v];
-        const int8 key = numbered(squared, v);
-        nearest = min(nearest, squared > 0.0f ? key : INT_MAX);
+        nearest = smaller_of(nearest, squared > 0.0f ? numbered(squared, v) : none);
     }
-    uint left = (uint)minimum_of(nearest) & 127;
+    uint left = lane_of(minimum_of(nearest));
     if (left >= point_count) return false;
 
     // The bisector of neighbour a meets that of d at a / 2 + t / 2 * (a turned left), t = d (d - a) / (a x
@@ -143,8 +155,8 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
         const float ay = y[left];
         const float bx = x[right];
         const float by = y[right];
-        int8 next_left = INT_MAX;
-        int8 next_right = INT_MAX;
+        float8 next_left = none;
+        float8 next_right = none;
         for (uint v = 0; v < vectors; ++v) {
             const float8 dx = d->x[v];
             const float8 dy = d->y[v];
@@ -156,11 +168,11 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
             const float8 right_turn = by * fx - bx * fy;
             const float8 t = (dx * ex + dy * ey) / left_turn;
             const float8 u = (dx * fx + dy * fy) / right_turn;
-            next_left = min(next_left, left_turn > 0.0f ? numbered(t, v) : INT_MAX);
-            next_right = min(next_right, right_turn > 0.0f ? numbered(u, v) : INT_MAX);
+            next_left = smaller_of(next_left, left_turn > 0.0f ? numbered(t, v) : none);
+            next_right = smaller_of(next_right, right_turn > 0.0f ? numbered(u, v) : none);
         }
-        const uint to_left = (uint)minimum_of(next_left) & 127;
-        const uint to_right = (uint)minimum_of(next_right) & 127;
+        const uint to_left = lane_of(minimum_of(next_left));
+        const uint to_right = lane_of(minimum_of(next_right));
         if (to_left == right) break;
         if (max(to_left, to_right) >= point_count || end - begin + 2 > MAX_EDGES) return false;
         neighbours->lane[end++] = left = to_left;
@@ -172,15 +184,18 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
     return end - begin >= 3;
 }
 
-/// Arrays of a polygon's corners have room for whole blocks, before and after.
-#define MAX_BLOCKED (MAX_EDGES + 2 * BLOCK)
-
+/// A cell's vertices in units of 2^-32, relative to the site; they are repeated to fill the last block.
 typedef struct
 {
-    double x[MAX_BLOCKED], y[MAX_BLOCKED];
-} Corners;
+    float x[MAX_EDGES + BLOCK], y[MAX_EDGES + BLOCK];
+    uint count;
+    // The largest distance of a vertex, and how far the disks around vertices that reach to the site extend to each
+    // side, by lanes.
+    float4 radius, left, right, below, above;
+} Vertices;
 
 ALWAYS_INLINE double total_of(double4 v) { return (v.x + v.y) + (v.z + v.w); }
+ALWAYS_INLINE double smallest_of(double4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 
 ALWAYS_INLINE double4 torus_differences(double4 difference)
 {
@@ -189,69 +204,71 @@ ALWAYS_INLINE double4 torus_differences(double4 difference)
     return difference - select(zero, one, difference > 0.5) + select(zero, one, difference < -0.5);
 }
 
-/// A cell from its Voronoi neighbours, which are followed by a block of the same again. Also its vertices,
-/// from the second place on. False where it is not a polygon.
-ALWAYS_INLINE bool cell_from_neighbours(const Corners* neighbours, uint count, VoronoiCell* cell,
-                                        Corners* vertices)
+ALWAYS_INLINE void add_vertices(double4 exact_x, double4 exact_y, uint at, Vertices* vertices)
 {
+    const float4 x = convert_float4(exact_x * 4294967296.0);
+    const float4 y = convert_float4(exact_y * 4294967296.0);
+    vstore4(x, 0, vertices->x + at);
+    vstore4(y, 0, vertices->y + at);
+    const float4 distance = sqrt(x * x + y * y) * (1 + 0x1p-20f);
+    vertices->radius = larger_of(vertices->radius, distance);
+    vertices->left = larger_of(vertices->left, distance - x);
+    vertices->right = larger_of(vertices->right, distance + x);
+    vertices->below = larger_of(vertices->below, distance - y);
+    vertices->above = larger_of(vertices->above, distance + y);
+}
+
+/// A cell from its Voronoi neighbours in counterclockwise order: `count` places in `positions`, which are followed by
+/// the first BLOCK + 1 again. False where it is not a polygon.
+ALWAYS_INLINE bool cell_from_neighbours(double2 site, global const double2* positions, const uint* neighbours,
+                                        uint count, VoronoiCell* cell, Vertices* vertices)
+{
+    *vertices = (Vertices){.count = count};
     double4 squared_near = 2;
     double4 smallest_turn = 1;
-    for (uint k = 0; k < count; k += BLOCK) {
-        const double4 ax = vload4(0, neighbours->x + k);
-        const double4 ay = vload4(0, neighbours->y + k);
-        const double4 bx = vload4(0, neighbours->x + k + 1);
-        const double4 by = vload4(0, neighbours->y + k + 1);
+    double4 area = 0, moment_x = 0, moment_y = 0, energy = 0;
+    double2 last = 0;
+    // Blocks stay in registers: what is stored in pieces is slow to load as a whole.
+    for (uint k = 0; k <= count; k += BLOCK) {
+        const double2 n0 = positions[neighbours[k]];
+        const double2 n1 = positions[neighbours[k + 1]];
+        const double2 n2 = positions[neighbours[k + 2]];
+        const double2 n3 = positions[neighbours[k + 3]];
+        const double2 n4 = positions[neighbours[k + 4]];
+        const double4 ax = torus_differences((double4)(n0.x, n1.x, n2.x, n3.x) - site.x);
+        const double4 ay = torus_differences((double4)(n0.y, n1.y, n2.y, n3.y) - site.y);
+        const double4 following = torus_differences((double4)(n4 - site, n4 - site));
+        const double4 bx = (double4)(ax.yzw, following.x);
+        const double4 by = (double4)(ay.yzw, following.y);
+
+        // Where the bisectors of neighbours a and b meet, see walk_around.
         const double4 ex = bx - ax;
         const double4 ey = by - ay;
         const double4 turn = ax * ey - ay * ex;
         const double4 t = (bx * ex + by * ey) / turn;
-        const double4 x = 0.5 * (ax - t * ay);
-        const double4 y = 0.5 * (ay + t * ax);
-        vstore4(x, 0, vertices->x + k + 1);
-        vstore4(y, 0, vertices->y + k + 1);
-        squared_near = fmin(squared_near, ax * ax + ay * ay);
-        smallest_turn = fmin(smallest_turn, turn);
-    }
-    const double2 turn = fmin(smallest_turn.lo, smallest_turn.hi);
-    const double2 near = fmin(squared_near.lo, squared_near.hi);
-    cell->squared_near = fmin(near.x, near.y);
+        const double4 qx = 0.5 * (ax - t * ay);
+        const double4 qy = 0.5 * (ay + t * ax);
+        squared_near = smaller_of_doubles(squared_near, ax * ax + ay * ay);
+        smallest_turn = smaller_of_doubles(smallest_turn, turn);
+        add_vertices(qx, qy, k, vertices);
 
-    // Triangles from the site to two vertices. Lanes after the last vertex repeat it, so they add nothing.
-    const double last_x = vertices->x[count];
-    const double last_y = vertices->y[count];
-    vertices->x[0] = last_x;
-    vertices->y[0] = last_y;
-    vstore4((double4)last_x, 0, vertices->x + count + 1);
-    vstore4((double4)last_y, 0, vertices->y + count + 1);
-    double4 area = 0, moment_x = 0, moment_y = 0, energy = 0;
-    for (uint k = 0; k < count; k += BLOCK) {
-        const double4 px = vload4(0, vertices->x + k);
-        const double4 py = vload4(0, vertices->y + k);
-        const double4 qx = vload4(0, vertices->x + k + 1);
-        const double4 qy = vload4(0, vertices->y + k + 1);
-        const double4 doubled = px * qy - py * qx;
+        // Triangles from the site to two vertices in a row, the second of them number 1 to `count`.
+        const double4 px = (double4)(last.x, qx.xyz);
+        const double4 py = (double4)(last.y, qy.xyz);
+        const long4 number = (long4)(0, 1, 2, 3) + (long)k;
+        const double4 zero = 0;
+        const double4 doubled = select(zero, px * qy - py * qx, (number > 0) & (number <= (long)count));
         area += doubled;
         moment_x += doubled * (px + qx);
         moment_y += doubled * (py + qy);
         energy += doubled * ((px * px + py * py) + (qx * qx + qy * qy) + (px * qx + py * qy));
+        last = (double2)(qx.w, qy.w);
     }
+    cell->squared_near = smallest_of(squared_near);
     cell->area = total_of(area) / 2;
     cell->moment = (double2)(total_of(moment_x), total_of(moment_y)) / 6;
     cell->energy = total_of(energy) / 12;
-    return fmin(turn.x, turn.y) > 0;
-}
-
-/// A cell's vertices in units of 2^-32, relative to the site; after the last one, the site.
-typedef struct
-{
-    float x[MAX_EDGES], y[MAX_EDGES];
-} Vertices;
-
-ALWAYS_INLINE float largest_of(float8 v)
-{
-    const float4 a = fmax(v.lo, v.hi);
-    const float2 b = fmax(a.lo, a.hi);
-    return fmax(b.x, b.y);
+    return smallest_of(smallest_turn) > 0;
 }
 
 /// The distances from a site to the left, right, lower, and upper border of a window, in units of 2^-32, or a
@@ -262,89 +279,56 @@ typedef struct
 } Margins;
 
 /// Is the disk around each vertex, which reaches to the site, inside of the window? Points that the window
-/// does not hold cannot cut the cell then. Also finds the largest distance of a vertex.
-ALWAYS_INLINE bool is_complete(const Vertices* vertices, uint count, Margins margins, float* radius)
+/// does not hold cannot cut the cell then.
+ALWAYS_INLINE bool is_complete(const Vertices* vertices, Margins margins)
 {
-    float8 farthest = 0, left = 0, right = 0, below = 0, above = 0;
-    for (uint k = 0; k < count; k += LANES) {
-        const float8 x = vload8(0, vertices->x + k);
-        const float8 y = vload8(0, vertices->y + k);
-        const float8 distance = sqrt(x * x + y * y) * (1 + 0x1p-20f);
-        farthest = fmax(farthest, distance);
-        left = fmax(left, distance - x);
-        right = fmax(right, distance + x);
-        below = fmax(below, distance - y);
-        above = fmax(above, distance + y);
-    }
-    *radius = largest_of(farthest);
-    return (largest_of(left) < margins.left) & (largest_of(right) < margins.right) &
-           (largest_of(below) < margins.below) & (largest_of(above) < margins.above);
+    return all((vertices->left < margins.left) & (vertices->right < margins.right) &
+               (vertices->below < margins.below) & (vertices->above < margins.above));
 }
 
 /// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding?
-/// `radius`: the largest distance of a vertex.
-ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices, uint count,
-                              float radius)
+ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices)
 {
     // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d
     // and the products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
+    const float4 r = vertices->radius;
+    const float radius = max(max(r.x, r.y), max(r.z, r.w));
     const float threshold = radius * (radius * 0x1p-18f + 8.0f);
     int8 touching = 0;
     for (uint v = 0; v < vectors; ++v) {
         const float8 dx = d->x[v];
         const float8 dy = d->y[v];
         const float8 slack = 0.5f * (dx * dx + dy * dy) - threshold;
-        for (uint k = 0; k < count; ++k) touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
+        for (uint k = 0; k < vertices->count; ++k) touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
     }
-    return sum_of(touching) == 3 * (int)count; // the site itself and two neighbours
+    return sum_of(touching) == 3 * (int)vertices->count; // the site itself and two neighbours
 }
 
-/// The cell of a site from a window with these margins around it. Returns 0 where it is sure, 1 where a
-/// larger window may help, 2 where doubles are needed.
-ALWAYS_INLINE int cell_in_window(const Window* window, uint site, int site_x, int site_y, Margins margins,
-                                 global const double2* positions, VoronoiCell* cell)
+/// Positions of a window's points relative to a site. Returns the number of vectors.
+ALWAYS_INLINE uint subtract_site(const Window* window, int site_x, int site_y, Differences* d)
 {
     const uint vectors = (window->count + LANES - 1) / LANES;
-    Differences d;
     for (uint v = 0; v < vectors; ++v) {
-        d.x[v] = convert_float8(vload8(v, window->x) - site_x);
-        d.y[v] = convert_float8(vload8(v, window->y) - site_y);
+        d->x[v] = convert_float8(vload8(v, window->x) - site_x);
+        d->y[v] = convert_float8(vload8(v, window->y) - site_y);
     }
     // Lanes without a point: far away, in a direction where there are others.
     const uint last = vectors - 1;
     const int8 is_empty = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(last * LANES) >= (int)window->count;
-    d.x[last] = select(d.x[last], 0x1p40f, is_empty);
+    d->x[last] = select(d->x[last], 0x1p40f, is_empty);
+    return vectors;
+}
 
+/// The cell that a site has among the points of a window. False where it is open, or has too many edges.
+ALWAYS_INLINE bool cell_among(const Differences* d, uint vectors, const Window* window, double2 position,
+                              global const double2* positions, VoronoiCell* cell, Vertices* vertices)
+{
     Neighbours found;
-    if (!walk_around(&d, vectors, window->count, &found)) return 1;
-    const uint count = found.count;
-    uint* lanes = found.lane + found.begin;
-    for (uint k = 0; k < BLOCK; ++k) lanes[count + k] = lanes[k < count ? k : 0];
-    Corners neighbours;
-    for (uint k = 0; k < count + BLOCK; ++k) {
-        const double2 position = positions[window->index[lanes[k]]];
-        neighbours.x[k] = position.x;
-        neighbours.y[k] = position.y;
-    }
-    const double2 position = positions[site];
-    for (uint k = 0; k < count + BLOCK; k += BLOCK) {
-        vstore4(torus_differences(vload4(0, neighbours.x + k) - position.x), 0, neighbours.x + k);
-        vstore4(torus_differences(vload4(0, neighbours.y + k) - position.y), 0, neighbours.y + k);
-    }
-    Corners corners;
-    if (!cell_from_neighbours(&neighbours, count, cell, &corners)) return 1;
-    Vertices vertices;
-    for (uint k = 0; k < MAX_EDGES; k += LANES) {
-        vstore8((float8)0, 0, vertices.x + k);
-        vstore8((float8)0, 0, vertices.y + k);
-    }
-    for (uint k = 0; k < count; k += BLOCK) {
-        vstore4(convert_float4(vload4(0, corners.x + k + 1) * 4294967296.0), 0, vertices.x + k);
-        vstore4(convert_float4(vload4(0, corners.y + k + 1) * 4294967296.0), 0, vertices.y + k);
-    }
-    float radius;
-    if (!is_complete(&vertices, count, margins, &radius)) return 1;
-    return is_certain(&d, vectors, &vertices, count, radius) ? 0 : 2;
+    if (!walk_around(d, vectors, window->count, &found)) return false;
+    uint* neighbours = found.lane + found.begin;
+    for (uint k = 0; k < found.count; ++k) neighbours[k] = window->index[neighbours[k]];
+    for (uint k = 0; k <= BLOCK; ++k) neighbours[found.count + k] = neighbours[k % found.count];
+    return cell_from_neighbours(position, positions, neighbours, found.count, cell, vertices);
 }
 
 ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double* areas,
@@ -357,6 +341,40 @@ ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double*
     squared_near[site] = cell->squared_near;
 }
 
+/// The cell of a site from the points in 3 x 3, or else 5 x 5 grid cells around its own; windows are gathered when first
+/// needed, until then they hold nothing. False where the slow way is needed.
+ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global const double2* positions,
+                             global const int* fixed_point, uint stride, global const uint* starts, uint grid_size,
+                             float width, VoronoiCell* cell)
+{
+    const uint cell_x = grid_cell % grid_size;
+    const uint cell_y = grid_cell / grid_size;
+    const int x = fixed_point[site];
+    const int y = fixed_point[stride + site];
+    // Rounding of the positions and of the borders is below 1,024.
+    const float left = (float)(uint)x - cell_x * width - 1024.0f;
+    const float below = (float)(uint)y - cell_y * width - 1024.0f;
+    Vertices vertices;
+    bool is_known = false;
+    for (uint reach = 1; reach <= MAX_REACH && 2 * reach + 2 <= grid_size; ++reach) {
+        Window* window = windows + reach - 1;
+        if (window->count == 0) {
+            gather_window(window, cell_x, cell_y, reach, grid_size, starts, fixed_point, stride);
+        }
+        if (window->count > MAX_POINTS) return false;
+        const float width_around = (2 * reach + 1) * width - 4096.0f;
+        const Margins margins = {reach * width + left, width_around - (reach * width + left), reach * width + below,
+                                 width_around - (reach * width + below)};
+        Differences d;
+        const uint vectors = subtract_site(window, x, y, &d);
+        // What was found in the smaller window most often is the cell; only its proof needs more points.
+        if (is_known && is_complete(&vertices, margins) && is_certain(&d, vectors, &vertices)) return true;
+        is_known = cell_among(&d, vectors, window, positions[site], positions, cell, &vertices);
+        if (is_known && is_complete(&vertices, margins)) return is_certain(&d, vectors, &vertices);
+    }
+    return false;
+}
+
 /// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to
 /// centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are
 /// appended to `slow` (in any order); slow_count is 0 before.
@@ -367,45 +385,16 @@ kernel void find_centroids_fast(global const double2* positions, global const in
 {
     const uint id = get_global_id(0);
     if (id >= grid_size * grid_size) return;
-    const uint begin = starts[id];
     const uint end = starts[id + 1];
-    if (begin == end) return;
-    const uint cell_x = id % grid_size;
-    const uint cell_y = id / grid_size;
-
-    // The sites whose cells are still to be found, as bits; the others of very full grid cells go the slow
-    // way.
-    const uint count = min(end - begin, 32u);
-    uint pending = 0xffffffffu >> (32 - count);
-    for (uint i = count; i < end - begin; ++i) slow[atomic_inc(slow_count)] = begin + i;
-    Window window;
-    for (uint reach = 1; reach <= 2 && 2 * reach + 2 <= grid_size && pending != 0; ++reach) {
-        gather_window(&window, cell_x, cell_y, reach, grid_size, starts, fixed_point, stride);
-        if (window.count > MAX_POINTS) break;
-        for (uint i = 0; i < count; ++i) {
-            if (!(pending >> i & 1)) continue;
-            const uint site = begin + i;
-            const int x = fixed_point[site];
-            const int y = fixed_point[stride + site];
-            // Rounding of the positions and of the borders is below 1,024.
-            const float left = (float)(uint)x - cell_x * width - 1024.0f;
-            const float below = (float)(uint)y - cell_y * width - 1024.0f;
-            const float width_around = (2 * reach + 1) * width - 4096.0f;
-            const Margins margins = {reach * width + left, width_around - (reach * width + left),
-                                     reach * width + below, width_around - (reach * width + below)};
-            VoronoiCell cell;
-            const int failure = cell_in_window(&window, site, x, y, margins, positions, &cell);
-            if (failure == 1 && reach == 1) continue;
-            pending &= ~(1u << i);
-            if (failure == 0) {
-                store_cell(&cell, site, areas, displacements, energies, squared_near);
-            } else {
-                slow[atomic_inc(slow_count)] = site;
-            }
+    Window windows[MAX_REACH];
+    for (uint i = 0; i < MAX_REACH; ++i) windows[i].count = 0;
+    for (uint site = starts[id]; site < end; ++site) {
+        VoronoiCell cell;
+        if (find_cell(windows, site, id, positions, fixed_point, stride, starts, grid_size, width, &cell)) {
+            store_cell(&cell, site, areas, displacements, energies, squared_near);
+        } else {
+            slow[atomic_inc(slow_count)] = site;
         }
-    }
-    for (uint i = 0; i < count; ++i) {
-        if (pending >> i & 1) slow[atomic_inc(slow_count)] = begin + i;
     }
 }
 
