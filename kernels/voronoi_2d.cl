@@ -101,7 +101,7 @@ ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint 
     }
 }
 
-/// Positions of the window's points relative to a site, in units of 2^-32.
+/// Positions of the window's other points relative to a site, in units of 2^-32.
 typedef struct
 {
     float8 x[VECTORS], y[VECTORS];
@@ -122,13 +122,14 @@ ALWAYS_INLINE uint lane_of(float key) { return as_uint(key) & LANE_BITS; }
 /// The lanes of the site's Voronoi neighbours, counterclockwise: `count` of them from `begin`.
 typedef struct
 {
-    uint lane[2 * MAX_EDGES + BLOCK + 1];
+    uint lane[2 * MAX_EDGES];
     uint begin, count;
 } Neighbours;
 
 /// Finds them among the first `point_count` lanes. False where the walk does not close within MAX_EDGES. May be wrong where rounding decides.
 ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_count, Neighbours* neighbours)
 {
+#pragma OPENCL FP_CONTRACT OFF
     const float* x = (const float*)d->x;
     const float* y = (const float*)d->y;
 
@@ -138,7 +139,7 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
     float8 nearest = none;
     for (uint v = 0; v < vectors; ++v) {
         const float8 squared = d->x[v] * d->x[v] + d->y[v] * d->y[v];
-        nearest = smaller_of(nearest, squared > 0.0f ? numbered(squared, v) : none);
+        nearest = smaller_of(nearest, numbered(squared, v));
     }
     uint left = lane_of(minimum_of(nearest));
     if (left >= point_count) return false;
@@ -289,6 +290,7 @@ ALWAYS_INLINE bool is_complete(const Vertices* vertices, Margins margins)
 /// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding?
 ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices)
 {
+#pragma OPENCL FP_CONTRACT OFF
     // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d
     // and the products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
     const float4 r = vertices->radius;
@@ -301,21 +303,23 @@ ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices
         const float8 slack = 0.5f * (dx * dx + dy * dy) - threshold;
         for (uint k = 0; k < vertices->count; ++k) touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
     }
-    return sum_of(touching) == 3 * (int)vertices->count; // the site itself and two neighbours
+    return sum_of(touching) == 2 * (int)vertices->count; // two neighbours and, not in the window, the site
 }
 
-/// Positions of a window's points relative to a site. Returns the number of vectors.
-ALWAYS_INLINE uint subtract_site(const Window* window, int site_x, int site_y, Differences* d)
+/// Positions of a window's points relative to a site. Returns the number of vectors. The site itself, and lanes without
+/// a point, are put far away, in a direction where there are others.
+ALWAYS_INLINE uint subtract_site(const Window* window, uint site, int site_x, int site_y, Differences* d)
 {
+    const float8 far = 0x1p40f;
     const uint vectors = (window->count + LANES - 1) / LANES;
     for (uint v = 0; v < vectors; ++v) {
-        d->x[v] = convert_float8(vload8(v, window->x) - site_x);
+        const float8 x = convert_float8(vload8(v, window->x) - site_x);
+        d->x[v] = select(x, far, vload8(v, window->index) == site);
         d->y[v] = convert_float8(vload8(v, window->y) - site_y);
     }
-    // Lanes without a point: far away, in a direction where there are others.
     const uint last = vectors - 1;
     const int8 is_empty = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(last * LANES) >= (int)window->count;
-    d->x[last] = select(d->x[last], 0x1p40f, is_empty);
+    d->x[last] = select(d->x[last], far, is_empty);
     return vectors;
 }
 
@@ -325,9 +329,12 @@ ALWAYS_INLINE bool cell_among(const Differences* d, uint vectors, const Window* 
 {
     Neighbours found;
     if (!walk_around(d, vectors, window->count, &found)) return false;
-    uint* neighbours = found.lane + found.begin;
-    for (uint k = 0; k < found.count; ++k) neighbours[k] = window->index[neighbours[k]];
-    for (uint k = 0; k <= BLOCK; ++k) neighbours[found.count + k] = neighbours[k % found.count];
+    const uint* lanes = found.lane + found.begin;
+    uint neighbours[MAX_EDGES + BLOCK + 1];
+    for (uint k = 0; k <= found.count + BLOCK; ++k) {
+        const uint once_around = k < found.count ? k : k - found.count;
+        neighbours[k] = window->index[lanes[once_around < found.count ? once_around : once_around - found.count]];
+    }
     return cell_from_neighbours(position, positions, neighbours, found.count, cell, vertices);
 }
 
@@ -366,7 +373,7 @@ ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global 
         const Margins margins = {reach * width + left, width_around - (reach * width + left), reach * width + below,
                                  width_around - (reach * width + below)};
         Differences d;
-        const uint vectors = subtract_site(window, x, y, &d);
+        const uint vectors = subtract_site(window, site, x, y, &d);
         // What was found in the smaller window most often is the cell; only its proof needs more points.
         if (is_known && is_complete(&vertices, margins) && is_certain(&d, vectors, &vertices)) return true;
         is_known = cell_among(&d, vectors, window, positions[site], positions, cell, &vertices);

@@ -11,7 +11,7 @@ constexpr std::size_t slow_items = 256;
 
 /// Mean number of points in a cell of the grid: more mean more points to look at, fewer more cells that do
 /// not hold all Voronoi neighbours among their surroundings.
-double points_per_cell(int dimension) { return dimension == 2 ? 2.2 : 1.0; }
+double points_per_cell(int dimension) { return dimension == 2 ? 2.6 : 1.0; }
 
 }
 
