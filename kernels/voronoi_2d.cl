@@ -110,12 +110,8 @@ typedef struct
 /// Marks lanes that do not take part in a minimum, and as a key that of no lane.
 #define NO_KEY FLT_MAX
 
-/// The lane's number in the lowest bits of a value, so that the minimum tells where it is.
-ALWAYS_INLINE float8 numbered(float8 value, uint vector_number)
-{
-    const int8 lane = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)(vector_number * LANES);
-    return as_float8((as_int8(value) & ~LANE_BITS) | lane);
-}
+/// A lane's number in the lowest bits of its value, so that the minimum tells where it is.
+ALWAYS_INLINE float8 numbered(float8 value, int8 lane) { return as_float8((as_int8(value) & ~LANE_BITS) | lane); }
 
 ALWAYS_INLINE uint lane_of(float key) { return as_uint(key) & LANE_BITS; }
 
@@ -129,17 +125,19 @@ typedef struct
 /// Finds them among the first `point_count` lanes. False where the walk does not close within MAX_EDGES. May be wrong where rounding decides.
 ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_count, Neighbours* neighbours)
 {
-#pragma OPENCL FP_CONTRACT OFF
+#pragma OPENCL FP_CONTRACT ON
     const float* x = (const float*)d->x;
     const float* y = (const float*)d->y;
 
     const float8 none = NO_KEY;
+    const int8 first_lanes = (int8)(0, 1, 2, 3, 4, 5, 6, 7);
 
     // The nearest point is a Voronoi neighbour.
     float8 nearest = none;
-    for (uint v = 0; v < vectors; ++v) {
+    int8 lane = first_lanes;
+    for (uint v = 0; v < vectors; ++v, lane += LANES) {
         const float8 squared = d->x[v] * d->x[v] + d->y[v] * d->y[v];
-        nearest = smaller_of(nearest, numbered(squared, v));
+        nearest = smaller_of(nearest, numbered(squared, lane));
     }
     uint left = lane_of(minimum_of(nearest));
     if (left >= point_count) return false;
@@ -158,7 +156,8 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
         const float by = y[right];
         float8 next_left = none;
         float8 next_right = none;
-        for (uint v = 0; v < vectors; ++v) {
+        lane = first_lanes;
+        for (uint v = 0; v < vectors; ++v, lane += LANES) {
             const float8 dx = d->x[v];
             const float8 dy = d->y[v];
             const float8 ex = dx - ax;
@@ -169,8 +168,8 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
             const float8 right_turn = by * fx - bx * fy;
             const float8 t = (dx * ex + dy * ey) / left_turn;
             const float8 u = (dx * fx + dy * fy) / right_turn;
-            next_left = smaller_of(next_left, left_turn > 0.0f ? numbered(t, v) : none);
-            next_right = smaller_of(next_right, right_turn > 0.0f ? numbered(u, v) : none);
+            next_left = smaller_of(next_left, left_turn > 0.0f ? numbered(t, lane) : none);
+            next_right = smaller_of(next_right, right_turn > 0.0f ? numbered(u, lane) : none);
         }
         const uint to_left = lane_of(minimum_of(next_left));
         const uint to_right = lane_of(minimum_of(next_right));
@@ -185,10 +184,10 @@ ALWAYS_INLINE bool walk_around(const Differences* d, uint vectors, uint point_co
     return end - begin >= 3;
 }
 
-/// A cell's vertices in units of 2^-32, relative to the site; they are repeated to fill the last block.
+/// A cell's vertices in units of 2^-32, relative to the site, then zeros.
 typedef struct
 {
-    float x[MAX_EDGES + BLOCK], y[MAX_EDGES + BLOCK];
+    float x[MAX_EDGES + LANES], y[MAX_EDGES + LANES];
     uint count;
     // The largest distance of a vertex, and how far the disks around vertices that reach to the site extend to each
     // side, by lanes.
@@ -198,17 +197,19 @@ typedef struct
 ALWAYS_INLINE double total_of(double4 v) { return (v.x + v.y) + (v.z + v.w); }
 ALWAYS_INLINE double smallest_of(double4 v) { return min(min(v.x, v.y), min(v.z, v.w)); }
 
+/// To [-0.5, 0.5], by whole turns. Adding this much rounds to whole numbers; rint() is a call on some devices.
 ALWAYS_INLINE double4 torus_differences(double4 difference)
 {
-    const double4 one = 1.0;
-    const double4 zero = 0.0;
-    return difference - select(zero, one, difference > 0.5) + select(zero, one, difference < -0.5);
+    const double4 turns = (difference + 0x1.8p52) - 0x1.8p52;
+    return difference - turns;
 }
 
 ALWAYS_INLINE void add_vertices(double4 exact_x, double4 exact_y, uint at, Vertices* vertices)
 {
-    const float4 x = convert_float4(exact_x * 4294967296.0);
-    const float4 y = convert_float4(exact_y * 4294967296.0);
+    const float4 zero = 0;
+    const int4 is_vertex = (int4)(0, 1, 2, 3) + (int)at < (int)vertices->count;
+    const float4 x = select(zero, convert_float4(exact_x * 4294967296.0), is_vertex);
+    const float4 y = select(zero, convert_float4(exact_y * 4294967296.0), is_vertex);
     vstore4(x, 0, vertices->x + at);
     vstore4(y, 0, vertices->y + at);
     const float4 distance = sqrt(x * x + y * y) * (1 + 0x1p-20f);
@@ -219,28 +220,38 @@ ALWAYS_INLINE void add_vertices(double4 exact_x, double4 exact_y, uint at, Verti
     vertices->above = larger_of(vertices->above, distance + y);
 }
 
-/// A cell from its Voronoi neighbours in counterclockwise order: `count` places in `positions`, which are followed by
-/// the first BLOCK + 1 again. False where it is not a polygon.
-ALWAYS_INLINE bool cell_from_neighbours(double2 site, global const double2* positions, const uint* neighbours,
-                                        uint count, VoronoiCell* cell, Vertices* vertices)
+/// The position of a neighbour; after the last, the first follows again.
+ALWAYS_INLINE double2 position_of(const Neighbours* neighbours, uint k, const Window* window,
+                                  global const double2* positions)
 {
+    const uint count = neighbours->count;
+    const uint around = k < count ? k : k - count;
+    const uint twice_around = around < count ? around : around - count;
+    return positions[window->index[neighbours->lane[neighbours->begin + twice_around]]];
+}
+
+/// A cell from its Voronoi neighbours. False where it is not a polygon.
+ALWAYS_INLINE bool cell_from_neighbours(const Neighbours* neighbours, const Window* window, double2 site,
+                                        global const double2* positions, VoronoiCell* cell, Vertices* vertices)
+{
+    const uint count = neighbours->count;
     *vertices = (Vertices){.count = count};
     double4 squared_near = 2;
     double4 smallest_turn = 1;
     double4 area = 0, moment_x = 0, moment_y = 0, energy = 0;
-    double2 last = 0;
+    const double4 end = torus_differences(position_of(neighbours, count - 1, window, positions).xyxy - site.xyxy);
+    double last_x = end.x, last_y = end.y; // the neighbour before this block
+    double last_qx = 0, last_qy = 0;       // and the vertex
     // Blocks stay in registers: what is stored in pieces is slow to load as a whole.
     for (uint k = 0; k <= count; k += BLOCK) {
-        const double2 n0 = positions[neighbours[k]];
-        const double2 n1 = positions[neighbours[k + 1]];
-        const double2 n2 = positions[neighbours[k + 2]];
-        const double2 n3 = positions[neighbours[k + 3]];
-        const double2 n4 = positions[neighbours[k + 4]];
-        const double4 ax = torus_differences((double4)(n0.x, n1.x, n2.x, n3.x) - site.x);
-        const double4 ay = torus_differences((double4)(n0.y, n1.y, n2.y, n3.y) - site.y);
-        const double4 following = torus_differences((double4)(n4 - site, n4 - site));
-        const double4 bx = (double4)(ax.yzw, following.x);
-        const double4 by = (double4)(ay.yzw, following.y);
+        const double2 n0 = position_of(neighbours, k, window, positions);
+        const double2 n1 = position_of(neighbours, k + 1, window, positions);
+        const double2 n2 = position_of(neighbours, k + 2, window, positions);
+        const double2 n3 = position_of(neighbours, k + 3, window, positions);
+        const double4 bx = torus_differences((double4)(n0.x, n1.x, n2.x, n3.x) - site.x);
+        const double4 by = torus_differences((double4)(n0.y, n1.y, n2.y, n3.y) - site.y);
+        const double4 ax = (double4)(last_x, bx.xyz);
+        const double4 ay = (double4)(last_y, by.xyz);
 
         // Where the bisectors of neighbours a and b meet, see walk_around.
         const double4 ex = bx - ax;
@@ -249,21 +260,23 @@ ALWAYS_INLINE bool cell_from_neighbours(double2 site, global const double2* posi
         const double4 t = (bx * ex + by * ey) / turn;
         const double4 qx = 0.5 * (ax - t * ay);
         const double4 qy = 0.5 * (ay + t * ax);
-        squared_near = smaller_of_doubles(squared_near, ax * ax + ay * ay);
+        squared_near = smaller_of_doubles(squared_near, bx * bx + by * by);
         smallest_turn = smaller_of_doubles(smallest_turn, turn);
         add_vertices(qx, qy, k, vertices);
 
         // Triangles from the site to two vertices in a row, the second of them number 1 to `count`.
-        const double4 px = (double4)(last.x, qx.xyz);
-        const double4 py = (double4)(last.y, qy.xyz);
-        const long4 number = (long4)(0, 1, 2, 3) + (long)k;
+        const double4 px = (double4)(last_qx, qx.xyz);
+        const double4 py = (double4)(last_qy, qy.xyz);
         const double4 zero = 0;
-        const double4 doubled = select(zero, px * qy - py * qx, (number > 0) & (number <= (long)count));
+        const double4 doubled = select(zero, px * qy - py * qx, (long4)(0, 1, 2, 3) <= (long)(count - k));
         area += doubled;
         moment_x += doubled * (px + qx);
         moment_y += doubled * (py + qy);
         energy += doubled * ((px * px + py * py) + (qx * qx + qy * qy) + (px * qx + py * qy));
-        last = (double2)(qx.w, qy.w);
+        last_x = bx.w;
+        last_y = by.w;
+        last_qx = qx.w;
+        last_qy = qy.w;
     }
     cell->squared_near = smallest_of(squared_near);
     cell->area = total_of(area) / 2;
@@ -290,7 +303,7 @@ ALWAYS_INLINE bool is_complete(const Vertices* vertices, Margins margins)
 /// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding?
 ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices)
 {
-#pragma OPENCL FP_CONTRACT OFF
+#pragma OPENCL FP_CONTRACT ON
     // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d
     // and the products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
     const float4 r = vertices->radius;
@@ -301,7 +314,12 @@ ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices
         const float8 dx = d->x[v];
         const float8 dy = d->y[v];
         const float8 slack = 0.5f * (dx * dx + dy * dy) - threshold;
-        for (uint k = 0; k < vertices->count; ++k) touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
+        for (uint block = 0; block < vertices->count; block += LANES) {
+            _Pragma("unroll") for (uint k = block; k < block + LANES; ++k)
+            {
+                touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
+            }
+        }
     }
     return sum_of(touching) == 2 * (int)vertices->count; // two neighbours and, not in the window, the site
 }
@@ -329,13 +347,7 @@ ALWAYS_INLINE bool cell_among(const Differences* d, uint vectors, const Window* 
 {
     Neighbours found;
     if (!walk_around(d, vectors, window->count, &found)) return false;
-    const uint* lanes = found.lane + found.begin;
-    uint neighbours[MAX_EDGES + BLOCK + 1];
-    for (uint k = 0; k <= found.count + BLOCK; ++k) {
-        const uint once_around = k < found.count ? k : k - found.count;
-        neighbours[k] = window->index[lanes[once_around < found.count ? once_around : once_around - found.count]];
-    }
-    return cell_from_neighbours(position, positions, neighbours, found.count, cell, vertices);
+    return cell_from_neighbours(&found, window, position, positions, cell, vertices);
 }
 
 ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double* areas,
