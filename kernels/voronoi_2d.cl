@@ -42,8 +42,8 @@ typedef struct
 /// Points in grid cells around one grid cell.
 typedef struct
 {
-    int x[MAX_POINTS + LANES], y[MAX_POINTS + LANES]; // fixed point, units of 2^-32
-    uint index[MAX_POINTS + LANES];
+    int x[MAX_POINTS + 2 * LANES], y[MAX_POINTS + 2 * LANES]; // fixed point, units of 2^-32
+    uint index[MAX_POINTS + 2 * LANES];
     uint count;
 } Window;
 
@@ -68,22 +68,26 @@ ALWAYS_INLINE int sum_of(int8 v)
     return b.x + b.y;
 }
 
+ALWAYS_INLINE void append_vector(Window* window, uint at, global const int* fixed_point, uint stride, uint from)
+{
+    vstore8(vload8(0, fixed_point + from), 0, window->x + at);
+    vstore8(vload8(0, fixed_point + stride + from), 0, window->y + at);
+    vstore8((uint8)(0, 1, 2, 3, 4, 5, 6, 7) + from, 0, window->index + at);
+}
+
 /// Appends a row's points. Copies whole vectors; what is too much is overwritten by the next row.
 ALWAYS_INLINE void append_row(Window* window, global const int* fixed_point, uint stride, uint begin,
                               uint end)
 {
-    const uint count = end - begin;
-    if (window->count + count > MAX_POINTS) {
-        window->count = MAX_POINTS + 1;
-        return;
+    const uint at = window->count;
+    window->count += end - begin;
+    if (window->count > MAX_POINTS) return;
+    // Mostly these are enough: no branch to be mispredicted.
+    append_vector(window, at, fixed_point, stride, begin);
+    append_vector(window, at + LANES, fixed_point, stride, begin + LANES);
+    for (uint i = 2 * LANES; i < end - begin; i += LANES) {
+        append_vector(window, at + i, fixed_point, stride, begin + i);
     }
-    for (uint i = 0; i < count; i += LANES) {
-        const uint at = window->count + i;
-        vstore8(vload8(0, fixed_point + begin + i), 0, window->x + at);
-        vstore8(vload8(0, fixed_point + stride + begin + i), 0, window->y + at);
-        vstore8((uint8)(0, 1, 2, 3, 4, 5, 6, 7) + (begin + i), 0, window->index + at);
-    }
-    window->count += count;
 }
 
 /// All points in the (2 reach + 1)^2 cells around a cell; count > MAX_POINTS where there are too many.
