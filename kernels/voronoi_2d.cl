@@ -379,8 +379,9 @@ ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global 
     const float below = (float)(uint)y - cell_y * width - 1024.0f;
     Vertices vertices;
     bool is_known = false;
-    for (uint reach = 1; reach <= MAX_REACH && 2 * reach + 2 <= grid_size; ++reach) {
-        Window* window = windows + reach - 1;
+    for (uint i = 0; i < MAX_REACH && 2 * i + 4 <= grid_size; ++i) {
+        const uint reach = i + 1;
+        Window* window = windows + i;
         if (window->count == 0) {
             gather_window(window, cell_x, cell_y, reach, grid_size, starts, fixed_point, stride);
         }

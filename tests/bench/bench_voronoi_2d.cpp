@@ -4,6 +4,7 @@
 #include "geometry/relative_radius.hpp"
 #include "sampling/dart_throwing.hpp"
 #include "sampling/voronoi_cells.hpp"
+#include "support/point_patterns.hpp"
 
 #include <map>
 
@@ -20,13 +21,8 @@ const PointSet& points_of(benchmark::State& state)
     PointSet& set = sets[{state.range(0), state.range(1)}];
     if (set.size() == n) return set;
     if (state.range(1) == 0) {
-        const StreamKey key = stream_key(1, Purpose::random_points, 0);
-        for (std::uint32_t i = 0; i < n; ++i) {
-            const auto words = philox({i, 0, 0, 0}, key);
-            set.coordinates.push_back(words[0] * 0x1p-32);
-            set.coordinates.push_back(words[1] * 0x1p-32);
-        }
-        return set;
+        std::mt19937_64 random(1);
+        return set = test::random_points(n, 2, random);
     }
     DartThrowingRequest request;
     request.min_distance = min_distance_for(0.75, n, 2);

@@ -165,6 +165,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"collinear, skew", on_a_line(200, 1), 1e4},
         Case{"many edges", circle_around_a_point(300), 1e4}));
 
+/// Few points of every kind, for interpreters of kernels.
+INSTANTIATE_TEST_SUITE_P(Small, VoronoiCells2d,
+                         ::testing::Values(Case{"even", brick_lattice(8, 0.3)}, Case{"random", random_set(60), 60},
+                                           Case{"square lattice", test::square_lattice(6, 2)},
+                                           Case{"a cluster", clusters(30, 1, 1e-3), 1e6},
+                                           Case{"pairs", repeated(random_set(12), 2), 200}));
+
 TEST(VoronoiCells2dClosedForms, SquareLattice)
 {
     const int side = 16;

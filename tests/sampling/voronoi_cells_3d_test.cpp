@@ -197,6 +197,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"coplanar", on_a_plane(150), 1e-2},
         Case{"sphere around a point", sphere_around_a_point(150), 1e-2}));
 
+/// Few points of every kind, for interpreters of kernels.
+INSTANTIATE_TEST_SUITE_P(Small, VoronoiCells3d,
+                         ::testing::Values(Case{"jittered lattice", lattice(6, false, 0.3, 16)},
+                                           Case{"random", random_points(100, 17)},
+                                           Case{"cubic lattice", lattice(3, false, 0, 0)},
+                                           Case{"cluster", clusters(1, 20, 1e-3, 18), 1e-3},
+                                           Case{"pairs", repeated(random_points(6, 19), 2)}));
+
 TEST(VoronoiCells3dClosedForms, CubicLattice)
 {
     for (const int side : {1, 2, 3, 8, 16}) {
