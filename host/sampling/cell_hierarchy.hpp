@@ -38,9 +38,13 @@ CellHierarchy cell_hierarchy(double min_distance, int dimension);
 
 /// Darts arrive as a Poisson process ("Poisson rain"): in each batch, each open cell gets a Poisson number of
 /// darts with this mean. Many darts at once reject each other, which is costly, above all in the first batch,
-/// when there are no points yet; few let the list of open cells grow by subdivision faster than points close
+/// when there are no points yet, and in 3D, where disks reach more cells; few let the list of open cells grow by subdivision faster than points close
 /// them.
-inline double darts_per_cell(std::uint32_t batch) { return batch == 0 ? 0.3 : 1.0; }
+inline double darts_per_cell(std::uint32_t batch, int dimension)
+{
+    if (batch > 0) return 1.0;
+    return dimension == 2 ? 0.3 : 0.2;
+}
 
 /// Whether a batch splits the open cells before it throws darts into them, as long as there is a finer level.
 inline bool splits_cells(std::uint32_t batch) { return batch >= 2; }

@@ -133,8 +133,8 @@ private:
 
     void write_thresholds(std::uint32_t batch)
     {
-        if (batch > 0 && darts_per_cell(batch) == darts_per_cell(batch - 1)) return;
-        const auto thresholds = poisson_thresholds(darts_per_cell(batch));
+        if (batch > 0 && darts_per_cell(batch, D) == darts_per_cell(batch - 1, D)) return;
+        const auto thresholds = poisson_thresholds(darts_per_cell(batch, D));
         threshold_count_ = u32(thresholds.size());
         reserve(device_, buffers_.thresholds, thresholds.size());
         buffers_.thresholds.write(thresholds);

@@ -143,7 +143,7 @@ public:
         std::vector<Cell<D>> open = all_cells(hierarchy_.size);
         int level = 0;
         for (std::uint32_t batch = 0; points_.size() < target && !open.empty(); ++batch) {
-            thresholds_ = poisson_thresholds(darts_per_cell(batch));
+            thresholds_ = poisson_thresholds(darts_per_cell(batch, D));
             const bool split = splits_cells(batch) && level < hierarchy_.last_level;
             if (split) ++level;
             std::vector<Dart<D>> darts;
