@@ -1,5 +1,7 @@
 #include "analysis/radial_statistics.hpp"
 
+#include "analysis/radial_bin.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,13 +9,6 @@
 namespace poissonlab {
 
 namespace {
-
-/// round(|f|) from |f|^2, in integers: k^2 - k + 1/4 <= |f|^2 < k^2 + k + 1/4 never meets its ends.
-std::int64_t bin_of(std::int64_t squared)
-{
-    auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(squared))); // floor: exact below 2^52
-    return squared <= root * root + root ? root : root + 1;
-}
 
 /// Calls visit(bin, power) for every sample, in storage order.
 template <class Visit>
@@ -25,17 +20,16 @@ void for_each_sample(const Spectrum& spectrum, const Visit& visit)
     for (std::int64_t w = -slices; w < std::max<std::int64_t>(slices, 1); ++w) {
         for (std::int64_t v = -half; v < half; ++v) {
             for (std::int64_t u = -half; u < half; ++u) {
-                visit(static_cast<std::size_t>(bin_of(u * u + v * v + w * w)), spectrum.power[at++]);
+                visit(static_cast<std::size_t>(radial_bin_of(u * u + v * v + w * w)), spectrum.power[at++]);
             }
         }
     }
 }
 
-/// Powers up to this are zeros: the square of the error bound of exact_periodogram's transform, over N.
+/// Powers up to this are zeros: the square of the transform's error, over N.
 double zero_power(const Spectrum& spectrum)
 {
-    constexpr double transform_error = 1e-11; // times N
-    return transform_error * transform_error * static_cast<double>(spectrum.points);
+    return spectrum.transform_error * spectrum.transform_error * static_cast<double>(spectrum.points);
 }
 
 double to_anisotropy_db(double variance, double mean, double zero)

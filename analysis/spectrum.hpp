@@ -7,14 +7,19 @@
 // - Row v holds frequency v - M/2 along y, column u holds u - M/2 along x; 3D: slice, then row, then column.
 #pragma once
 
+#include "analysis/half_spectrum.hpp"
+#include "analysis/running_moments.hpp"
 #include "geometry/point_set.hpp"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+class FastPeriodogram;
 
 /// The mean of K periodograms. K = 1, or a deterministic method: a periodogram, not an estimate.
 struct Spectrum
@@ -24,6 +29,10 @@ struct Spectrum
     std::size_t points = 0;    ///< N of each realization; of the first one where sizes vary
     int realizations = 0;      ///< K
     std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
+    /// Of each power between realizations (divisor K - 1), which estimates the power's own squared error times K. Empty
+    /// for K = 1.
+    std::vector<double> variance = {};
+    double transform_error = 1e-11; ///< bound of the error of transform values, as a share of N
 
     double at(int fx, int fy) const
     {
@@ -44,7 +53,14 @@ inline constexpr int largest_spectrum_3d = 256;
 /// reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
-/// Adds up periodograms in the order given; sums of floating point numbers depend on it.
+/// How periodograms are computed.
+enum class PeriodogramMethod
+{
+    fast, ///< FastPeriodogram: transform values within 1e-8, relative l2 error
+    exact ///< exact_periodogram()
+};
+
+/// Averages periodograms in the order given; sums of floating point numbers depend on it.
 ///
 /// Each periodogram is normalised by the number of points of its own set, so that sets whose sizes differ by
 /// the nature of their method, as saturated ones do, can be averaged where `sizes_vary` says so.
@@ -52,18 +68,33 @@ class SpectrumEstimate
 {
 public:
     /// `size` must be even and positive.
-    SpectrumEstimate(int dimension, int size, bool sizes_vary = false);
+    SpectrumEstimate(int dimension, int size, bool sizes_vary = false,
+                     PeriodogramMethod method = PeriodogramMethod::fast);
+    ~SpectrumEstimate();
+    SpectrumEstimate(SpectrumEstimate&&) noexcept;
+    SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
 
-    /// Adds the periodogram of one realization, by the exact sum. Throws InputError when the number of points
+    /// Adds the periodogram of one realization. Throws InputError when the number of points
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
+    /// The standard error of the radially averaged power in each bin of radial_statistics(), from its spread between
+    /// realizations. Empty for K = 1.
+    std::vector<double> radial_errors() const;
+
 private:
+    HalfSpectrum periodogram_of(const PointSet& points);
+
+    int dimension_, size_;
     bool sizes_vary_;
-    Spectrum sum_; ///< `points` is that of the first realization
+    PeriodogramMethod method_;
+    std::size_t points_ = 0; ///< of the first realization
+    RunningMoments power_;   ///< of each frequency's power
+    RunningMoments radial_;  ///< of each bin's mean power
+    std::unique_ptr<FastPeriodogram> fast_;
 };
 
 /// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The
