@@ -132,7 +132,7 @@ class FastPeriodogram::Plan
 public:
     Plan(int dimension, int size, double tolerance);
 
-    HalfSpectrum compute(const PointSet& points);
+    void compute(const PointSet& points, HalfSpectrum& half);
 
 private:
     /// What a thread works in, kept from line to line.
@@ -147,12 +147,9 @@ private:
     };
 
     void make_plans();
-    SpreadPoints spread(const PointSet& points) const;
-    bool fill_line(const SpreadPoints& points, std::size_t y, std::size_t z, double* line) const;
-    void transform_along_x(const SpreadPoints& points);
-    void transform_along_y();
-    template <typename Store>
-    void transform_last_axis(const Store& store);
+    void spread(const PointSet& points);
+    bool fill_line(std::size_t y, std::size_t z, double* line) const;
+    void transform_along_x();
     template <typename Store>
     void transform_columns(Complex* first, std::size_t step, const Store& store);
     /// The place of frequency number `row`, -M/2 + row, in a transform.
@@ -165,6 +162,7 @@ private:
     SpreadingKernel kernel_;
     AddBins add_bins_;
     std::vector<double> deconvolution_; ///< one over the kernel's squared transform, at frequencies 0 .. M/2
+    SpreadPoints spread_;
     Aligned<Complex> transforms_;       ///< a row of `columns_` for each line along x
     FftwPlan line_plan_, column_plan_;
     tbb::enumerable_thread_specific<Workspace> workspaces_;
@@ -196,7 +194,7 @@ void FastPeriodogram::Plan::make_plans()
     if (!line_plan_ || !column_plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid));
 }
 
-SpreadPoints FastPeriodogram::Plan::spread(const PointSet& points) const
+void FastPeriodogram::Plan::spread(const PointSet& points)
 {
     const std::size_t n = points.size();
     const std::size_t width = static_cast<std::size_t>(kernel_.width());
@@ -215,39 +213,38 @@ SpreadPoints FastPeriodogram::Plan::spread(const PointSet& points) const
         if (dimension == 3) bins[i] += grid_ * first_of(points[i][2], unused);
     }
 
-    SpreadPoints result;
-    result.starts.resize((dimension == 2 ? grid_ : grid_ * grid_) + 1);
-    for (const std::size_t bin : bins) ++result.starts[bin + 1];
-    for (std::size_t bin = 1; bin < result.starts.size(); ++bin) result.starts[bin] += result.starts[bin - 1];
-    std::vector<std::size_t> next(result.starts.begin(), result.starts.end() - 1);
+    std::vector<std::size_t>& starts = spread_.starts;
+    starts.assign((dimension == 2 ? grid_ : grid_ * grid_) + 1, 0);
+    for (const std::size_t bin : bins) ++starts[bin + 1];
+    for (std::size_t bin = 1; bin < starts.size(); ++bin) starts[bin] += starts[bin - 1];
+    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
     std::vector<std::size_t> order(n);
     for (std::size_t i = 0; i < n; ++i) order[next[bins[i]]++] = i;
 
-    result.first.resize(n);
-    result.values.resize(n * dimension * width);
+    spread_.first.resize(n);
+    spread_.values.resize(n * dimension * width);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1024), [&](const auto& range) {
         for (std::size_t p = range.begin(); p < range.end(); ++p) {
             for (std::size_t k = 0; k < dimension; ++k) {
                 double offset;
                 const std::size_t first = first_of(points[order[p]][k], offset);
-                if (k == 0) result.first[p] = static_cast<std::uint32_t>(first);
-                kernel_.values(offset, result.values.data() + (p * dimension + k) * width);
+                if (k == 0) spread_.first[p] = static_cast<std::uint32_t>(first);
+                kernel_.values(offset, spread_.values.data() + (p * dimension + k) * width);
             }
         }
     });
-    return result;
 }
 
 /// False where no point touches it.
-bool FastPeriodogram::Plan::fill_line(const SpreadPoints& points, std::size_t y, std::size_t z, double* line) const
+bool FastPeriodogram::Plan::fill_line(std::size_t y, std::size_t z, double* line) const
 {
     const auto width = static_cast<std::size_t>(kernel_.width());
     std::fill_n(line, grid_ + width, 0.0);
     bool is_touched = false;
     const auto add = [&](std::size_t begin, std::size_t end, std::size_t along_y, std::size_t along_z) {
-        if (points.starts[begin] == points.starts[end]) return;
+        if (spread_.starts[begin] == spread_.starts[end]) return;
         is_touched = true;
-        add_bins_(points, begin, end, along_y, along_z, line);
+        add_bins_(spread_, begin, end, along_y, along_z, line);
     };
     for (std::size_t along_z = 0; along_z < (dimension_ == 3 ? width : 1); ++along_z) {
         // Bins y - width + 1 .. y; those below 0 are at the end of the row of bins.
@@ -260,14 +257,14 @@ bool FastPeriodogram::Plan::fill_line(const SpreadPoints& points, std::size_t y,
     return is_touched;
 }
 
-void FastPeriodogram::Plan::transform_along_x(const SpreadPoints& points)
+void FastPeriodogram::Plan::transform_along_x()
 {
     const std::size_t lines = dimension_ == 2 ? grid_ : grid_ * grid_;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines, block), [&](const auto& range) {
         Workspace& work = workspaces_.local();
         for (std::size_t line = range.begin(); line < range.end(); ++line) {
             Complex* const target = transforms_.data() + line * columns_;
-            if (!fill_line(points, line % grid_, line / grid_, work.line.data())) {
+            if (!fill_line(line % grid_, line / grid_, work.line.data())) {
                 std::fill_n(target, columns_, Complex{});
                 continue;
             }
@@ -294,13 +291,15 @@ void FastPeriodogram::Plan::transform_columns(Complex* first, std::size_t step, 
     });
 }
 
-HalfSpectrum FastPeriodogram::Plan::compute(const PointSet& points)
+void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
 {
     if (points.dimension != dimension_ || points.size() == 0)
         throw std::invalid_argument("FastPeriodogram: no points, or of another dimension");
-    transform_along_x(spread(points));
+    spread(points);
+    transform_along_x();
 
-    HalfSpectrum half{dimension_, static_cast<int>(size_), {}};
+    half.dimension = dimension_;
+    half.size = static_cast<int>(size_);
     const std::size_t rows = half.rows();
     half.power.resize(columns_ * rows * half.slices());
     const auto deconvolution = [&](std::size_t row) {
@@ -311,7 +310,7 @@ HalfSpectrum FastPeriodogram::Plan::compute(const PointSet& points)
         transform_columns(transforms_.data(), columns_, [&](std::size_t u, std::size_t row, Complex value) {
             half.power[row * columns_ + u] = std::norm(value) * (deconvolution_[u] * deconvolution(row) * scale);
         });
-        return half;
+        return;
     }
     const std::size_t slice = grid_ * columns_;
     tbb::parallel_for(std::size_t{0}, grid_, [&](std::size_t z) {
@@ -326,7 +325,6 @@ HalfSpectrum FastPeriodogram::Plan::compute(const PointSet& points)
                 std::norm(value) * (deconvolution_[u] * deconvolution(v) * deconvolution(row) * scale);
         });
     });
-    return half;
 }
 
 FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance)
@@ -341,6 +339,13 @@ FastPeriodogram::~FastPeriodogram() = default;
 FastPeriodogram::FastPeriodogram(FastPeriodogram&&) noexcept = default;
 FastPeriodogram& FastPeriodogram::operator=(FastPeriodogram&&) noexcept = default;
 
-HalfSpectrum FastPeriodogram::compute(const PointSet& points) { return plan_->compute(points); }
+HalfSpectrum FastPeriodogram::compute(const PointSet& points)
+{
+    HalfSpectrum half;
+    plan_->compute(points, half);
+    return half;
+}
+
+void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result) { plan_->compute(points, result); }
 
 }

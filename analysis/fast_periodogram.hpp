@@ -31,6 +31,9 @@ public:
     /// Coordinates in [0, 1), at least one point, the dimension as above (std::invalid_argument).
     HalfSpectrum compute(const PointSet& points);
 
+    /// The same into memory that is there already: fresh memory takes a good part of the time.
+    void compute(const PointSet& points, HalfSpectrum& result);
+
 private:
     class Plan;
     std::unique_ptr<Plan> plan_;

@@ -49,24 +49,25 @@ std::vector<double> radial_means(const HalfSpectrum& half)
 {
     const auto bins = static_cast<std::size_t>(half.size / 2);
     const std::int64_t centre = half.size / 2;
-    // Each slice's (2D: each row's) sums by themselves, then all in order: the same for any number of threads.
-    const std::size_t parts = half.dimension == 3 ? half.slices() : half.rows();
-    const std::size_t rows_each = half.dimension == 3 ? half.rows() : 1;
+    const std::size_t lines = half.rows() * half.slices();
+    // Sums of fixed parts, then of the parts in order: the same for any number of threads.
+    constexpr std::size_t parts = 16;
     std::vector<double> sums(parts * bins), counts(parts * bins);
     tbb::parallel_for(std::size_t{0}, parts, [&](std::size_t part) {
-        const double* power = half.power.data() + part * rows_each * half.columns();
-        for (std::size_t row = 0; row < rows_each; ++row) {
-            const auto v = static_cast<std::int64_t>(half.dimension == 3 ? row : part) - centre;
-            const auto w = half.dimension == 3 ? static_cast<std::int64_t>(part) - centre : 0;
+        double* const sum = sums.data() + part * bins;
+        double* const count = counts.data() + part * bins;
+        for (std::size_t line = lines * part / parts; line < lines * (part + 1) / parts; ++line) {
+            const auto v = static_cast<std::int64_t>(line % half.rows()) - centre;
+            const auto w = half.dimension == 3 ? static_cast<std::int64_t>(line / half.rows()) - centre : 0;
+            const double* power = half.power.data() + line * half.columns();
             RadialBinWalk bin(v * v + w * w);
-            for (std::int64_t u = 0; u <= centre; ++u, ++power) {
+            for (std::int64_t u = 0; u < centre; ++u) {
                 const std::size_t k = bin.of(u);
                 if (k >= bins) break;
-                // The column u = 0 holds f and -f.
-                sums[part * bins + k] += (u == 0 ? 1 : 2) * *power;
-                counts[part * bins + k] += u == 0 ? 1 : 2;
+                const double weight = u == 0 ? 1 : 2; // the column u = 0 holds f and -f
+                sum[k] += weight * power[u];
+                count[k] += weight;
             }
-            power = half.power.data() + (part * rows_each + row + 1) * half.columns();
         }
     });
     std::vector<double> means;

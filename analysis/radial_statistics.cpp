@@ -10,17 +10,21 @@ namespace poissonlab {
 
 namespace {
 
-/// Calls visit(bin, power) for every sample, in storage order.
+/// Calls visit(bin, power) for every sample of bins 0 .. M/2 - 1.
 template <class Visit>
 void for_each_sample(const Spectrum& spectrum, const Visit& visit)
 {
     const std::int64_t half = spectrum.size / 2;
     const std::int64_t slices = spectrum.dimension == 3 ? half : 0;
-    std::size_t at = 0;
+    const double* centre = spectrum.power.data() + half;
     for (std::int64_t w = -slices; w < std::max<std::int64_t>(slices, 1); ++w) {
-        for (std::int64_t v = -half; v < half; ++v) {
-            for (std::int64_t u = -half; u < half; ++u) {
-                visit(static_cast<std::size_t>(radial_bin_of(u * u + v * v + w * w)), spectrum.power[at++]);
+        for (std::int64_t v = -half; v < half; ++v, centre += spectrum.size) {
+            RadialBinWalk bin(v * v + w * w);
+            for (std::int64_t u = 0; u < half; ++u) {
+                const std::size_t k = bin.of(u);
+                if (k >= static_cast<std::size_t>(half)) break;
+                visit(k, centre[u]);
+                if (u > 0) visit(k, centre[-u]);
             }
         }
     }
@@ -42,11 +46,10 @@ double to_anisotropy_db(double variance, double mean, double zero)
 
 std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
 {
-    // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end; so does all beyond bin M/2 - 1.
+    // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end.
     const auto bins = static_cast<std::size_t>(spectrum.size / 2);
     std::vector<RadialBin> radial(bins);
     for_each_sample(spectrum, [&](std::size_t k, double power) {
-        if (k >= bins) return;
         radial[k].power += power;
         ++radial[k].samples;
     });
@@ -58,7 +61,7 @@ std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
     // The variance in a second pass, about the mean: no cancellation.
     std::vector<double> squares(bins);
     for_each_sample(spectrum, [&](std::size_t k, double power) {
-        if (k < bins) squares[k] += (power - radial[k].power) * (power - radial[k].power);
+        squares[k] += (power - radial[k].power) * (power - radial[k].power);
     });
     for (std::size_t k = 1; k < bins; ++k) {
         const double variance = squares[k] / static_cast<double>(radial[k].samples - 1);

@@ -4,21 +4,21 @@
 #include <tbb/parallel_for.h>
 
 #include <cstddef>
-#include <utility>
 
 namespace poissonlab {
 
-void RunningMoments::add(std::vector<double> values)
+void RunningMoments::add(const std::vector<double>& values)
 {
     if (++count_ == 1) {
-        mean_ = std::move(values);
+        mean_ = values;
         return;
     }
     if (count_ == 2) squares_.resize(mean_.size());
+    const double share = 1.0 / count_;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mean_.size(), 65536), [&](const auto& range) {
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const double difference = values[i] - mean_[i];
-            mean_[i] += difference / count_;
+            mean_[i] += difference * share;
             squares_[i] += difference * (values[i] - mean_[i]);
         }
     });

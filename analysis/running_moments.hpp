@@ -11,7 +11,7 @@ class RunningMoments
 {
 public:
     /// As many values each time.
-    void add(std::vector<double> values);
+    void add(const std::vector<double>& values);
 
     int count() const { return count_; }
     const std::vector<double>& mean() const { return mean_; }

@@ -14,7 +14,8 @@ int spectrum_size(std::size_t points, int dimension)
     // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
     const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
     int size = 2;
-    while (size < samples && !(dimension == 3 && size == largest_spectrum_3d)) size *= 2;
+    const int largest = dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d;
+    while (size < samples && size < largest) size *= 2;
     return size;
 }
 
@@ -45,16 +46,19 @@ void SpectrumEstimate::add(const PointSet& points)
                          std::to_string(points_));
     }
 
-    HalfSpectrum periodogram = periodogram_of(points);
-    radial_.add(radial_means(periodogram));
-    power_.add(std::move(periodogram.power));
+    compute_periodogram(points);
+    radial_.add(radial_means(periodogram_));
+    power_.add(periodogram_.power);
 }
 
-HalfSpectrum SpectrumEstimate::periodogram_of(const PointSet& points)
+void SpectrumEstimate::compute_periodogram(const PointSet& points)
 {
-    if (method_ == PeriodogramMethod::exact) return half_of(exact_periodogram(points, size_), dimension_, size_);
+    if (method_ == PeriodogramMethod::exact) {
+        periodogram_ = half_of(exact_periodogram(points, size_), dimension_, size_);
+        return;
+    }
     if (!fast_) fast_ = std::make_unique<FastPeriodogram>(dimension_, size_);
-    return fast_->compute(points);
+    fast_->compute(points, periodogram_);
 }
 
 Spectrum SpectrumEstimate::mean() const

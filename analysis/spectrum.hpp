@@ -41,16 +41,17 @@ struct Spectrum
     }
 };
 
-/// 256^3 doubles are 128 MiB, and take a two-core processor about 7 s for 65,536 points; 512^3 would be 1 GiB
-/// for each of three arrays.
+/// Sizes beyond which the rule below does not go by itself: 8,192^2 doubles are 512 MiB, 256^3 128 MiB, and there are
+/// several arrays of that size.
+inline constexpr int largest_spectrum_2d = 8192;
 inline constexpr int largest_spectrum_3d = 256;
 
 /// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
 /// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
 ///
-/// Not more than largest_spectrum_3d in 3D, where the frequencies of sets of more than some 156,000 points
-/// reach less than twice that far.
+/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or 156,000
+/// in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
 /// How periodograms are computed.
@@ -86,12 +87,13 @@ public:
     std::vector<double> radial_errors() const;
 
 private:
-    HalfSpectrum periodogram_of(const PointSet& points);
+    void compute_periodogram(const PointSet& points);
 
     int dimension_, size_;
     bool sizes_vary_;
     PeriodogramMethod method_;
     std::size_t points_ = 0; ///< of the first realization
+    HalfSpectrum periodogram_; ///< of the last realization
     RunningMoments power_;   ///< of each frequency's power
     RunningMoments radial_;  ///< of each bin's mean power
     std::unique_ptr<FastPeriodogram> fast_;

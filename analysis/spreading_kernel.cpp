@@ -11,7 +11,7 @@ namespace poissonlab {
 namespace {
 
 /// Degree of the polynomials: pieces one grid spacing long are smooth.
-constexpr int degree = 13;
+constexpr int degree = 10;
 constexpr int nodes = degree + 1;
 
 /// Coefficients of powers of x of the polynomial that interpolates `values` at the Chebyshev nodes of [-1, 1].

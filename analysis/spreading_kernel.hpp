@@ -22,7 +22,7 @@ public:
     int width() const { return width_; }
 
     /// Its values at the `width` grid points from the first under it on, which is `offset` in [0, 1) grid spacings
-    /// behind the kernel's left end. Polynomials, within 1e-12 of the kernel (10 %, of its smallest values).
+    /// behind the kernel's left end. Polynomials, within 1e-10 of the kernel, whose largest value is 1.
     void values(double offset, double* result) const;
 
     /// Its Fourier transform at a frequency in cycles per grid spacing.
