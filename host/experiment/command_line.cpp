@@ -43,6 +43,7 @@ fails, a previous result in DIR stays as it is. The last line of output is the p
 constexpr auto analyze_footer =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
 a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
+Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
   poissonlab analyze set-*.dat --label "My method" --out mine)";
 
 /// The program's subcommands with their options, and what was given.
@@ -120,6 +121,8 @@ void CommandLine::add_analyze()
         ->option_text("DIR");
     analyze_->add_option("--label", o.label, "What the report calls them; default: the first file's name")
         ->option_text("TEXT");
+    analyze_->add_option("--domain", o.domain, "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1")
+        ->option_text("[LOW:]HIGH");
     analyze_->add_option("--threads", o.threads, "Use so many threads; default: all")
         ->option_text("N")
         ->check(CLI::Range(1, 4096));

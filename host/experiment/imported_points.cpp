@@ -45,7 +45,8 @@ std::string series_folder_name(const std::string& label)
 
 }
 
-Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label)
+Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
+                         std::optional<CoordinateRange> domain)
 {
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
@@ -53,7 +54,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     for (const auto& file : files) {
         if (std::filesystem::is_directory(file))
             throw InputError(file.string() + ": is a folder; files of points are needed");
-        std::vector<PointSet> read = read_points(file);
+        std::vector<PointSet> read = read_points(file, domain);
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));

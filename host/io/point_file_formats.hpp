@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/point_set.hpp"
+#include "io/point_file.hpp"
 
 #include <cstddef>
 #include <string>
@@ -10,11 +11,12 @@
 
 namespace poissonlab {
 
-/// The content of a point file, and the name by which errors call it.
+/// The content of a point file, the name by which errors call it, and what its coordinates can be.
 struct PointFileContent
 {
     std::string name;
     std::string_view bytes;
+    CoordinateRange range = {};
 };
 
 // Each throws InputError; what they accept is described at read_points.
@@ -26,7 +28,13 @@ inline constexpr std::string_view ply_magic = "ply";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
 
 /// False for NaN as well.
-inline bool is_coordinate(double value) { return value >= 0 && value < 1; }
+inline bool is_coordinate(double value, const CoordinateRange& range)
+{
+    return value >= range.low && value < range.high;
+}
+
+/// To [0, 1); the same value where that is the range.
+double to_unit(double value, const CoordinateRange& range);
 
 /// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
 void append_coordinate(const PointFileContent& file, int line, std::string_view word,

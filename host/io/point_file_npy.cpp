@@ -136,7 +136,7 @@ double value_at(const PointFileContent& file, const NpyLayout& layout, std::size
     const std::string_view bytes = file.bytes.substr(offset);
     const double value = layout.value_bytes == 8 ? load<double>(bytes, layout.byte_order)
                                                  : load<float>(bytes, layout.byte_order);
-    if (!is_coordinate(value)) fail_coordinate_at_byte(file, offset, value);
+    if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
     return value;
 }
 

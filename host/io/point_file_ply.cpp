@@ -131,10 +131,10 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
             const PlyProperty& property = vertices.table->properties[column];
             const std::string_view bytes = body.substr(i * row_bytes + property.offset);
             const double value = load_ply_value(bytes, property.type, header.byte_order);
-            if (!is_coordinate(value)) {
+            if (!is_coordinate(value, file.range)) {
                 fail_coordinate_at_byte(file, file.bytes.size() - bytes.size(), value);
             }
-            coordinates.push_back(value);
+            coordinates.push_back(to_unit(value, file.range));
         }
     }
 
@@ -147,10 +147,11 @@ std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& h
 }
 
 /// Points in the plane often have a z, which is 0.
-PointSet without_zero_z(std::vector<double> xyz)
+/// `zero`: what 0 became.
+PointSet without_zero_z(std::vector<double> xyz, double zero)
 {
     for (std::size_t i = 2; i < xyz.size(); i += 3) {
-        if (xyz[i] != 0) return {3, std::move(xyz)};
+        if (xyz[i] != zero) return {3, std::move(xyz)};
     }
     PointSet plane{2, {}};
     plane.coordinates.reserve(xyz.size() / 3 * 2);
@@ -168,7 +169,7 @@ std::vector<PointSet> read_ply_points(const PointFileContent& file)
     const Vertices vertices = find_vertices(file, header);
     std::vector<double> coordinates =
         header.ascii ? read_ascii(file, header, vertices) : read_binary(file, header, vertices);
-    if (vertices.columns.size() == 3) return {without_zero_z(std::move(coordinates))};
+    if (vertices.columns.size() == 3) return {without_zero_z(std::move(coordinates), to_unit(0, file.range))};
     return {PointSet{2, std::move(coordinates)}};
 }
 

@@ -28,9 +28,11 @@ public:
     std::vector<PointSet> finish()
     {
         if (!current_.empty()) store();
+        check_announced_number();
         if (sets_.empty()) {
             fail_in_point_file(file_, 0, "no points",
-                               "must have one point a line, 2 or 3 coordinates in [0, 1)");
+                               fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})",
+                                           file_.range.low, file_.range.high));
         }
         return std::move(sets_);
     }
@@ -38,6 +40,11 @@ public:
 private:
     void add_point(std::string_view text, int line)
     {
+        if (is_announced_number(text)) {
+            announced_line_ = line;
+            announced_ = text;
+            return;
+        }
         const std::size_t before = current_.size();
         for (WordReader words(text); words.next();) append_coordinate(file_, line, words.word(), current_);
         const auto count = static_cast<int>(current_.size() - before);
@@ -51,6 +58,22 @@ private:
             fail_in_point_file(file_, line, fmt::format("{} coordinates", count),
                                fmt::format("must be {}, as on the lines before", dimension_));
         }
+    }
+
+    /// The number of points alone, before all of them.
+    bool is_announced_number(std::string_view text) const
+    {
+        return current_.empty() && sets_.empty() && announced_.empty() && text.find_first_not_of("0123456789") == text.npos;
+    }
+
+    void check_announced_number() const
+    {
+        if (announced_.empty()) return;
+        const std::size_t points = sets_.empty() ? 0 : sets_.front().size();
+        if (sets_.size() < 2 && announced_ == std::to_string(points)) return;
+        fail_in_point_file(file_, announced_line_, announced_,
+                           sets_.size() < 2 ? fmt::format("is not the number of points, which is {}", points)
+                                            : "the number of points can only be in a file of one set");
     }
 
     /// A separator is allowed before the first and after the last realization, too.
@@ -72,6 +95,8 @@ private:
     std::vector<PointSet> sets_;
     std::vector<double> current_;
     int dimension_ = 0;
+    std::string_view announced_; ///< the number of points, as the file says
+    int announced_line_ = 0;
 };
 
 }

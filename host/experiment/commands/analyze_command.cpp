@@ -1,4 +1,5 @@
 // poissonlab analyze: point sets made elsewhere, through the same analysis and report.
+#include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
 #include "experiment/imported_points.hpp"
 #include "experiment/runner.hpp"
@@ -9,7 +10,13 @@ namespace poissonlab {
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report)
 {
     const ThreadLimit limit(options.threads);
-    Experiment experiment = import_points(options.files, options.label);
+    std::optional<CoordinateRange> domain;
+    if (!options.domain.empty()) {
+        domain = parse_range(options.domain);
+        if (!domain)
+            throw InputError("--domain " + options.domain + ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
+    }
+    Experiment experiment = import_points(options.files, options.label, domain);
     experiment.command = options.command;
     const auto out =
         options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;

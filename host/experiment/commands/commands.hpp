@@ -26,6 +26,7 @@ struct AnalyzeOptions
     std::vector<std::filesystem::path> files;
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
+    std::string domain; ///< as for parse_range(); empty: what the files say
     int threads = 0;
     bool quiet = false;
     std::string command;
