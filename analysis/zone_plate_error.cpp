@@ -19,7 +19,7 @@ struct MeanSquare
         sum += value * value;
         ++count;
     }
-    double root() const { return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count)); }
+    double root() const { return std::sqrt(sum / static_cast<double>(count)); } // NaN of none
 };
 
 }

@@ -15,7 +15,8 @@ namespace poissonlab {
 struct PlateError
 {
     double whole = 0;    ///< over all pixels
-    double resolved = 0; ///< over those where the plate has up to half a cycle per pixel
+    double resolved = 0; ///< over those where the plate has up to half a cycle per pixel; NaN where there are
+                         ///< none, as in pictures of less than 33 x 33 pixels
 };
 
 /// The pixels of one range of distances.

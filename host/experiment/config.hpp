@@ -35,6 +35,7 @@ struct Config
     std::size_t points = 16384;
     int realizations = 10;
     int dimension = 2;
+    bool zone_plate = false;           ///< 2D only
     std::vector<MethodConfig> methods; ///< at least one
 };
 
