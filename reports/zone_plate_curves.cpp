@@ -42,7 +42,7 @@ std::string frame(const ZonePlateScales& scales)
     if (scales.max_frequency <= finest_pixels_show) return commands;
     return commands + fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead back lw 1 "
                                   "dt (2,3) lc rgb '{1}'\n"
-                                  "set label 'pixels end' at first {0}, graph 0.06 left offset 0.5,0 "
+                                  "set label 'finest that pixels show' at first {0}, graph 0.06 left offset 0.5,0 "
                                   "textcolor rgb '{1}'\n",
                                   finest_pixels_show, mark_color);
 }

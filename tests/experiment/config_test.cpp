@@ -18,6 +18,7 @@ TEST(Config, HasDefaultsForAllButTheSampler)
     EXPECT_EQ(config.points, 16384U);
     EXPECT_EQ(config.realizations, 10);
     EXPECT_EQ(config.dimension, 2);
+    EXPECT_FALSE(config.zone_plate);
     ASSERT_EQ(config.methods.size(), 1U);
     EXPECT_EQ(config.methods[0].sampler->name, "random");
     EXPECT_TRUE(config.methods[0].settings.empty());
@@ -33,6 +34,7 @@ device = "pthread"
 points = 134217728
 realizations = 10000
 dimension = 2
+zone_plate = true
 [[method]]
 sampler = "dart-throwing"
 label = "L"
@@ -49,13 +51,14 @@ min_distance = [0.10, 0.2]
     EXPECT_EQ(config.device, "pthread");
     EXPECT_EQ(config.points, std::size_t{1} << 27);
     EXPECT_EQ(config.realizations, 10000);
+    EXPECT_TRUE(config.zone_plate);
     ASSERT_EQ(config.methods.size(), 2U);
     EXPECT_EQ(config.methods[0].label, "L");
     EXPECT_EQ(std::get<double>(config.methods[0].settings[0].choices[0].value), 1.0);
     const auto& choices = config.methods[1].settings[1].choices;
     ASSERT_EQ(choices.size(), 2U);
     EXPECT_EQ(choices[0].shown, "0.10");
-    EXPECT_EQ(to_string(choices[0].location), "c.toml:16");
+    EXPECT_EQ(to_string(choices[0].location), "c.toml:17");
 }
 
 TEST(Config, TakesThreeDimensions)
