@@ -22,10 +22,9 @@ struct PlateError
 /// The pixels of one range of distances.
 struct ErrorBin
 {
-    double distance = 0;  ///< of the middle of the range from the origin, in units of the plate [0, 48)
-    double frequency = 0; ///< of the plate there, in cycles per pixel
-    double rms_error =
-        0; ///< root of the mean squared difference from the reference, of all pictures together
+    double distance = 0;    ///< of the middle of the range from the origin, in units of the plate [0, 48)
+    double frequency = 0;   ///< of the plate there, in cycles per pixel
+    double rms_error = 0;   ///< root of the mean squared difference from the reference over all pictures
     std::size_t pixels = 0; ///< of all pictures
 };
 

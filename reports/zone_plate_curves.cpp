@@ -40,11 +40,12 @@ std::string frame(const ZonePlateScales& scales)
     auto commands = axes("frequency of the plate (cycles per pixel)", 0, scales.max_frequency,
                          {"RMS error", 0, scales.max_error, 0.1, 1.4});
     if (scales.max_frequency <= finest_pixels_show) return commands;
-    return commands + fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead back lw 1 "
-                                  "dt (2,3) lc rgb '{1}'\n"
-                                  "set label 'finest that pixels show' at first {0}, graph 0.06 left offset 0.5,0 "
-                                  "textcolor rgb '{1}'\n",
-                                  finest_pixels_show, mark_color);
+    return commands +
+           fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead back lw 1 "
+                       "dt (2,3) lc rgb '{1}'\n"
+                       "set label 'finest that pixels show' at first {0}, graph 0.06 left offset 0.5,0 "
+                       "textcolor rgb '{1}'\n",
+                       finest_pixels_show, mark_color);
 }
 
 }

@@ -89,6 +89,15 @@ std::string summary(const SeriesTask& task, const SeriesResult& result, double s
     return line + ", " + duration_text(seconds);
 }
 
+void store_zone_plate(const ZonePlateAnalysis& zone_plate, const std::map<std::string, std::string>& metadata,
+                      const std::filesystem::path& folder, SeriesResult& result)
+{
+    write_zone_plate(folder / "zone-plate.exr", zone_plate.first_image(), metadata);
+    write_whole_file(folder / "zone-plate.csv", zone_plate.csv());
+    result.zone_plate = zone_plate.result();
+    result.analysis_seconds += zone_plate.seconds();
+}
+
 /// Makes, analyses and stores one series in `folder`.
 SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
                         const std::filesystem::path& folder, Progress& progress)
@@ -121,13 +130,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     write_whole_file(folder / "radial.csv", radial_csv(radial_statistics(spectrum)));
 
     SeriesResult result = analysis.result();
-    if (experiment.zone_plate) {
-        write_zone_plate(folder / "zone-plate.exr", zone_plate.first_image(),
-                         image_metadata(experiment, task));
-        write_whole_file(folder / "zone-plate.csv", zone_plate.csv());
-        result.zone_plate = zone_plate.result();
-        result.analysis_seconds += zone_plate.seconds();
-    }
+    if (experiment.zone_plate) store_zone_plate(zone_plate, image_metadata(experiment, task), folder, result);
     if (!realizations_that_got_there(iterations).empty()) {
         write_whole_file(folder / "iterations.csv", iterations_csv(iterations));
         result.iterations = std::move(iterations);
