@@ -117,12 +117,18 @@ PageData overlays(const std::vector<ReportSeries>& series, const std::filesystem
     list << overlay_panel(out, power_overlay, "is_power", "Radially averaged power", over, labels);
     list << overlay_panel(out, anisotropy_overlay, "is_anisotropy", "Anisotropy", over, labels);
 
-    const auto iterative = iteration_curves(series);
-    if (iterative.size() < 2) return list;
-    labels.clear();
-    for (const auto& curve : iterative) labels.push_back(curve.label);
-    list << overlay_panel(out, radius_overlay, "is_radius", "Relative radius", "iterations", labels);
-    list << overlay_panel(out, energy_overlay, "is_energy", "Energy", "iterations", labels);
+    const auto labels_of = [](const auto& curves) {
+        std::vector<std::string> names;
+        for (const auto& curve : curves) names.push_back(curve.label);
+        return names;
+    };
+    if (const auto iterative = labels_of(iteration_curves(series)); iterative.size() > 1) {
+        list << overlay_panel(out, radius_overlay, "is_radius", "Relative radius", "iterations", iterative);
+        list << overlay_panel(out, energy_overlay, "is_energy", "Energy", "iterations", iterative);
+    }
+    if (const auto plates = labels_of(zone_plate_curves(series)); plates.size() > 1)
+        list << overlay_panel(out, zone_plate_overlay, "is_plate", "Zone plate error",
+                              "the frequency of the plate", plates);
     return list;
 }
 
@@ -199,6 +205,7 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     page.set("compared", series.size() > 1);
     page.set("overlays", overlays(series, out));
     page.set("iterative", !iteration_curves(series).empty());
+    page.set("zone_plate", zone_plate_reference_panel(series, out));
 
     PageData sources{PageData::type::list};
     for (const auto& run : runs) sources << provenance(run);

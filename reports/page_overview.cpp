@@ -90,6 +90,10 @@ PageData overview_row(const ReportSeries& series, std::size_t index)
     data.set("relative_radius", statistic(stored.relative_radius, Notation::fixed, 4));
     data.set("min_distance", statistic(stored.min_distance, Notation::significant, 4));
     data.set("covered_fraction", statistic(stored.covered_fraction, Notation::fixed, 4));
+    const auto plate = stored.zone_plate.value_or(StoredZonePlate{});
+    data.set("plate_error",
+             stored.zone_plate ? statistic(plate.rms_error, Notation::fixed, 4) : PageData(false));
+    data.set("plate_resolved_error", statistic(plate.resolved_rms_error, Notation::fixed, 4));
     data.set("sample_time", sample_time(stored.sample_seconds));
     if (stored.relative_radius)
         data.set("radius_percent",

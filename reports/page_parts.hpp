@@ -34,6 +34,14 @@ PageData picture_panel(const ReportSeries& series, const std::filesystem::path& 
 PageData relative_radius_panel(const ReportSeries& series, const std::filesystem::path& out);
 PageData energy_panel(const ReportSeries& series, const std::filesystem::path& out);
 
+/// The panels of the sampling test; false for series without.
+PageData zone_plate_panel(const ReportSeries& series, const std::filesystem::path& out);
+PageData zone_plate_error_panel(const ReportSeries& series, const std::filesystem::path& out);
+
+/// The picture that those of all series are compared with; false where there is none.
+PageData zone_plate_reference_panel(const std::vector<ReportSeries>& series,
+                                    const std::filesystem::path& out);
+
 /// Where one run comes from: version, command, seed, device, config.
 PageData provenance(const StoredRun& run);
 

@@ -158,6 +158,12 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
                               picture("png", "relative-radius.png"), picture("energy svg", "energy.svg"),
                               picture("png", "energy.png")});
 
+    if (stored.zone_plate)
+        groups << file_group(
+            "Zone plate", {result("exr", stored.zone_plate->file), picture("png", "zone-plate.png"),
+                           result("error csv", stored.zone_plate->error_file),
+                           picture("svg", "zone-plate-error.svg"), picture("png", "zone-plate-error.png")});
+
     std::vector<PageData> sets;
     for (const auto& file : stored.point_files)
         if (sets.size() < most_point_files_linked)
@@ -191,6 +197,8 @@ PageData series_section(const ReportSeries& series, std::size_t index, const std
     data.set("anisotropy_panel", anisotropy_panel(series, out));
     data.set("relative_radius_panel", relative_radius_panel(series, out));
     data.set("energy_panel", energy_panel(series, out));
+    data.set("zone_plate_panel", zone_plate_panel(series, out));
+    data.set("zone_plate_error_panel", zone_plate_error_panel(series, out));
     data.set("file_groups", file_groups(series, out));
     return data;
 }

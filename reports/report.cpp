@@ -1,11 +1,13 @@
 #include "reports/report.hpp"
 
+#include "analysis/zone_plate_reference.hpp"
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 #include "reports/page.hpp"
 #include "reports/report_layout.hpp"
 #include "reports/series_pictures.hpp"
 #include "reports/stored_results.hpp"
+#include "reports/zone_plate_image.hpp"
 
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_invoke.h>
@@ -60,11 +62,34 @@ void add_iteration_plots(const std::vector<ReportSeries>& series, const fs::path
     }
 }
 
+// The error of the zone plate of every series that has sampled it, and of all of these.
+void add_zone_plate_plots(const std::vector<ReportSeries>& series, const fs::path& out,
+                          std::vector<GnuplotPicture>& pictures)
+{
+    const auto curves = zone_plate_curves(series);
+    if (curves.empty()) return;
+    const auto scales = common_zone_plate_scales(curves);
+    for (const auto& curve : curves)
+        pictures.push_back(
+            plot_zone_plate_error(curve, scales, series[curve.index].pictures / "zone-plate-error"));
+    if (curves.size() > 1)
+        pictures.push_back(overlay_zone_plate_error(curves, scales, out / zone_plate_overlay));
+}
+
+// What perfect sampling makes of the plate, in the size of the first picture.
+void draw_zone_plate_reference(const std::vector<ReportSeries>& series, const fs::path& out)
+{
+    const auto curves = zone_plate_curves(series);
+    if (curves.empty()) return;
+    write_png(out / zone_plate_reference_picture, draw_zone_plate(zone_plate_reference(curves.front().size)));
+}
+
 std::vector<GnuplotPicture> all_plots(const std::vector<ReportSeries>& series, const fs::path& out)
 {
     std::vector<GnuplotPicture> pictures;
     add_frequency_plots(series, out, pictures);
     add_iteration_plots(series, out, pictures);
+    add_zone_plate_plots(series, out, pictures);
     return pictures;
 }
 
@@ -92,7 +117,9 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                              tbb::parallel_for_each(series, [](ReportSeries& entry) {
                                  draw_points_pictures(entry);
                                  draw_spectrum_picture(entry);
+                                 draw_zone_plate_picture(entry);
                              });
+                             draw_zone_plate_reference(series, out);
                          });
 
     say("writing the page");

@@ -77,4 +77,18 @@ std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& se
     return curves;
 }
 
+std::vector<ZonePlateCurve> zone_plate_curves(const std::vector<ReportSeries>& series)
+{
+    const bool with_points = sizes_differ(frequency_curves(series));
+    std::vector<ZonePlateCurve> curves;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const auto& stored = *series[i].stored;
+        if (!stored.zone_plate) continue;
+        auto label = series[i].label;
+        if (with_points) label = label_with_points(label, stored.points);
+        curves.push_back({i, label, stored.zone_plate->size, series[i].zone_plate});
+    }
+    return curves;
+}
+
 }

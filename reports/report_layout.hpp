@@ -5,6 +5,7 @@
 #include "reports/iteration_curves.hpp"
 #include "reports/points_image.hpp"
 #include "reports/stored_results.hpp"
+#include "reports/zone_plate_curves.hpp"
 
 #include <filesystem>
 #include <string>
@@ -17,6 +18,10 @@ inline constexpr auto power_overlay = "radial-all";
 inline constexpr auto anisotropy_overlay = "anisotropy-all";
 inline constexpr auto radius_overlay = "relative-radius-all";
 inline constexpr auto energy_overlay = "energy-all";
+inline constexpr auto zone_plate_overlay = "zone-plate-error-all";
+
+/// The picture of the zone plate that others are compared with, in the report's folder.
+inline constexpr auto zone_plate_reference_picture = "zone-plate-reference.png";
 
 /// One series of the report: what is stored, and what was read or drawn for the page.
 struct ReportSeries
@@ -27,6 +32,7 @@ struct ReportSeries
                        ///< use the same label
     std::filesystem::path pictures; ///< folder of its pictures
     Curve curve;
+    std::vector<ErrorBin> zone_plate; ///< empty for series without the sampling test
     PointsView view;
 };
 
@@ -40,5 +46,8 @@ std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);
 /// The iterations of the series that have some, which the series must outlive; labels say how many points a
 /// series has where sizes differ.
 std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series);
+
+/// The errors of the series that have sampled the zone plate; labels as for iterations.
+std::vector<ZonePlateCurve> zone_plate_curves(const std::vector<ReportSeries>& series);
 
 }

@@ -1,6 +1,7 @@
 #include "reports/series_pictures.hpp"
 
 #include "analysis/spectrum_file.hpp"
+#include "analysis/zone_plate_file.hpp"
 #include "errors/errors.hpp"
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
@@ -8,6 +9,8 @@
 #include "reports/plane_image.hpp"
 #include "reports/radial_table.hpp"
 #include "reports/spectrum_image.hpp"
+#include "reports/zone_plate_image.hpp"
+#include "reports/zone_plate_table.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +29,8 @@ void read_curve(ReportSeries& series)
     if (stored.min_distance && stored.min_distance->mean > 0)
         curve.principal_frequency = 1 / stored.min_distance->mean;
     curve.max_frequency = stored.spectrum_size > 0 ? stored.spectrum_size / 2 : curve.bins.back().frequency;
+    if (stored.zone_plate)
+        series.zone_plate = read_zone_plate_table(series.run->folder / stored.zone_plate->error_file);
 }
 
 void draw_points_pictures(ReportSeries& series)
@@ -58,6 +63,18 @@ void draw_spectrum_picture(const ReportSeries& series)
     };
     write_png(series.pictures / "spectrum.png", draw(1));
     write_png(series.pictures / "spectrum-small.png", draw(spectrum_page_block(size, series.run->dimension)));
+}
+
+void draw_zone_plate_picture(const ReportSeries& series)
+{
+    if (!series.stored->zone_plate) return;
+    const auto& stored = *series.stored->zone_plate;
+    const auto file = series.run->folder / stored.file;
+    const auto image = read_zone_plate(file);
+    if (image.size != stored.size)
+        throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
+                                     stored.size, stored.size));
+    write_png(series.pictures / "zone-plate.png", draw_zone_plate(image));
 }
 
 }

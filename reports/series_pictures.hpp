@@ -1,11 +1,12 @@
-// Reads a series' stored files and draws its own pictures: points and spectrum.
+// Reads a series' stored files and draws its own pictures: points, spectrum, zone plate.
 #pragma once
 
 #include "reports/report_layout.hpp"
 
 namespace poissonlab {
 
-/// Reads radial.csv into series.curve. Throws InputError.
+/// Reads radial.csv into series.curve and, where it is there, zone-plate.csv into series.zone_plate. Throws
+/// InputError.
 void read_curve(ReportSeries& series);
 
 /// Reads the first realization, sets series.view, and writes points.png and points.svg.
@@ -15,5 +16,8 @@ void draw_points_pictures(ReportSeries& series);
 /// Reads spectrum.exr and writes spectrum.png and, for the page, spectrum-small.png, both with the report's
 /// tone mapping; nothing for a series without.
 void draw_spectrum_picture(const ReportSeries& series);
+
+/// Reads zone-plate.exr and writes zone-plate.png; nothing for a series without.
+void draw_zone_plate_picture(const ReportSeries& series);
 
 }

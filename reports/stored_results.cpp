@@ -99,6 +99,17 @@ std::optional<StoredIterations> read_iterations(const StoredObject& series)
     return iterations;
 }
 
+std::optional<StoredZonePlate> read_zone_plate_members(const StoredObject& series)
+{
+    if (!series.has("zone_plate")) return std::nullopt;
+    const auto object = series.object("zone_plate");
+    const auto whole = read_statistic(object, "rms_error");
+    if (!whole) throw object.error("rms_error", "is missing");
+    return StoredZonePlate{static_cast<int>(object.integer("size", 1)), object.file_name("file"),
+                           object.file_name("error_file"), *whole,
+                           read_statistic(object, "resolved_rms_error")};
+}
+
 StoredSeries read_series(const StoredObject& object)
 {
     StoredSeries series;
@@ -125,6 +136,7 @@ StoredSeries read_series(const StoredObject& object)
     series.radial_file = radial.file_name("file");
     series.background_anisotropy_db = radial.number("background_anisotropy_db");
     series.iterations = read_iterations(object);
+    series.zone_plate = read_zone_plate_members(object);
     series.point_files = object.file_names("point_files");
     if (series.point_files.empty()) throw object.error("point_files", "must name at least one file");
 

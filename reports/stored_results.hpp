@@ -38,6 +38,16 @@ struct StoredIterations
     std::size_t count() const { return realizations.size() - 1; }
 };
 
+/// The sampling test: the picture of the first realization, and errors over all.
+struct StoredZonePlate
+{
+    int size = 0; ///< pixels along each axis
+    std::string file;
+    std::string error_file;
+    StoredStatistic rms_error;
+    std::optional<StoredStatistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
+};
+
 /// Names and values in the order in which they are shown.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
@@ -61,6 +71,7 @@ struct StoredSeries
     std::string radial_file;
     double background_anisotropy_db = 0;
     std::optional<StoredIterations> iterations;
+    std::optional<StoredZonePlate> zone_plate;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds; ///< one a realization
     double build_seconds = 0;

@@ -25,6 +25,15 @@ std::int64_t read_integer(const ConfigTable& table, const std::string& key, std:
     return *value;
 }
 
+bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return otherwise;
+    const auto* value = node->get_if<bool>();
+    if (!value) throw invalid_node(key, *node, "must be true or false");
+    return *value;
+}
+
 std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise)
 {
     const ConfigNode* node = find(table, key);
@@ -53,13 +62,17 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    check_keys(*table, {"points", "realizations", "dimension", "spectrum"});
+    check_keys(*table, {"points", "realizations", "dimension", "spectrum", "zone_plate"});
     config.points = static_cast<std::size_t>(
         read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
     if (is_second_word(*table, "spectrum", {"fast", "exact"})) config.spectrum = PeriodogramMethod::exact;
+    config.zone_plate = read_flag(*table, "zone_plate", config.zone_plate);
+    if (config.zone_plate && config.dimension != 2)
+        throw invalid_node("zone_plate", *find(*table, "zone_plate"),
+                           "needs dimension = 2: the zone plate is a function of the plane");
 }
 
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)

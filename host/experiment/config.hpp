@@ -37,6 +37,7 @@ struct Config
     int realizations = 10;
     int dimension = 2;
     PeriodogramMethod spectrum = PeriodogramMethod::fast;
+    bool zone_plate = false;           ///< 2D only
     std::vector<MethodConfig> methods; ///< at least one
 };
 

@@ -48,8 +48,18 @@ struct Experiment
     int dimension = 2;
     PeriodogramMethod spectrum = PeriodogramMethod::fast;
     std::uint32_t realizations = 0; ///< K as asked for
+    bool zone_plate = false;        ///< whether sets sample the zone plate; 2D only
     std::vector<SeriesTask> series;
     std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed
+};
+
+/// What the sampling test came to. Vectors have one value a realization.
+struct ZonePlateResult
+{
+    int size = 0;                  ///< pixels of the first picture along each axis
+    std::vector<double> rms_error; ///< over the whole picture
+    std::vector<double>
+        resolved_rms_error; ///< where the plate has up to half a cycle per pixel; NaN: nowhere
 };
 
 /// What was measured on one series. Vectors have one value a realization.
@@ -60,6 +70,7 @@ struct SeriesResult
     std::vector<double> relative_radius;
     std::vector<double> covered_fraction;
     int spectrum_size = 0;
+    std::optional<ZonePlateResult> zone_plate;
     std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
     std::vector<std::string> point_files;                 ///< relative to the output folder
     std::vector<double> sample_seconds;

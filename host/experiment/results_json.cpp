@@ -44,6 +44,16 @@ Json iterations_json(const SeriesTask& task, const IterationRecords& records)
             {"energy", values(&IterationRecord::energy)}};
 }
 
+/// The sampling test: where picture and curve are stored, and the errors.
+Json zone_plate_json(const SeriesTask& task, const ZonePlateResult& result)
+{
+    return {{"size", result.size},
+            {"file", task.name + "/zone-plate.exr"},
+            {"error_file", task.name + "/zone-plate.csv"},
+            {"rms_error", spread(result.rms_error)},
+            {"resolved_rms_error", spread(result.resolved_rms_error)}};
+}
+
 Json parameters_json(const Parameters& parameters);
 
 /// Values as they are; a sampler as the object of its name and parameters.
@@ -109,6 +119,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result)
     json["radial"] = {{"file", task.name + "/radial.csv"},
                       {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
     if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
+    if (result.zone_plate) json["zone_plate"] = zone_plate_json(task, *result.zone_plate);
     json["point_files"] = result.point_files;
     json["timing"] = {{"sample_seconds", result.sample_seconds},
                       {"build_seconds", result.build_seconds},

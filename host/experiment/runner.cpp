@@ -2,11 +2,13 @@
 
 #include "analysis/radial_statistics.hpp"
 #include "analysis/spectrum_file.hpp"
+#include "analysis/zone_plate_file.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/iteration_records.hpp"
 #include "experiment/result_folder.hpp"
 #include "experiment/results_json.hpp"
 #include "experiment/series_analysis.hpp"
+#include "experiment/zone_plate_analysis.hpp"
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
 #include "version.hpp"
@@ -39,8 +41,9 @@ PointSet timed_sample(Sampler& sampler, std::uint32_t realization, double& secon
     return points;
 }
 
-/// What identifies a spectrum's origin; nothing that differs between two runs of the same config.
-std::map<std::string, std::string> spectrum_metadata(const Experiment& experiment, const SeriesTask& task)
+/// What identifies the origin of a spectrum or a picture; nothing that differs between two runs of the same
+/// config.
+std::map<std::string, std::string> image_metadata(const Experiment& experiment, const SeriesTask& task)
 {
     std::map<std::string, std::string> metadata = {{"title", experiment.title},
                                                    {"label", task.label},
@@ -86,6 +89,15 @@ std::string summary(const SeriesTask& task, const SeriesResult& result, double s
     return line + ", " + duration_text(seconds);
 }
 
+void store_zone_plate(const ZonePlateAnalysis& zone_plate, const std::map<std::string, std::string>& metadata,
+                      const std::filesystem::path& folder, SeriesResult& result)
+{
+    write_zone_plate(folder / "zone-plate.exr", zone_plate.first_image(), metadata);
+    write_whole_file(folder / "zone-plate.csv", zone_plate.csv());
+    result.zone_plate = zone_plate.result();
+    result.analysis_seconds += zone_plate.seconds();
+}
+
 /// Makes, analyses and stores one series in `folder`.
 SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
                         const std::filesystem::path& folder, Progress& progress)
@@ -93,6 +105,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     const auto begin = Clock::now();
     const auto sampler = task.create();
     SeriesAnalysis analysis(task.label, sampler->sizes_vary(), experiment.spectrum);
+    ZonePlateAnalysis zone_plate;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds;
     IterationRecords iterations;
@@ -105,6 +118,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         iterations.push_back(sampler->iterations());
         const std::string file = fmt::format("realization-{:03}.dat", k);
         analysis.add(points);
+        if (experiment.zone_plate) zone_plate.add(points);
         write_points(folder / file, points, point_file_comment(experiment, task, k));
         point_files.push_back(task.name + "/" + file);
         progress.realization_done(points.size(), seconds);
@@ -112,10 +126,11 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
 
     const auto averaging = Clock::now();
     const Spectrum spectrum = analysis.mean_spectrum();
-    write_spectrum(folder / "spectrum.exr", spectrum, spectrum_metadata(experiment, task));
+    write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
     write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
 
     SeriesResult result = analysis.result();
+    if (experiment.zone_plate) store_zone_plate(zone_plate, image_metadata(experiment, task), folder, result);
     if (!realizations_that_got_there(iterations).empty()) {
         write_whole_file(folder / "iterations.csv", iterations_csv(iterations));
         result.iterations = std::move(iterations);

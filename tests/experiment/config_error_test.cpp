@@ -50,7 +50,7 @@ TEST(ConfigError, UnknownAnalysisKey)
 {
     EXPECT_EQ(error_of("[analysis]\npoint = 16384\n" + good_method),
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
-              "known keys: points, realizations, dimension, spectrum");
+              "known keys: points, realizations, dimension, spectrum, zone_plate");
 }
 
 TEST(ConfigError, UnknownMethodKey)
@@ -152,6 +152,16 @@ TEST(ConfigError, Dimension)
               "c.toml:2: spectrum = \"exakt\": must be \"fast\" or \"exact\"; did you mean \"exact\"?");
     EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
               "c.toml:2: dimension = 2.0: must be an integer from 2 to 3");
+}
+
+TEST(ConfigError, ZonePlate)
+{
+    EXPECT_EQ(error_of("[analysis]\nzone_plate = 1\n" + good_method),
+              "c.toml:2: zone_plate = 1: must be true or false");
+    EXPECT_EQ(error_of("[analysis]\nzone_plate = true\ndimension = 3\n" + good_method),
+              "c.toml:2: zone_plate = true: needs dimension = 2: the zone plate is a function of the plane");
+    EXPECT_FALSE(
+        parse_config("[analysis]\nzone_plate = false\ndimension = 3\n" + good_method, "c.toml").zone_plate);
 }
 
 TEST(ConfigError, AnalysisIsNoTable)

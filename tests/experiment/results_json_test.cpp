@@ -119,6 +119,19 @@ TEST(ResultsJson, SamplersAmongTheParametersAreObjects)
                                                            "start": {"sampler": "random"}}})"));
 }
 
+TEST(ResultsJson, HasTheSamplingTestWhereThereWasOne)
+{
+    SeriesResult result = two_realizations();
+    EXPECT_FALSE(written(one_series(), result)["series"][0].contains("zone_plate"));
+    result.zone_plate = {8, {0.25, 0.75}, {0.125, std::numeric_limits<double>::quiet_NaN()}};
+    EXPECT_EQ(written(one_series(), result)["series"][0]["zone_plate"],
+              json({{"size", 8},
+                    {"file", "n/zone-plate.exr"},
+                    {"error_file", "n/zone-plate.csv"},
+                    {"rms_error", {{"min", 0.25}, {"mean", 0.5}, {"max", 0.75}, {"each", {0.25, 0.75}}}},
+                    {"resolved_rms_error", nullptr}}));
+}
+
 TEST(ResultsJson, SizesThatDifferAreAllThere)
 {
     SeriesResult result = two_realizations();

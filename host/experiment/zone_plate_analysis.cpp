@@ -1,0 +1,34 @@
+#include "experiment/zone_plate_analysis.hpp"
+
+#include "analysis/zone_plate.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+namespace poissonlab {
+
+void ZonePlateAnalysis::add(const PointSet& points)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    SquareImage image = zone_plate_image(points);
+    const PlateError error = error_.add(image);
+    result_.rms_error.push_back(error.whole);
+    result_.resolved_rms_error.push_back(error.resolved);
+    if (first_.size == 0) {
+        result_.size = image.size;
+        first_ = std::move(image);
+    }
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string ZonePlateAnalysis::csv() const
+{
+    std::string text = "distance,frequency,rms_error,pixels\n";
+    for (const ErrorBin& bin : error_.curve())
+        text += fmt::format("{},{},{},{}\n", bin.distance, bin.frequency, bin.rms_error, bin.pixels);
+    return text;
+}
+
+}

@@ -1,0 +1,41 @@
+// zone-plate.csv, whole and damaged.
+#include "reports/zone_plate_table.hpp"
+
+#include "errors/errors.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+namespace poissonlab {
+namespace {
+
+const std::string header = "distance,frequency,rms_error,pixels\n";
+
+TEST(ZonePlateTable, ReadsNumbersAsTheyAre)
+{
+    const TemporaryFolder folder;
+    const auto bins =
+        read_zone_plate_table(folder.write("a.csv", header + "0.25,0.01,0.5,8\n0.75,0.02,0,12\n"));
+    ASSERT_EQ(bins.size(), 2);
+    EXPECT_EQ(bins[0].distance, 0.25);
+    EXPECT_EQ(bins[0].frequency, 0.01);
+    EXPECT_EQ(bins[0].rms_error, 0.5);
+    EXPECT_EQ(bins[1].pixels, 12);
+}
+
+TEST(ZonePlateTable, ComplainsWithTheLine)
+{
+    const TemporaryFolder folder;
+    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) try {
+            read_zone_plate_table(folder.write("a.csv", header + "1,1,1,8\n" + line + "\n"));
+            ADD_FAILURE() << line;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("a.csv:3: "));
+        }
+    EXPECT_THROW(read_zone_plate_table(folder.write("a.csv", header)), InputError);
+    EXPECT_THROW(read_zone_plate_table(folder.write("a.csv", "frequency,power,anisotropy_db,samples\n")),
+                 InputError);
+}
+
+}
+}
