@@ -49,14 +49,20 @@ Line fit(const std::vector<Sample>& samples)
 
 }
 
-std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, double begin,
-                                                     double end)
+FrequencyRange low_frequency_range(std::size_t points, int dimension)
+{
+    constexpr double slack = 1 + 1e-12; // for roots that are whole numbers
+    return {1, low_frequency_end * slack * std::pow(static_cast<double>(points), 1.0 / dimension)};
+}
+
+std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial,
+                                                     const FrequencyRange& range)
 {
     std::vector<Sample> logarithms, parabola;
     LowFrequencyPower result;
     for (const RadialBin& bin : radial) {
         const double f = bin.frequency;
-        if (!(f > 0 && f >= begin && f <= end) || bin.samples == 0) continue;
+        if (!(f > 0 && f >= range.begin && f <= range.end) || bin.samples == 0) continue;
         const auto weight = static_cast<double>(bin.samples);
         if (bin.power > 0) logarithms.push_back({std::log(f), std::log(bin.power), weight});
         if (parabola.empty()) result.begin = f;
@@ -73,13 +79,6 @@ std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin
     result.intercept_standard_error = intercept.intercept_error;
     result.bins = parabola.size();
     return result;
-}
-
-std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial,
-                                                     std::size_t points, int dimension)
-{
-    const double per_axis = std::pow(static_cast<double>(points), 1.0 / dimension);
-    return low_frequency_power(radial, 1, low_frequency_end * per_axis);
 }
 
 }

@@ -6,7 +6,7 @@
 // errors fall: Pilleboue et al., Variance analysis for Monte Carlo integration, ACM Transactions on Graphics
 // 34(4), 2015.
 //
-// Both are weighted least squares over the bins with frequency from `begin` to `end`:
+// Both are weighted least squares over the bins with frequency in a range:
 //
 //   exponent   ln P = ln a + b ln f, weight = samples of the bin: the variance of ln P is 2 / (K samples)
 //   intercept  P = S(0) + c f^2,     weight = samples of the bin: isotropic spectra without long-range
@@ -39,13 +39,19 @@ struct LowFrequencyPower
     std::size_t bins = 0;                ///< m
 };
 
-/// The fits over begin <= frequency <= end, in cycles per unit length. Bins without power take no part in
-/// the exponent, as they have no logarithm. Nothing where fewer than three bins with power are left.
-std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, double begin,
-                                                     double end);
+/// Frequencies in cycles per unit length, both ends included.
+struct FrequencyRange
+{
+    double begin = 0;
+    double end = 0;
+};
 
-/// The same over the usual range: from the first bin to low_frequency_end points^(1/dimension).
+/// The usual range: from the first bin to low_frequency_end points^(1/dimension).
+FrequencyRange low_frequency_range(std::size_t points, int dimension);
+
+/// The fits over a range. Bins without power take no part in the exponent, as they have no logarithm. Nothing
+/// where fewer than three bins with power are left.
 std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial,
-                                                     std::size_t points, int dimension);
+                                                     const FrequencyRange& range);
 
 }

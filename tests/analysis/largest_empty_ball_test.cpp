@@ -55,7 +55,7 @@ double largest_gap(const PointSet& points, double tolerance)
 
 void expect_largest_gap(const PointSet& points)
 {
-    constexpr double tolerance = 1e-7;
+    constexpr double tolerance = 1e-5;
     const LargestEmptyBall ball = largest_empty_ball(points);
     const double gap = largest_gap(points, tolerance);
     EXPECT_GE(ball.radius, gap - 1e-12) << points.size() << " points in " << points.dimension << "D";

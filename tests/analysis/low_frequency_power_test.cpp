@@ -26,7 +26,7 @@ TEST(LowFrequencyPower, RecoversPowerLaws)
 {
     for (const double b : {-1.0, 0.0, 1.0, 2.0, 4.0}) {
         const auto fit =
-            low_frequency_power(radial_of(40, [&](double f) { return 0.3 * std::pow(f, b); }), 3, 25);
+            low_frequency_power(radial_of(40, [&](double f) { return 0.3 * std::pow(f, b); }), {3, 25});
         ASSERT_TRUE(fit);
         EXPECT_NEAR(fit->exponent, b, 1e-12);
         EXPECT_NEAR(fit->exponent_standard_error, 0, 1e-12);
@@ -38,7 +38,7 @@ TEST(LowFrequencyPower, RecoversPowerLaws)
 
 TEST(LowFrequencyPower, RecoversTheInterceptOfAParabola)
 {
-    const auto fit = low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), 1, 30);
+    const auto fit = low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), {1, 30});
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->intercept, 0.07, 1e-14);
     EXPECT_NEAR(fit->intercept_standard_error, 0, 1e-14);
@@ -55,10 +55,10 @@ TEST(LowFrequencyPower, HasTheStandardErrorsOfItsFits)
         const auto noise = [&](double f) { return normal(random) * std::sqrt(2 / (10 * 6 * f)); };
         const auto law = radial_of(20, [&](double f) { return 0.01 * f * f * std::exp(noise(f)); });
         const auto parabola = radial_of(20, [&](double f) { return 5 + 0.02 * f * f + noise(f); });
-        const auto power = low_frequency_power(law, 2, 18);
+        const auto power = low_frequency_power(law, {2, 18});
         exponents.push_back(power->exponent);
         exponent_variances.push_back(std::pow(power->exponent_standard_error, 2));
-        const auto flat = low_frequency_power(parabola, 2, 18);
+        const auto flat = low_frequency_power(parabola, {2, 18});
         intercepts.push_back(flat->intercept);
         intercept_variances.push_back(std::pow(flat->intercept_standard_error, 2));
     }
@@ -81,7 +81,7 @@ TEST(LowFrequencyPower, WeighsBinsByTheirSamples)
     auto radial = radial_of(10, [](double f) { return f * f; });
     for (RadialBin& bin : radial) bin.samples = 1'000'000;
     radial[4] = {5, 1e3, 0, 1};
-    const auto fit = low_frequency_power(radial, 1, 10);
+    const auto fit = low_frequency_power(radial, {1, 10});
     EXPECT_NEAR(fit->exponent, 2, 1e-5);
     EXPECT_NEAR(fit->intercept, 0, 1e-3);
 }
@@ -89,15 +89,15 @@ TEST(LowFrequencyPower, WeighsBinsByTheirSamples)
 TEST(LowFrequencyPower, OfTooFewBinsIsNothing)
 {
     const auto radial = radial_of(40, [](double f) { return f; });
-    EXPECT_FALSE(low_frequency_power(radial, 1, 2));
-    EXPECT_TRUE(low_frequency_power(radial, 1, 3));
-    EXPECT_FALSE(low_frequency_power(radial, 41, 100));
-    EXPECT_FALSE(low_frequency_power({}, 1, 100));
-    EXPECT_FALSE(low_frequency_power(radial_of(40, [](double) { return 0.0; }), 1, 40));
+    EXPECT_FALSE(low_frequency_power(radial, {1, 2}));
+    EXPECT_TRUE(low_frequency_power(radial, {1, 3}));
+    EXPECT_FALSE(low_frequency_power(radial, {41, 100}));
+    EXPECT_FALSE(low_frequency_power({}, {1, 100}));
+    EXPECT_FALSE(low_frequency_power(radial_of(40, [](double) { return 0.0; }), {1, 40}));
     // The usual range of 256 points ends at 4, of 4,096 in 3D too; that of 16 points at 1.
-    EXPECT_EQ(low_frequency_power(radial, 256, 2)->end, 4);
-    EXPECT_EQ(low_frequency_power(radial, 4096, 3)->end, 4);
-    EXPECT_FALSE(low_frequency_power(radial, 16, 2));
+    EXPECT_EQ(low_frequency_power(radial, low_frequency_range(256, 2))->end, 4);
+    EXPECT_EQ(low_frequency_power(radial, low_frequency_range(4096, 3))->end, 4);
+    EXPECT_FALSE(low_frequency_power(radial, low_frequency_range(16, 2)));
 }
 
 }
