@@ -28,7 +28,8 @@ std::vector<double> mean_power_up_to(const std::vector<RadialBin>& radial, int d
     std::vector<double> means;
     double power = 0, volume = 0;
     for (const RadialBin& bin : radial) {
-        const double shell = std::pow(bin.frequency + 0.5, dimension) - std::pow(bin.frequency - 0.5, dimension);
+        const double shell =
+            std::pow(bin.frequency + 0.5, dimension) - std::pow(bin.frequency - 0.5, dimension);
         power += shell * bin.power;
         volume += shell;
         means.push_back(power / volume);

@@ -2,9 +2,9 @@
 // are nearly free of power, and how far from flat the spectrum is beyond.
 //
 // Heck, Schloemer and Deussen, Blue noise sampling with controlled aliasing, ACM Transactions on Graphics
-// 32(3), 2013. The exact limits are those of the authors' tool psa (github.com/nodag/psa, src/statistics.cpp).
-// With frequencies f in cycles per unit length, radial power P(f), and the principal unit s = N^(1/d), the
-// number of points along an axis of a square lattice:
+// 32(3), 2013. The exact limits are those of the authors' tool psa (github.com/nodag/psa,
+// src/statistics.cpp). With frequencies f in cycles per unit length, radial power P(f), and the principal
+// unit s = N^(1/d), the number of points along an axis of a square lattice:
 //
 //   C(f)  = mean power of all frequencies up to |f|, f = 0 left out
 //   nu    = f* / s,  f* the largest f below f0 with C(f) < 0.1,

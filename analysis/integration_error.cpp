@@ -77,11 +77,11 @@ double gaussian_integral(double w) { return w * std::sqrt(2 * pi) * std::erf(1 /
 std::vector<Integrand> integrands_in(int dimension)
 {
     const bool plane = dimension == 2;
-    const double disk_volume = plane ? pi * disk_radius * disk_radius
-                                     : 4.0 / 3.0 * pi * disk_radius * disk_radius * disk_radius;
+    const double disk_volume =
+        plane ? pi * disk_radius * disk_radius : 4.0 / 3.0 * pi * disk_radius * disk_radius * disk_radius;
     // The line and the plane stay between 0 and 1: the volume below is their height at the centre.
-    const double step_volume = plane ? 0.2 + 0.5 / std::numbers::phi
-                                     : 0.15 + 0.5 * (sqrt2 - 1) + 0.5 * (sqrt3 - 1.5);
+    const double step_volume =
+        plane ? 0.2 + 0.5 / std::numbers::phi : 0.15 + 0.5 * (sqrt2 - 1) + 0.5 * (sqrt3 - 1.5);
     return {indicator(plane ? "disk" : "ball", disk_volume, disk), indicator("step", step_volume, step),
             // The square of a Gaussian of width w is one of width w / sqrt 2.
             product("gaussian", dimension, gaussian_integral(gaussian_width),

@@ -1,8 +1,8 @@
 // The error of integrating with a point set: the mean of a function over the points against its integral.
 //
 // Errors are averaged over random toroidal shifts of each set, Cranley and Patterson, Randomization of number
-// theoretic methods for multiple integration, SIAM J. Numer. Anal. 13(6), 1976, and then over K sets. Over all
-// shifts the error has mean 0 and the variance
+// theoretic methods for multiple integration, SIAM J. Numer. Anal. 13(6), 1976, and then over K sets. Over
+// all shifts the error has mean 0 and the variance
 //
 //   E[e^2] = 1/N sum over integer f != 0 of |F(f)|^2 P(f),
 //
@@ -33,7 +33,8 @@ struct Integrand
 
 /// The test functions, d the dimension:
 /// - "disk" ("ball" in 3D): 1 within 0.3 of (0.5, ...), else 0
-/// - "step": 1 below a line y = 0.2 + x / golden ratio (a plane z = 0.15 + (sqrt 2 - 1) x + (sqrt 3 - 3/2) y),
+/// - "step": 1 below a line y = 0.2 + x / golden ratio (a plane z = 0.15 + (sqrt 2 - 1) x + (sqrt 3 - 3/2)
+/// y),
 ///   which leaves the square (cube) through its sides only
 /// - "gaussian": exp(-|x - c|^2 / (2 0.2^2)) around the centre c, cut off by the borders
 /// - "cosine": product of 1 + cos(2 pi x_k), smooth on the torus

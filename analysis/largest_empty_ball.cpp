@@ -93,7 +93,8 @@ std::array<std::array<Number, D>, D> edges_of(const Simplex<D>& simplex)
 }
 
 /// The circumcentre relative to corner 0. In double where the simplex is far from flat, for then rounding,
-/// 1e-16 of the longest edge's power, stays below 1e-11 of the determinant; otherwise in exact rationals.
+/// 1e-16 of the longest edge's power and of the unit torus, stays far below the determinant; otherwise in
+/// exact rationals.
 template <int D>
 Coordinates<D> circumcentre(const Simplex<D>& simplex)
 {
@@ -163,6 +164,10 @@ LargestEmptyBall largest_empty_circle(const PointSet& points)
     return largest.result(points.size());
 }
 
+/// Inserted as a range, points start from a regular set that is removed at the end: fast, but not where only
+/// few points are left.
+constexpr std::size_t few = 100;
+
 LargestEmptyBall largest_empty_sphere(const PointSet& points)
 {
     std::vector<Kernel::Point_3> positions;
@@ -170,7 +175,11 @@ LargestEmptyBall largest_empty_sphere(const PointSet& points)
         positions.emplace_back(points[i][0], points[i][1], points[i][2]);
     }
     Triangulation3 triangulation(Traits3::Iso_cuboid_3(0, 0, 0, 1, 1, 1));
-    triangulation.insert(positions.begin(), positions.end(), true);
+    if (positions.size() <= few) {
+        for (const auto& position : positions) triangulation.insert(position);
+    } else {
+        triangulation.insert(positions.begin(), positions.end(), true);
+    }
 
     LargestBall<3> largest;
     for (auto cell = triangulation.cells_begin(); cell != triangulation.cells_end(); ++cell) {

@@ -17,8 +17,7 @@ public:
     Rings(const Spectrum& spectrum, int tiles)
         : spectrum_(spectrum), width_(std::min(3, tiles - 1)),
           least_power_(1e-22 * static_cast<double>(spectrum.points))
-    {
-    }
+    {}
 
     bool fits(int along) const
     {

@@ -1,10 +1,11 @@
-// How the power spectrum behaves at low frequencies: the exponent b of P(f) ~ f^b, and P extrapolated to f = 0.
+// How the power spectrum behaves at low frequencies: the exponent b of P(f) ~ f^b, and P extrapolated to f =
+// 0.
 //
 // A set is hyperuniform when the power vanishes at f = 0, and b says how fast: Torquato and Stillinger, Local
 // density fluctuations, hyperuniformity, and order metrics, Phys. Rev. E 68, 041113 (2003); Torquato,
-// Hyperuniform states of matter, Phys. Rep. 745 (2018). For integration it is b that decides the rate at which
-// errors fall: Pilleboue et al., Variance analysis for Monte Carlo integration, ACM Transactions on Graphics
-// 34(4), 2015.
+// Hyperuniform states of matter, Phys. Rep. 745 (2018). For integration it is b that decides the rate at
+// which errors fall: Pilleboue et al., Variance analysis for Monte Carlo integration, ACM Transactions on
+// Graphics 34(4), 2015.
 //
 // Both are weighted least squares over the bins with frequency in a range:
 //
@@ -30,13 +31,13 @@ inline constexpr double low_frequency_end = 0.25;
 
 struct LowFrequencyPower
 {
-    double exponent = 0;                 ///< b
+    double exponent = 0; ///< b
     double exponent_standard_error = 0;
-    double intercept = 0;                ///< S(0); below 0 only by noise or where the model does not hold
+    double intercept = 0; ///< S(0); below 0 only by noise or where the model does not hold
     double intercept_standard_error = 0;
-    double begin = 0;                    ///< the first and the last frequency that took part
+    double begin = 0; ///< the first and the last frequency that took part
     double end = 0;
-    std::size_t bins = 0;                ///< m
+    std::size_t bins = 0; ///< m
 };
 
 /// Frequencies in cycles per unit length, both ends included.

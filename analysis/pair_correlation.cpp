@@ -92,8 +92,7 @@ public:
     PairCounter(const PointSet& points, double max_distance, std::size_t bins)
         : grid_(points, max_distance), offsets_(half_of_offsets<D>(grid_.span)), bins_(bins),
           scale_(static_cast<double>(bins) / max_distance)
-    {
-    }
+    {}
 
     /// The number of unordered pairs in each bin. Counts are integers: their order does not matter.
     Counts count() const

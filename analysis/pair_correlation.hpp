@@ -8,9 +8,9 @@
 //
 //   g_k = (ordered pairs with k w <= distance < (k + 1) w) / (N (N - 1) (V((k + 1) w) - V(k w)))
 //
-// V is the exact volume of a ball on the torus (torus_ball.hpp), so there is no edge correction to choose, and
-// no largest distance but that of the torus itself, sqrt(2) / 2 and sqrt(3) / 2. With N (N - 1), not N^2, the
-// estimate for N independent uniform points is without bias.
+// V is the exact volume of a ball on the torus (torus_ball.hpp), so there is no edge correction to choose,
+// and no largest distance but that of the torus itself, sqrt(2) / 2 and sqrt(3) / 2. With N (N - 1), not N^2,
+// the estimate for N independent uniform points is without bias.
 #pragma once
 
 #include "geometry/point_set.hpp"
@@ -32,8 +32,8 @@ struct PairCorrelationBin
 /// Averages g over sets, in the order given.
 /// Shells of a volume below 1e-14, as those next to the largest distance can be, have g = 0.
 ///
-/// Time of a set is O(N times neighbours within max_distance), at most O(N^2). Any number of threads gives the
-/// same bytes.
+/// Time of a set is O(N times neighbours within max_distance), at most O(N^2). Any number of threads gives
+/// the same bytes.
 class PairCorrelationEstimate
 {
 public:
@@ -41,8 +41,8 @@ public:
     /// 0 < max_distance <= largest_toroidal_distance(dimension), bins > 0 and dimension 2 or 3.
     PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins);
 
-    /// Adds one set. Throws InputError for another dimension or fewer than two points. Coordinates must lie in
-    /// [0, 1).
+    /// Adds one set. Throws InputError for another dimension or fewer than two points. Coordinates must lie
+    /// in [0, 1).
     void add(const PointSet& points);
 
     /// The mean of what was added; no bins where nothing was.

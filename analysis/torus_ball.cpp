@@ -24,7 +24,7 @@ double slices(double r, double z)
 {
     const double squared = r * r;
     const double s2 = squared - h * h;
-    const double q = root(s2 - z * z); // sqrt(rho^2 - h^2)
+    const double q = root(s2 - z * z);    // sqrt(rho^2 - h^2)
     const double turn = std::atan2(z, q); // asin(z / s)
     const double disks = squared * z - z * z * z / 3;
     const double integral_q = (z * q + s2 * turn) / 2;

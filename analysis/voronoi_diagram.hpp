@@ -1,10 +1,10 @@
 // The Voronoi diagram of a point set on the unit torus in 2D, and the statistics of its cells.
 //
-// Okabe, Boots, Sugihara and Chiu, Spatial Tessellations (2000), chapter 5. The variance of cell areas measures
-// how evenly a set covers the plane (0.280 for a Poisson process: Gilbert, Random subdivisions of space into
-// crystals, Ann. Math. Statist. 33, 1962); the shares of cells by their number of neighbours measure local
-// order: the mean is 6 (Euler), and only sets with hexagonal order have mostly sixes. From CGAL's periodic
-// Delaunay triangulation, with exact predicates.
+// Okabe, Boots, Sugihara and Chiu, Spatial Tessellations (2000), chapter 5. The variance of cell areas
+// measures how evenly a set covers the plane (0.280 for a Poisson process: Gilbert, Random subdivisions of
+// space into crystals, Ann. Math. Statist. 33, 1962); the shares of cells by their number of neighbours
+// measure local order: the mean is 6 (Euler), and only sets with hexagonal order have mostly sixes. From
+// CGAL's periodic Delaunay triangulation, with exact predicates.
 #pragma once
 
 #include "geometry/point_set.hpp"
@@ -43,7 +43,7 @@ VoronoiDiagram voronoi_diagram(const PointSet& points);
 
 struct VoronoiStatistics
 {
-    double relative_area_variance = 0;      ///< variance (divisor N) of the cell areas over their squared mean
+    double relative_area_variance = 0; ///< variance (divisor N) of the cell areas over their squared mean
     std::array<double, 5> neighbour_share{}; ///< cells with up to 4, with 5, 6, 7, and at least 8 neighbours
 };
 

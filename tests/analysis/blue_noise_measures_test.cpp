@@ -60,7 +60,8 @@ TEST(EffectiveNyquistFrequency, IsZeroWithoutAnEmptyRegionOrAnEndOfIt)
 
 TEST(EffectiveNyquistFrequency, TakesTheLastCrossingBelowTheRise)
 {
-    // A low bump lifts C to 4.6^2/... above 0.1 and down again: frequencies 4 and 5 of power 1, then none to 40.
+    // A low bump lifts C to 4.6^2/... above 0.1 and down again: frequencies 4 and 5 of power 1, then none
+    // to 40.
     const auto radial = radial_of(200, 2, [](double f) { return f == 4 || f == 5 || f >= 40 ? 1.0 : 0.0; });
     // C(f) = (5.5^2 - 3.5^2 + f^2 - 39.5^2) / (f^2 - 1/4) = 0.1.
     const double expected = std::sqrt((39.5 * 39.5 - 18 - 0.025) / 0.9);
@@ -145,8 +146,8 @@ TEST(Oscillation, OfWhiteNoiseIsItsNoiseFloor)
         const Oscillation o = oscillation(radial_statistics(estimate.mean()), 300, 2, 3);
         ratios.push_back(o.value * o.value / (o.noise_floor * o.noise_floor));
     }
-    // f and -f weigh the same, so means of squares compare; a first bin of at least 0.98 is as good as chosen,
-    // which changes one bin of 30.
+    // f and -f weigh the same, so means of squares compare; a first bin of at least 0.98 is as good as
+    // chosen, which changes one bin of 30.
     const Mean mean = mean_of(ratios);
     EXPECT_LT(std::abs(mean.value - 1), z_bound(1) * mean.standard_error + 1 / 30.0);
 }

@@ -38,10 +38,10 @@ TEST(Integrands, HaveTheirIntegralsAndVariances)
             const double count = std::pow(n, d);
             const double mean = sums[f] / count, variance = squares[f] / count - mean * mean;
             // Midpoints see a smooth function to h^2/24 |f''| and f'' is below 100 (squares of functions
-            // included), an indicator to half the cells that its border crosses: less than d n^(d-1) times its
-            // extent, which the actual error is a twentieth of.
-            const bool jumps = functions[f].name == "step" || functions[f].name == "disk" ||
-                               functions[f].name == "ball";
+            // included), an indicator to half the cells that its border crosses: less than d n^(d-1) times
+            // its extent, which the actual error is a twentieth of.
+            const bool jumps =
+                functions[f].name == "step" || functions[f].name == "disk" || functions[f].name == "ball";
             const double bound = jumps ? 0.5 * d / n : d * 100.0 / 24 / n / n;
             EXPECT_NEAR(mean, functions[f].integral, bound) << functions[f].name;
             EXPECT_NEAR(variance, functions[f].variance, 3 * bound) << functions[f].name;

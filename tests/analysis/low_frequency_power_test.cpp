@@ -16,8 +16,8 @@ std::vector<RadialBin> radial_of(int count, const Power& power)
 {
     std::vector<RadialBin> radial;
     for (int k = 1; k <= count; ++k) {
-        radial.push_back({static_cast<double>(k), power(static_cast<double>(k)), 0,
-                          static_cast<std::size_t>(6 * k)});
+        radial.push_back(
+            {static_cast<double>(k), power(static_cast<double>(k)), 0, static_cast<std::size_t>(6 * k)});
     }
     return radial;
 }
@@ -38,7 +38,8 @@ TEST(LowFrequencyPower, RecoversPowerLaws)
 
 TEST(LowFrequencyPower, RecoversTheInterceptOfAParabola)
 {
-    const auto fit = low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), {1, 30});
+    const auto fit =
+        low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), {1, 30});
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->intercept, 0.07, 1e-14);
     EXPECT_NEAR(fit->intercept_standard_error, 0, 1e-14);

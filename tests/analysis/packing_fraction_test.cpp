@@ -26,7 +26,7 @@ TEST(PackingFraction, OfFewPoints)
     EXPECT_EQ(packing_fraction({2, {}}), 0);
     EXPECT_NEAR(packing_fraction({2, {0.3, 0.9}}), pi / 4, 1e-15);
     EXPECT_NEAR(packing_fraction({3, {0.3, 0.9, 0.1}}), pi / 6, 1e-15);
-    EXPECT_NEAR(packing_fraction({2, {0.0, 0.0, 0.5, 0.5}}), pi / 4, 1e-15);      // diameter sqrt(1/2)
+    EXPECT_NEAR(packing_fraction({2, {0.0, 0.0, 0.5, 0.5}}), pi / 4, 1e-15);       // diameter sqrt(1/2)
     EXPECT_NEAR(packing_fraction({2, {0.0, 0.0, 0.75, 0.0}}), 2 * pi / 64, 1e-15); // diameter 1/4
     EXPECT_EQ(packing_fraction({2, {0.3, 0.9, 0.3, 0.9}}), 0);
 }

@@ -21,9 +21,7 @@ long double simpson(const std::function<long double(long double)>& f, long doubl
 /// What the disk of radius r has of the square, by columns: x = r sin t takes the root out of the integrand.
 double disk_by_columns(double r, int n)
 {
-    const auto column = [&](long double t) {
-        return std::min(1.0L, 2 * r * std::cos(t)) * r * std::cos(t);
-    };
+    const auto column = [&](long double t) { return std::min(1.0L, 2 * r * std::cos(t)) * r * std::cos(t); };
     // Columns are cut off where r cos t > 1/2: integrate both sides of that kink apart.
     const long double end = r <= 0.5 ? std::numbers::pi_v<long double> / 2 : std::asin(0.5L / r);
     const long double kink = r <= 0.5 ? 0 : std::min(end, std::acos(0.5L / r));
@@ -93,9 +91,9 @@ TEST(TorusBall, HasTheMomentsOfTheDistanceInACube)
         // V has the term (r - 1/2)^1.5 in 2D: Simpson's error is some n^-2.5 = 2e-11.
         EXPECT_NEAR(moment(2), d / 12.0, 1e-10);
         EXPECT_NEAR(moment(4), d / 80.0 + d * (d - 1) / 144.0, 1e-10);
-        const double mean = d == 2 ? (std::sqrt(2.0) + std::log(1 + std::sqrt(2.0))) / 6
-                                   : std::sqrt(3.0) / 8 + std::log(2 + std::sqrt(3.0)) / 4 -
-                                         std::numbers::pi / 48;
+        const double mean =
+            d == 2 ? (std::sqrt(2.0) + std::log(1 + std::sqrt(2.0))) / 6
+                   : std::sqrt(3.0) / 8 + std::log(2 + std::sqrt(3.0)) / 4 - std::numbers::pi / 48;
         EXPECT_NEAR(moment(1), mean, 1e-10);
     }
 }

@@ -122,11 +122,13 @@ TEST(VoronoiDiagram, OfLatticesIsTheirTiling)
 TEST(VoronoiDiagram, OfIndependentPointsHasThePublishedMoments)
 {
     // Relative variance of areas 0.280176 (Gilbert 1962). Shares of Poisson-Voronoi cells: triangles 0.01124
-    // (Hayen and Quine 2000), 4 to 7 neighbours 0.10685, 0.25944, 0.29472, 0.19877 (Okabe et al., table 5.5.2).
+    // (Hayen and Quine 2000), 4 to 7 neighbours 0.10685, 0.25944, 0.29472, 0.19877 (Okabe et al.,
+    // table 5.5.2).
     std::mt19937_64 random(3);
     std::vector<std::vector<double>> samples(5);
     for (int i = 0; i < 30; ++i) {
-        const VoronoiStatistics statistics = voronoi_statistics(voronoi_diagram(random_points(2000, 2, random)));
+        const VoronoiStatistics statistics =
+            voronoi_statistics(voronoi_diagram(random_points(2000, 2, random)));
         samples[0].push_back(statistics.relative_area_variance);
         for (std::size_t k = 0; k < 4; ++k) samples[k + 1].push_back(statistics.neighbour_share[k]);
     }
