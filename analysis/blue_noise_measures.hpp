@@ -20,7 +20,7 @@
 //
 // Departures from psa: it computes P from g(r) as a smooth function of f, here P is the radial mean of
 // periodograms in bins of one cycle per unit length, and C is interpolated within a bin. Spectra of this
-// laboratory end at 4 s or more (2D), so that b is nearly always their end; a spectrum's noise adds
+// laboratory end between 2.5 s and 5 s (2D), so that b is nearly always their end; a spectrum's noise adds
 // to Omega, by an amount that is reported beside it. 3D is the same with d = 3.
 #pragma once
 

@@ -33,9 +33,8 @@ struct Integrand
 
 /// The test functions, d the dimension:
 /// - "disk" ("ball" in 3D): 1 within 0.3 of (0.5, ...), else 0
-/// - "step": 1 below a line y = 0.2 + x / golden ratio (a plane z = 0.15 + (sqrt 2 - 1) x + (sqrt 3 - 3/2)
-/// y),
-///   which leaves the square (cube) through its sides only
+/// - "step": 1 below the line y = 0.2 + x / golden ratio, in 3D below the plane
+///   z = 0.15 + (sqrt 2 - 1) x + (sqrt 3 - 3/2) y: both leave the square (cube) through its sides only
 /// - "gaussian": exp(-|x - c|^2 / (2 0.2^2)) around the centre c, cut off by the borders
 /// - "cosine": product of 1 + cos(2 pi x_k), smooth on the torus
 /// - "bilinear" ("trilinear"): product of x_k, with a jump at the borders of the torus

@@ -2,8 +2,8 @@
 //
 // g(r) is the number of pairs of points at distance r over that of independent uniform points: 1 throughout
 // for those, 0 below the minimum distance, and 1 at large distances where there is no order. Illian,
-// Penttinen, Stoyan and Stoyan, Statistical Analysis and Modelling of Spatial Point Patterns (2008), section
-// 4.3; in computer graphics Heck, Schloemer and Deussen, Blue noise sampling with controlled aliasing, ACM
+// Penttinen, Stoyan and Stoyan, Statistical Analysis and Modelling of Spatial Point Patterns (2008), chapter
+// 4; in computer graphics Heck, Schloemer and Deussen, Blue noise sampling with controlled aliasing, ACM
 // Transactions on Graphics 32(3), 2013. Estimated by a histogram:
 //
 //   g_k = (ordered pairs with k w <= distance < (k + 1) w) / (N (N - 1) (V((k + 1) w) - V(k w)))

@@ -2,8 +2,8 @@
 //
 // The toroidal distance of two points is the length of their difference reduced to the cube [-1/2, 1/2)^d, so
 // that the points within r of another are as many as the ball of radius r and that cube have in common:
-// Theodorou and Suter, Geometrical considerations in model systems with periodic boundary conditions, J.
-// Chem. Phys. 82, 955 (1985). The closed forms, with h = 1/2:
+// Theodorou and Suter, Geometrical considerations in model systems with periodic boundaries, J. Chem.
+// Phys. 82, 955 (1985). The closed forms, with h = 1/2:
 //
 //   2D  pi r^2                                                                  r <= h
 //       pi r^2 - 4 (r^2 acos(h/r) - h sqrt(r^2 - h^2))      four segments less  r <= sqrt 2 h

@@ -20,6 +20,9 @@ using Triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<Traits>;
 using Position = std::array<double, 2>;
 using Polygon = std::vector<Position>;
 
+/// Some hundred times the rounding of circumcentres, of coordinates up to 1.
+constexpr double shortest_edge = 1e-13;
+
 /// Circumcentres of the triangles around a site: the vertices of its cell, counterclockwise and relative to
 /// the site.
 Polygon circumcentres(const Triangulation& triangulation, Triangulation::Vertex_handle site)
@@ -42,7 +45,7 @@ Polygon circumcentres(const Triangulation& triangulation, Triangulation::Vertex_
 
 /// Each corner once, and the start fixed: which triangles meet at a corner of four or more cells, and which
 /// one comes first, is up to the triangulation.
-Polygon tidy(const Polygon& polygon, double shortest_edge)
+Polygon tidy(const Polygon& polygon)
 {
     Polygon corners;
     const auto differ = [&](const Position& p, const Position& q) {
@@ -86,10 +89,9 @@ VoronoiDiagram voronoi_diagram(const PointSet& points)
     triangulation.insert(positions.begin(), positions.end(), true);
 
     VoronoiDiagram diagram{std::vector<VoronoiCell>(points.size())};
-    const double shortest_edge = 1e-9 / std::sqrt(static_cast<double>(points.size()));
     for (auto v = triangulation.unique_vertices_begin(); v != triangulation.unique_vertices_end(); ++v) {
         VoronoiCell& cell = diagram.cells[owners.at({v->point().x(), v->point().y()})];
-        cell.polygon = tidy(circumcentres(triangulation, v), shortest_edge);
+        cell.polygon = tidy(circumcentres(triangulation, v));
         cell.area = area_of(cell.polygon);
         cell.neighbours = static_cast<int>(cell.polygon.size());
     }

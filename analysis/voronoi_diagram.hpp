@@ -36,9 +36,11 @@ struct VoronoiDiagram
 /// The diagram of at least one point. Throws InputError for the empty set and for sets that are not 2D.
 /// Coordinates must lie in [0, 1).
 ///
-/// Edges shorter than 1e-9 / sqrt N are corners where four or more cells meet, as those of a square lattice
-/// do, and no neighbours. Of coinciding points the first has the cell; the others have none: area 0, no
-/// neighbours, no polygon. Areas are within some 1e-15, and sum up to 1. Runs on one thread.
+/// Edges shorter than 1e-13 are corners where four or more cells meet, as those of a square lattice do, told
+/// apart by rounding only: no neighbours. Of coinciding points the first has the cell; the others have none:
+/// area 0, no neighbours, no polygon. A corner is within some 1e-15 over the
+/// sine of the sharpest angle of its Delaunay triangle, so that areas of all but clustered sets sum up to 1
+/// within 1e-13. Runs on one thread.
 VoronoiDiagram voronoi_diagram(const PointSet& points);
 
 struct VoronoiStatistics

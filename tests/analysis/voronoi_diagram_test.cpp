@@ -100,6 +100,21 @@ TEST(VoronoiDiagram, HasSixNeighboursOnAverageAndTheWholeArea)
     }
 }
 
+TEST(VoronoiDiagram, OfTinyClustersLosesNoEdges)
+{
+    std::mt19937_64 random(5);
+    const VoronoiDiagram diagram = voronoi_diagram(clustered_points(300, 2, 2, 1e-7, random));
+    int sum = 0;
+    for (const VoronoiCell& cell : diagram.cells) {
+        sum += cell.neighbours;
+        EXPECT_GT(cell.area, 0);
+    }
+    EXPECT_EQ(sum, 1800);
+    // Triangles with one point of the other cluster have angles down to some 1e-8, the distance of
+    // neighbours: their corners are off by 1e-15 / 1e-8.
+    EXPECT_NEAR(total_area(diagram), 1, 1e-7);
+}
+
 TEST(VoronoiDiagram, OfLatticesIsTheirTiling)
 {
     for (const int n : {1, 2, 3, 9, 40}) {
@@ -123,7 +138,7 @@ TEST(VoronoiDiagram, OfIndependentPointsHasThePublishedMoments)
 {
     // Relative variance of areas 0.280176 (Gilbert 1962). Shares of Poisson-Voronoi cells: triangles 0.01124
     // (Hayen and Quine 2000), 4 to 7 neighbours 0.10685, 0.25944, 0.29472, 0.19877 (Okabe et al.,
-    // table 5.5.2).
+    // chapter 5).
     std::mt19937_64 random(3);
     std::vector<std::vector<double>> samples(5);
     for (int i = 0; i < 30; ++i) {
