@@ -68,6 +68,16 @@ TEST(EffectiveNyquistFrequency, TakesTheLastCrossingBelowTheRise)
     EXPECT_NEAR(effective_nyquist_frequency(radial, 4096, 2), expected / 64, 1e-12);
 }
 
+TEST(EffectiveNyquistFrequency, TakesARiseToOneHalfOnly)
+{
+    // Frequencies 33 to 36, beyond s / 2 = 32, lift C to 0.2; it falls again until the step at 80.
+    const auto band = [](double f) { return (f >= 33 && f <= 36) || f >= 80 ? 1.0 : 0.0; };
+    const double expected = std::sqrt((79.5 * 79.5 - (36.5 * 36.5 - 32.5 * 32.5) - 0.025) / 0.9);
+    EXPECT_NEAR(effective_nyquist_frequency(radial_of(200, 2, band), 4096, 2), expected / 64, 1e-12);
+    const auto low = [](double f) { return f < 40 ? 0.0 : 0.45; };
+    EXPECT_EQ(effective_nyquist_frequency(radial_of(200, 2, low), 4096, 2), 0);
+}
+
 /// The radial power of the jittered grid with n x n cells, 1 - mean over directions of sinc^2 sinc^2.
 double jittered_power(double f, int n)
 {
