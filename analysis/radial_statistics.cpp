@@ -1,5 +1,7 @@
 #include "analysis/radial_statistics.hpp"
 
+#include "analysis/radial_bin.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,34 +10,30 @@ namespace poissonlab {
 
 namespace {
 
-/// round(|f|) from |f|^2, in integers: k^2 - k + 1/4 <= |f|^2 < k^2 + k + 1/4 never meets its ends.
-std::int64_t bin_of(std::int64_t squared)
-{
-    auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(squared))); // floor: exact below 2^52
-    return squared <= root * root + root ? root : root + 1;
-}
-
-/// Calls visit(bin, power) for every sample, in storage order.
+/// Calls visit(bin, power) for every sample of bins 0 .. M/2 - 1.
 template <class Visit>
 void for_each_sample(const Spectrum& spectrum, const Visit& visit)
 {
     const std::int64_t half = spectrum.size / 2;
     const std::int64_t slices = spectrum.dimension == 3 ? half : 0;
-    std::size_t at = 0;
+    const double* centre = spectrum.power.data() + half;
     for (std::int64_t w = -slices; w < std::max<std::int64_t>(slices, 1); ++w) {
-        for (std::int64_t v = -half; v < half; ++v) {
-            for (std::int64_t u = -half; u < half; ++u) {
-                visit(static_cast<std::size_t>(bin_of(u * u + v * v + w * w)), spectrum.power[at++]);
+        for (std::int64_t v = -half; v < half; ++v, centre += spectrum.size) {
+            RadialBinWalk bin(v * v + w * w);
+            for (std::int64_t u = 0; u < half; ++u) {
+                const std::size_t k = bin.of(u);
+                if (k >= static_cast<std::size_t>(half)) break;
+                visit(k, centre[u]);
+                if (u > 0) visit(k, centre[-u]);
             }
         }
     }
 }
 
-/// Powers up to this are zeros: the square of the error bound of exact_periodogram's transform, over N.
+/// Powers up to this are zeros: the square of the transform's error, over N.
 double zero_power(const Spectrum& spectrum)
 {
-    constexpr double transform_error = 1e-11; // times N
-    return transform_error * transform_error * static_cast<double>(spectrum.points);
+    return spectrum.transform_error * spectrum.transform_error * static_cast<double>(spectrum.points);
 }
 
 double to_anisotropy_db(double variance, double mean, double zero)
@@ -48,11 +46,10 @@ double to_anisotropy_db(double variance, double mean, double zero)
 
 std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
 {
-    // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end; so does all beyond bin M/2 - 1.
+    // Bin 0, f = 0 alone, takes part in the sums and is dropped at the end.
     const auto bins = static_cast<std::size_t>(spectrum.size / 2);
     std::vector<RadialBin> radial(bins);
     for_each_sample(spectrum, [&](std::size_t k, double power) {
-        if (k >= bins) return;
         radial[k].power += power;
         ++radial[k].samples;
     });
@@ -64,7 +61,7 @@ std::vector<RadialBin> radial_statistics(const Spectrum& spectrum)
     // The variance in a second pass, about the mean: no cancellation.
     std::vector<double> squares(bins);
     for_each_sample(spectrum, [&](std::size_t k, double power) {
-        if (k < bins) squares[k] += (power - radial[k].power) * (power - radial[k].power);
+        squares[k] += (power - radial[k].power) * (power - radial[k].power);
     });
     for (std::size_t k = 1; k < bins; ++k) {
         const double variance = squares[k] / static_cast<double>(radial[k].samples - 1);

@@ -1,5 +1,6 @@
 #include "analysis/spectrum.hpp"
 
+#include "analysis/fast_periodogram.hpp"
 #include "errors/errors.hpp"
 #include "geometry/relative_radius.hpp"
 
@@ -13,49 +14,69 @@ int spectrum_size(std::size_t points, int dimension)
     // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
     const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
     int size = 2;
-    while (size < samples && !(dimension == 3 && size == largest_spectrum_3d)) size *= 2;
+    const int largest = dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d;
+    while (size < samples && size < largest) size *= 2;
     return size;
 }
 
-SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary) : sizes_vary_(sizes_vary)
+SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method)
+    : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method)
 {
     if (dimension != 2 && dimension != 3)
         throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
     if (size <= 0 || size % 2 != 0)
         throw std::invalid_argument("SpectrumEstimate: size must be even and positive");
-    sum_.dimension = dimension;
-    sum_.size = size;
 }
+
+SpectrumEstimate::~SpectrumEstimate() = default;
+SpectrumEstimate::SpectrumEstimate(SpectrumEstimate&&) noexcept = default;
+SpectrumEstimate& SpectrumEstimate::operator=(SpectrumEstimate&&) noexcept = default;
 
 void SpectrumEstimate::add(const PointSet& points)
 {
-    const std::string name = "realization " + std::to_string(sum_.realizations);
-    if (points.dimension != sum_.dimension) {
+    const std::string name = "realization " + std::to_string(power_.count());
+    if (points.dimension != dimension_) {
         throw InputError(name + " has dimension " + std::to_string(points.dimension) + ", the spectrum " +
-                         std::to_string(sum_.dimension));
+                         std::to_string(dimension_));
     }
     if (points.size() == 0) throw InputError(name + " has no points");
-    if (!sizes_vary_ && sum_.realizations > 0 && points.size() != sum_.points) {
+    if (power_.count() == 0) points_ = points.size();
+    if (!sizes_vary_ && points.size() != points_) {
         throw InputError(name + " has " + std::to_string(points.size()) + " points where the first has " +
-                         std::to_string(sum_.points));
+                         std::to_string(points_));
     }
 
-    std::vector<double> power = exact_periodogram(points, sum_.size);
-    if (sum_.realizations == 0) {
-        sum_.power = std::move(power);
-        sum_.points = points.size();
-    } else {
-        for (std::size_t i = 0; i < power.size(); ++i) sum_.power[i] += power[i];
+    compute_periodogram(points);
+    radial_.add(radial_means(periodogram_));
+    power_.add(periodogram_.power);
+}
+
+void SpectrumEstimate::compute_periodogram(const PointSet& points)
+{
+    if (method_ == PeriodogramMethod::exact) {
+        periodogram_ = half_of(exact_periodogram(points, size_), dimension_, size_);
+        return;
     }
-    ++sum_.realizations;
+    if (!fast_) fast_ = std::make_unique<FastPeriodogram>(dimension_, size_);
+    fast_->compute(points, periodogram_);
 }
 
 Spectrum SpectrumEstimate::mean() const
 {
-    if (sum_.realizations == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
-    Spectrum mean = sum_;
-    for (double& power : mean.power) power /= sum_.realizations;
+    if (power_.count() == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
+    Spectrum mean{dimension_, size_, points_, power_.count(), {}};
+    mean.power = all_frequencies({dimension_, size_, power_.mean()});
+    if (power_.count() > 1) mean.variance = all_frequencies({dimension_, size_, power_.variance()});
+    if (method_ == PeriodogramMethod::fast) mean.transform_error = FastPeriodogram::default_tolerance;
     return mean;
+}
+
+std::vector<double> SpectrumEstimate::radial_errors() const
+{
+    if (radial_.count() < 2) return {};
+    std::vector<double> errors = radial_.variance();
+    for (double& error : errors) error = std::sqrt(error / radial_.count());
+    return errors;
 }
 
 Spectrum coordinate_slice(const Spectrum& volume, int axis)

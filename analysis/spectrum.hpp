@@ -7,14 +7,19 @@
 // - Row v holds frequency v - M/2 along y, column u holds u - M/2 along x; 3D: slice, then row, then column.
 #pragma once
 
+#include "analysis/half_spectrum.hpp"
+#include "analysis/running_moments.hpp"
 #include "geometry/point_set.hpp"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+class FastPeriodogram;
 
 /// The mean of K periodograms. K = 1, or a deterministic method: a periodogram, not an estimate.
 struct Spectrum
@@ -24,6 +29,10 @@ struct Spectrum
     std::size_t points = 0;    ///< N of each realization; of the first one where sizes vary
     int realizations = 0;      ///< K
     std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
+    /// Of each power between realizations (divisor K - 1), which estimates the power's own squared error times K. Empty
+    /// for K = 1.
+    std::vector<double> variance = {};
+    double transform_error = 1e-11; ///< bound of the error of transform values, as a share of N
 
     double at(int fx, int fy) const
     {
@@ -32,19 +41,27 @@ struct Spectrum
     }
 };
 
-/// 256^3 doubles are 128 MiB, and take a two-core processor about 7 s for 65,536 points; 512^3 would be 1 GiB
-/// for each of three arrays.
+/// Sizes beyond which the rule below does not go by itself: 8,192^2 doubles are 512 MiB, 256^3 128 MiB, and there are
+/// several arrays of that size.
+inline constexpr int largest_spectrum_2d = 8192;
 inline constexpr int largest_spectrum_3d = 256;
 
 /// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
 /// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
 ///
-/// Not more than largest_spectrum_3d in 3D, where the frequencies of sets of more than some 156,000 points
-/// reach less than twice that far.
+/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or 156,000
+/// in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
-/// Adds up periodograms in the order given; sums of floating point numbers depend on it.
+/// How periodograms are computed.
+enum class PeriodogramMethod
+{
+    fast, ///< FastPeriodogram: transform values within 1e-8, relative l2 error
+    exact ///< exact_periodogram()
+};
+
+/// Averages periodograms in the order given; sums of floating point numbers depend on it.
 ///
 /// Each periodogram is normalised by the number of points of its own set, so that sets whose sizes differ by
 /// the nature of their method, as saturated ones do, can be averaged where `sizes_vary` says so.
@@ -52,18 +69,34 @@ class SpectrumEstimate
 {
 public:
     /// `size` must be even and positive.
-    SpectrumEstimate(int dimension, int size, bool sizes_vary = false);
+    SpectrumEstimate(int dimension, int size, bool sizes_vary = false,
+                     PeriodogramMethod method = PeriodogramMethod::fast);
+    ~SpectrumEstimate();
+    SpectrumEstimate(SpectrumEstimate&&) noexcept;
+    SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
 
-    /// Adds the periodogram of one realization, by the exact sum. Throws InputError when the number of points
+    /// Adds the periodogram of one realization. Throws InputError when the number of points
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
+    /// The standard error of the radially averaged power in each bin of radial_statistics(), from its spread between
+    /// realizations. Empty for K = 1.
+    std::vector<double> radial_errors() const;
+
 private:
+    void compute_periodogram(const PointSet& points);
+
+    int dimension_, size_;
     bool sizes_vary_;
-    Spectrum sum_; ///< `points` is that of the first realization
+    PeriodogramMethod method_;
+    std::size_t points_ = 0; ///< of the first realization
+    HalfSpectrum periodogram_; ///< of the last realization
+    RunningMoments power_;   ///< of each frequency's power
+    RunningMoments radial_;  ///< of each bin's mean power
+    std::unique_ptr<FastPeriodogram> fast_;
 };
 
 /// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The

@@ -39,8 +39,9 @@ std::string data_block(std::size_t index, const Curve& curve)
     std::string block = fmt::format("$series{} << END\n", index);
     for (const auto& bin : curve.bins) {
         const auto finite = [](double v) { return std::isfinite(v) ? fmt::format("{:.6g}", v) : "NaN"; };
-        fmt::format_to(std::back_inserter(block), "{:.6g} {} {}\n", bin.frequency, finite(bin.power),
-                       finite(bin.anisotropy_db));
+        fmt::format_to(std::back_inserter(block), "{:.6g} {} {} {} {}\n", bin.frequency, finite(bin.power),
+                       finite(bin.anisotropy_db), finite(bin.power - bin.power_error),
+                       finite(bin.power + bin.power_error));
     }
     return block + "END\n";
 }
@@ -85,7 +86,7 @@ Overlaid on_one_axis(const std::vector<Curve>& curves)
     return result;
 }
 
-// Column 2 is power, column 3 anisotropy.
+// Column 2 is power, column 3 anisotropy; columns 4 and 5 are the power one standard error lower and higher.
 std::string plot_alone(const Curve& curve, std::size_t index, int column)
 {
     return data_block(index, curve) +
@@ -158,8 +159,11 @@ CurveScales common_scales(const std::vector<Curve>& curves)
 GnuplotPicture plot_radial_power(const Curve& curve, std::size_t index, const CurveScales& scales,
                                  const std::filesystem::path& stem)
 {
+    const auto band = fmt::format(", $series{0} using 1:4:5 with filledcurves fc rgb '{1}' fs transparent solid 0.25 "
+                                  "noborder",
+                                  index, curve_color(index));
     return {power_axes(curve.max_frequency, scales) + principal_frequency_mark(curve) +
-                plot_alone(curve, index, 2),
+                plot_alone(curve, index, 2) + band,
             panel_width, panel_height, stem};
 }
 

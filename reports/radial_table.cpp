@@ -13,10 +13,10 @@ namespace poissonlab {
 
 namespace {
 
-constexpr auto header = "frequency,power,anisotropy_db,samples";
+constexpr auto header = "frequency,power,anisotropy_db,samples,power_error";
 
-// The four numbers of a line; false when it holds anything else.
-bool parse_line(const std::string& line, std::array<double, 4>& values)
+// The five numbers of a line; false when it holds anything else.
+bool parse_line(const std::string& line, std::array<double, 5>& values)
 {
     const char* position = line.data();
     const char* const end = line.data() + line.size();
@@ -39,12 +39,12 @@ std::vector<RadialBin> read_radial_table(const std::filesystem::path& path)
         throw InputError(path.string() + ":1: must be the header " + header);
 
     std::vector<RadialBin> bins;
-    std::array<double, 4> values{};
+    std::array<double, 5> values{};
     for (int number = 2; std::getline(text, line); ++number) {
         if (!parse_line(line, values))
-            throw InputError(path.string() + ":" + std::to_string(number) + ": must be four numbers, not '" +
+            throw InputError(path.string() + ":" + std::to_string(number) + ": must be five numbers, not '" +
                              line + "'");
-        bins.push_back({values[0], values[1], values[2], static_cast<std::size_t>(values[3])});
+        bins.push_back({values[0], values[1], values[2], static_cast<std::size_t>(values[3]), values[4]});
     }
     if (bins.empty()) throw InputError(path.string() + ": holds no frequencies");
     return bins;

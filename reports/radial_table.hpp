@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// Reads columns frequency,power,anisotropy_db,samples. Anisotropy may be inf or nan (an annulus without
+/// Reads columns frequency,power,anisotropy_db,samples,power_error. Anisotropy may be inf or nan (an annulus without
 /// power). Throws InputError with file and line.
 std::vector<RadialBin> read_radial_table(const std::filesystem::path& path);
 

@@ -35,16 +35,16 @@ std::string read_text(const ConfigTable& table, const std::string& key, const st
     return *value;
 }
 
-Engine read_engine(const ConfigTable& table)
+/// Whether a key has the second of two words; the first is the default.
+bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
 {
-    const ConfigNode* node = find(table, "engine");
-    if (!node) return Engine::opencl;
-    const std::vector<std::string> words = {"opencl", "reference"};
+    const ConfigNode* node = find(table, key);
+    if (!node) return false;
     const auto* value = node->get_if<std::string>();
-    if (value && *value == words[0]) return Engine::opencl;
-    if (value && *value == words[1]) return Engine::reference;
-    throw invalid_node("engine", *node,
-                       "must be \"opencl\" or \"reference\"" + (value ? did_you_mean(*value, words) : ""));
+    if (value && *value == words[0]) return false;
+    if (value && *value == words[1]) return true;
+    throw invalid_node(key, *node, "must be \"" + words[0] + "\" or \"" + words[1] + "\"" +
+                                       (value ? did_you_mean(*value, words) : ""));
 }
 
 void read_analysis(const ConfigTable& top, Config& config)
@@ -53,12 +53,13 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    check_keys(*table, {"points", "realizations", "dimension"});
+    check_keys(*table, {"points", "realizations", "dimension", "spectrum"});
     config.points = static_cast<std::size_t>(
         read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
+    if (is_second_word(*table, "spectrum", {"fast", "exact"})) config.spectrum = PeriodogramMethod::exact;
 }
 
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
@@ -102,7 +103,7 @@ Config parse_config(const std::string& text, const std::string& file,
     config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
     config.seed =
         static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
-    config.engine = read_engine(top);
+    if (is_second_word(top, "engine", {"opencl", "reference"})) config.engine = Engine::reference;
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
     read_methods(top, registry, config);

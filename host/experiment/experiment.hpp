@@ -2,6 +2,7 @@
 // another.
 #pragma once
 
+#include "analysis/spectrum.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct Experiment
     std::optional<std::uint64_t> seed;  ///< empty, like the engine, for imported sets
     std::string engine;                 ///< "opencl" or "reference"
     int dimension = 2;
+    PeriodogramMethod spectrum = PeriodogramMethod::fast;
     std::uint32_t realizations = 0; ///< K as asked for
     std::vector<SeriesTask> series;
     std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed

@@ -14,7 +14,7 @@ namespace poissonlab {
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine);
 
-/// The text of radial.csv: frequency,power,anisotropy_db,samples; numbers in their shortest exact form.
+/// The text of radial.csv: frequency,power,anisotropy_db,samples,power_error; numbers in their shortest exact form.
 std::string radial_csv(const std::vector<RadialBin>& bins);
 
 }

@@ -92,7 +92,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
 {
     const auto begin = Clock::now();
     const auto sampler = task.create();
-    SeriesAnalysis analysis(task.label, sampler->sizes_vary());
+    SeriesAnalysis analysis(task.label, sampler->sizes_vary(), experiment.spectrum);
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds;
     IterationRecords iterations;
@@ -113,7 +113,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     const auto averaging = Clock::now();
     const Spectrum spectrum = analysis.mean_spectrum();
     write_spectrum(folder / "spectrum.exr", spectrum, spectrum_metadata(experiment, task));
-    write_whole_file(folder / "radial.csv", radial_csv(radial_statistics(spectrum)));
+    write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
 
     SeriesResult result = analysis.result();
     if (!realizations_that_got_there(iterations).empty()) {

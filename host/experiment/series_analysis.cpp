@@ -17,7 +17,7 @@ void SeriesAnalysis::add(const PointSet& points)
     const std::size_t n = points.size();
     if (!estimate_) {
         result_.spectrum_size = spectrum_size(std::max<std::size_t>(n, 1), points.dimension);
-        estimate_.emplace(points.dimension, result_.spectrum_size, sizes_vary_);
+        estimate_.emplace(points.dimension, result_.spectrum_size, sizes_vary_, method_);
     }
     try {
         estimate_->add(points);
@@ -34,5 +34,13 @@ void SeriesAnalysis::add(const PointSet& points)
 }
 
 Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean(); }
+
+std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
+{
+    std::vector<RadialBin> bins = radial_statistics(mean);
+    const std::vector<double> errors = estimate_.value().radial_errors();
+    for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
+    return bins;
+}
 
 }

@@ -1,6 +1,7 @@
 // What is measured on the realizations of a series, one after the other.
 #pragma once
 
+#include "analysis/radial_statistics.hpp"
 #include "analysis/spectrum.hpp"
 #include "experiment/experiment.hpp"
 
@@ -15,7 +16,9 @@ class SeriesAnalysis
 {
 public:
     /// `label` is for messages; `sizes_vary` as the sampler says it.
-    SeriesAnalysis(std::string label, bool sizes_vary) : label_(std::move(label)), sizes_vary_(sizes_vary) {}
+    SeriesAnalysis(std::string label, bool sizes_vary, PeriodogramMethod method)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), method_(method)
+    {}
 
     /// Throws InputError for sets that are empty, of another dimension, or of another size where sizes must
     /// not vary.
@@ -24,12 +27,16 @@ public:
     /// The mean of the periodograms; at least one set must have been added.
     Spectrum mean_spectrum() const;
 
+    /// radial_statistics() of a mean spectrum of this series, with errors.
+    std::vector<RadialBin> radial_curve(const Spectrum& mean) const;
+
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
 private:
     std::string label_;
     bool sizes_vary_;
+    PeriodogramMethod method_;
     SeriesResult result_;
     std::optional<SpectrumEstimate> estimate_;
 };

@@ -28,7 +28,7 @@ TEST(SpectrumEstimate, CountsEveryRealizationOnce)
 {
     std::mt19937_64 random(1);
     const PointSet first = random_points(50, 2, random), second = random_points(50, 2, random);
-    SpectrumEstimate estimate(2, 16);
+    SpectrumEstimate estimate(2, 16, false, PeriodogramMethod::exact);
     estimate.add(first);
     estimate.add(second);
     const Spectrum mean = estimate.mean();
@@ -38,7 +38,11 @@ TEST(SpectrumEstimate, CountsEveryRealizationOnce)
     EXPECT_EQ(mean.points, 50u);
     EXPECT_EQ(mean.realizations, 2);
     ASSERT_EQ(mean.power.size(), a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(mean.power[i], (a[i] + b[i]) / 2);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(mean.power[i], (a[i] + b[i]) / 2, 0x1p-51 * (a[i] + b[i]));
+        // The variance of two values, next to the rounding of their difference.
+        EXPECT_NEAR(mean.variance[i], (a[i] - b[i]) * (a[i] - b[i]) / 2, 0x1p-50 * (a[i] * a[i] + b[i] * b[i]));
+    }
 }
 
 TEST(SpectrumEstimate, KeepsDcAtTheCentre)
@@ -46,8 +50,8 @@ TEST(SpectrumEstimate, KeepsDcAtTheCentre)
     std::mt19937_64 random(2);
     SpectrumEstimate estimate(2, 16);
     for (int i = 0; i < 3; ++i) estimate.add(random_points(50, 2, random));
-    // P(0) = N^2 / N; 1e-11 N in the transform are 2e-11 N in the power.
-    EXPECT_NEAR(estimate.mean().at(0, 0), 50.0, 1e-9);
+    // P(0) = N^2 / N; 1e-8 N in the transform are 2e-8 N in the power.
+    EXPECT_NEAR(estimate.mean().at(0, 0), 50.0, 1e-6);
 }
 
 TEST(SpectrumEstimate, RefusesRealizationsOfUnequalSize)
@@ -71,7 +75,7 @@ TEST(SpectrumEstimate, NormalisesEachSetByItsOwnSizeWhereSizesVary)
     std::mt19937_64 random(4);
     const PointSet small = random_points(20, 2, random);
     const PointSet large = random_points(60, 2, random);
-    SpectrumEstimate estimate(2, 16, true);
+    SpectrumEstimate estimate(2, 16, true, PeriodogramMethod::exact);
     estimate.add(small);
     estimate.add(large);
     const auto power_of_small = exact_periodogram(small, 16);
@@ -79,9 +83,32 @@ TEST(SpectrumEstimate, NormalisesEachSetByItsOwnSizeWhereSizesVary)
     const Spectrum mean = estimate.mean();
     EXPECT_EQ(mean.points, 20u);
     for (std::size_t i = 0; i < mean.power.size(); ++i) {
-        EXPECT_EQ(mean.power[i], (power_of_small[i] + power_of_large[i]) / 2);
+        const double sum = power_of_small[i] + power_of_large[i];
+        EXPECT_NEAR(mean.power[i], sum / 2, 0x1p-51 * sum);
     }
     EXPECT_NEAR(mean.at(0, 0), (20.0 + 60.0) / 2, 1e-9);
+}
+
+TEST(SpectrumEstimate, RadialErrorsAreThoseOfTheRealizationsCurves)
+{
+    std::mt19937_64 random(5);
+    constexpr int k = 5, size = 32;
+    SpectrumEstimate estimate(2, size);
+    std::vector<std::vector<RadialBin>> curves;
+    for (int i = 0; i < k; ++i) {
+        const PointSet points = random_points(100, 2, random);
+        estimate.add(points);
+        EXPECT_EQ(estimate.radial_errors().empty(), i == 0);
+        curves.push_back(radial_statistics({2, size, 100, 1, exact_periodogram(points, size)}));
+    }
+    const auto errors = estimate.radial_errors();
+    ASSERT_EQ(errors.size(), curves[0].size());
+    for (std::size_t bin = 0; bin < errors.size(); ++bin) {
+        double mean = 0, squares = 0;
+        for (const auto& curve : curves) mean += curve[bin].power / k;
+        for (const auto& curve : curves) squares += (curve[bin].power - mean) * (curve[bin].power - mean);
+        EXPECT_NEAR(errors[bin], std::sqrt(squares / (k - 1) / k), 1e-7) << bin;
+    }
 }
 
 TEST(SpectrumEstimate, RefusesMeaninglessSizes)

@@ -18,6 +18,7 @@ TEST(Config, HasDefaultsForAllButTheSampler)
     EXPECT_EQ(config.points, 16384U);
     EXPECT_EQ(config.realizations, 10);
     EXPECT_EQ(config.dimension, 2);
+    EXPECT_EQ(config.spectrum, PeriodogramMethod::fast);
     ASSERT_EQ(config.methods.size(), 1U);
     EXPECT_EQ(config.methods[0].sampler->name, "random");
     EXPECT_TRUE(config.methods[0].settings.empty());
@@ -32,6 +33,7 @@ device = "pthread"
 [analysis]
 points = 134217728
 realizations = 10000
+spectrum = "exact"
 dimension = 2
 [[method]]
 sampler = "dart-throwing"
@@ -49,13 +51,14 @@ min_distance = [0.10, 0.2]
     EXPECT_EQ(config.device, "pthread");
     EXPECT_EQ(config.points, std::size_t{1} << 27);
     EXPECT_EQ(config.realizations, 10000);
+    EXPECT_EQ(config.spectrum, PeriodogramMethod::exact);
     ASSERT_EQ(config.methods.size(), 2U);
     EXPECT_EQ(config.methods[0].label, "L");
     EXPECT_EQ(std::get<double>(config.methods[0].settings[0].choices[0].value), 1.0);
     const auto& choices = config.methods[1].settings[1].choices;
     ASSERT_EQ(choices.size(), 2U);
     EXPECT_EQ(choices[0].shown, "0.10");
-    EXPECT_EQ(to_string(choices[0].location), "c.toml:16");
+    EXPECT_EQ(to_string(choices[0].location), "c.toml:17");
 }
 
 TEST(Config, TakesThreeDimensions)

@@ -164,8 +164,8 @@ TEST(ResultsJson, TakesAnyBytes)
 
 TEST(RadialCsv, HasShortExactNumbers)
 {
-    EXPECT_EQ(radial_csv({{1, 0.1, -10.5, 8}, {2, 1e-30, -300.25, 16}}),
-              "frequency,power,anisotropy_db,samples\n1,0.1,-10.5,8\n2,1e-30,-300.25,16\n");
+    EXPECT_EQ(radial_csv({{1, 0.1, -10.5, 8, 0.01}, {2, 1e-30, -300.25, 16, 0}}),
+              "frequency,power,anisotropy_db,samples,power_error\n1,0.1,-10.5,8,0.01\n2,1e-30,-300.25,16,0\n");
 }
 
 }

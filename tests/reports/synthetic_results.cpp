@@ -37,9 +37,10 @@ nlohmann::json statistic(const std::vector<double>& each)
 
 void write_radial_table(const std::filesystem::path& file, const Spectrum& spectrum)
 {
-    std::string csv = "frequency,power,anisotropy_db,samples\n";
+    std::string csv = "frequency,power,anisotropy_db,samples,power_error\n";
     for (const auto& bin : radial_statistics(spectrum))
-        csv += fmt::format("{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples);
+        csv += fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples,
+                           bin.power_error);
     write_whole_file(file, csv);
 }
 
