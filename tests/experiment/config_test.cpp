@@ -61,7 +61,7 @@ min_distance = [0.10, 0.2]
     const auto& choices = config.methods[1].settings[1].choices;
     ASSERT_EQ(choices.size(), 2U);
     EXPECT_EQ(choices[0].shown, "0.10");
-    EXPECT_EQ(to_string(choices[0].location), "c.toml:17");
+    EXPECT_EQ(to_string(choices[0].location), "c.toml:18");
 }
 
 TEST(Config, TakesThreeDimensions)
