@@ -29,8 +29,8 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Grid points per frequency sample. Less than the usual 2: transforms take most of the time, and a wider kernel, which
-/// less oversampling needs, is cheap.
-constexpr double oversampling = 1.25;
+/// less oversampling needs, is cheap; less so in 3D.
+double oversampling(int dimension) { return dimension == 2 ? 1.25 : 1.5; }
 
 /// Columns that are transformed together, and lines along x that are filled one after the other.
 constexpr std::size_t block = 8;
@@ -79,10 +79,10 @@ std::size_t transform_size(double least)
 }
 
 /// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that covers clusters, in 3D.
-int kernel_width(double tolerance)
+int kernel_width(double tolerance, int dimension)
 {
     for (int width = SpreadingKernel::min_width; width <= SpreadingKernel::max_width; width += 2) {
-        const double error = 10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling));
+        const double error = 10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
         if (error <= tolerance) return width;
     }
     throw std::invalid_argument("FastPeriodogram: no kernel is as accurate as the tolerance asks for");
@@ -170,8 +170,8 @@ private:
 
 FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
     : dimension_(dimension), size_(static_cast<std::size_t>(size)),
-      grid_(transform_size(std::max(oversampling * size, 2.0 * SpreadingKernel::max_width))), columns_(size_ / 2 + 1),
-      kernel_(kernel_width(tolerance), static_cast<double>(grid_) / size),
+      grid_(transform_size(std::max(oversampling(dimension) * size, 2.0 * SpreadingKernel::max_width))), columns_(size_ / 2 + 1),
+      kernel_(kernel_width(tolerance, dimension), static_cast<double>(grid_) / size),
       add_bins_(dimension == 2 ? add_bins_for<2>(kernel_.width()) : add_bins_for<3>(kernel_.width())),
       transforms_((dimension == 2 ? grid_ : grid_ * grid_) * columns_), workspaces_([this] { return Workspace(grid_); })
 {

@@ -16,7 +16,7 @@ namespace poissonlab {
 ///
 /// Relative l2 error of the transform values: at most `tolerance`, which can be 1e-8 to 0.1. The same
 /// bytes on every run and for any number of threads: FFTW's plans are estimated, not measured, and work is divided by
-/// lines. Memory: (1.25 M)^(d-1) M / 2 complex doubles.
+/// lines. Memory: 1.25 M * M / 2 complex doubles, in 3D (1.5 M)^2 M / 2.
 class FastPeriodogram
 {
 public:
