@@ -75,6 +75,8 @@ public:
     SpectrumEstimate(SpectrumEstimate&&) noexcept;
     SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
 
+    int dimension() const { return dimension_; }
+
     /// Adds the periodogram of one realization. Throws InputError when the number of points
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);

@@ -2,7 +2,11 @@
 // another.
 #pragma once
 
+#include "analysis/blue_noise_measures.hpp"
+#include "analysis/largest_empty_ball.hpp"
+#include "analysis/low_frequency_power.hpp"
 #include "analysis/spectrum.hpp"
+#include "analysis/voronoi_diagram.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -62,6 +66,17 @@ struct ZonePlateResult
         resolved_rms_error; ///< where the plate has up to half a cycle per pixel; NaN: nowhere
 };
 
+/// Measures of the field beyond distances and spectra. Nothing: not defined for the sets at hand.
+struct SeriesMeasures
+{
+    std::optional<double> effective_nyquist; ///< of the mean spectrum, in units of half of N^(1/dimension)
+    std::optional<Oscillation> oscillation;
+    std::optional<LowFrequencyPower> low_frequency_power;
+    std::optional<double> packing_fraction;           ///< these are of the first realization
+    std::optional<LargestEmptyBall> largest_empty;
+    std::optional<VoronoiStatistics> voronoi; ///< 2D
+};
+
 /// What was measured on one series. Vectors have one value a realization.
 struct SeriesResult
 {
@@ -72,6 +87,7 @@ struct SeriesResult
     int spectrum_size = 0;
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
+    SeriesMeasures measures;
     std::vector<std::string> point_files;                 ///< relative to the output folder
     std::vector<double> sample_seconds;
     double build_seconds = 0;

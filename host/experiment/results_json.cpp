@@ -94,6 +94,28 @@ Json machine_json(const Machine& machine)
     return json;
 }
 
+Json measures_json(const SeriesMeasures& measures)
+{
+    Json json = Json::object();
+    if (measures.effective_nyquist) json["effective_nyquist"] = *measures.effective_nyquist;
+    if (const auto& o = measures.oscillation)
+        json["oscillation"] = {{"value", o->value}, {"noise_floor", o->noise_floor}, {"begin", o->begin}, {"end", o->end}};
+    if (const auto& low = measures.low_frequency_power)
+        json["low_frequency_power"] = {{"exponent", low->exponent},
+                                       {"exponent_standard_error", low->exponent_standard_error},
+                                       {"intercept", low->intercept},
+                                       {"intercept_standard_error", low->intercept_standard_error},
+                                       {"begin", low->begin},
+                                       {"end", low->end}};
+    if (measures.packing_fraction) json["packing_fraction"] = *measures.packing_fraction;
+    if (const auto& gap = measures.largest_empty)
+        json["largest_empty"] = {{"radius", gap->radius}, {"relative_radius", gap->relative_radius}};
+    if (const auto& cells = measures.voronoi)
+        json["voronoi"] = {{"relative_area_variance", cells->relative_area_variance},
+                           {"neighbour_share", cells->neighbour_share}};
+    return json;
+}
+
 Json series_json(const SeriesTask& task, const SeriesResult& result)
 {
     const auto count = static_cast<int>(result.points.size());
@@ -113,6 +135,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result)
     json["min_distance"] = spread(result.min_distance);
     json["relative_radius"] = spread(result.relative_radius);
     json["covered_fraction"] = spread(result.covered_fraction);
+    json["measures"] = measures_json(result.measures);
     json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
                         {"size", result.spectrum_size},
                         {"file", task.name + "/spectrum.exr"}};

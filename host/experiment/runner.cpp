@@ -127,7 +127,9 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     const auto averaging = Clock::now();
     const Spectrum spectrum = analysis.mean_spectrum();
     write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
-    write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
+    const std::vector<RadialBin> radial = analysis.radial_curve(spectrum);
+    write_whole_file(folder / "radial.csv", radial_csv(radial));
+    analysis.measure_spectrum(radial);
 
     SeriesResult result = analysis.result();
     if (experiment.zone_plate) store_zone_plate(zone_plate, image_metadata(experiment, task), folder, result);

@@ -30,10 +30,15 @@ public:
     /// radial_statistics() of a mean spectrum of this series, with errors.
     std::vector<RadialBin> radial_curve(const Spectrum& mean) const;
 
+    /// Adds the measures that are made from the radial curve to the result.
+    void measure_spectrum(const std::vector<RadialBin>& radial);
+
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
 private:
+    void measure_first(const PointSet& points);
+
     std::string label_;
     bool sizes_vary_;
     PeriodogramMethod method_;
