@@ -22,7 +22,10 @@ PageData series_identity(const ReportSeries& series, std::size_t index);
 /// One row of the overview table: identity, radius, distance, covered fraction, time.
 PageData overview_row(const ReportSeries& series, std::size_t index);
 
-/// One section: identity, the panels with captions, links to the stored files.
+/// Name, value and meaning of each measure.
+PageData measures_list(const StoredMeasures& measures);
+
+/// One section: identity, the panels with captions, measures, links to the stored files.
 PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out);
 
 /// Title, caption, alternative text, the picture itself, and a link to it at full size. `shown` and `linked`

@@ -199,6 +199,7 @@ PageData series_section(const ReportSeries& series, std::size_t index, const std
     data.set("energy_panel", energy_panel(series, out));
     data.set("zone_plate_panel", zone_plate_panel(series, out));
     data.set("zone_plate_error_panel", zone_plate_error_panel(series, out));
+    data.set("measures", measures_list(series.stored->measures));
     data.set("file_groups", file_groups(series, out));
     return data;
 }

@@ -137,6 +137,7 @@ StoredSeries read_series(const StoredObject& object)
     series.background_anisotropy_db = radial.number("background_anisotropy_db");
     series.iterations = read_iterations(object);
     series.zone_plate = read_zone_plate_members(object);
+    series.measures = read_measures(object);
     series.point_files = object.file_names("point_files");
     if (series.point_files.empty()) throw object.error("point_files", "must name at least one file");
 

@@ -1,6 +1,8 @@
 // The results of a run as they lie on disk: results.json of docs/output-folder.md, checked.
 #pragma once
 
+#include "reports/stored_measures.hpp"
+
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -72,6 +74,7 @@ struct StoredSeries
     double background_anisotropy_db = 0;
     std::optional<StoredIterations> iterations;
     std::optional<StoredZonePlate> zone_plate;
+    StoredMeasures measures;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds; ///< one a realization
     double build_seconds = 0;

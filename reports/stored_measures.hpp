@@ -1,0 +1,38 @@
+// The member "measures" of a series in results.json: what is not there was not defined for its sets.
+#pragma once
+
+#include "reports/stored_object.hpp"
+
+#include <array>
+#include <optional>
+
+namespace poissonlab {
+
+struct StoredMeasures
+{
+    struct Fit
+    {
+        double exponent = 0, exponent_error = 0;
+        double intercept = 0, intercept_error = 0;
+    };
+    struct Oscillation
+    {
+        double value = 0, noise_floor = 0;
+    };
+    struct Cells
+    {
+        double relative_area_variance = 0;
+        std::array<double, 5> neighbour_share{}; ///< up to 4, 5, 6, 7, at least 8 neighbours
+    };
+
+    std::optional<double> effective_nyquist;
+    std::optional<Oscillation> oscillation;
+    std::optional<Fit> low_frequency_power;
+    std::optional<double> largest_empty_radius; ///< relative to the largest minimum distance
+    std::optional<Cells> voronoi;
+};
+
+/// Throws InputError for members of another kind.
+StoredMeasures read_measures(const StoredObject& series);
+
+}
