@@ -33,7 +33,7 @@ namespace reference {
 LloydResult relax(const PointSet& points, const Domain& domain, const LloydRequest& request);
 }
 
-/// The same by kernels/voronoi_2d.cl and voronoi_3d.cl: the same bytes on any number of threads; equal to the
+/// The same by kernels/voronoi_2d.cl and voronoi_3d_*.cl: the same bytes on any number of threads; equal to the
 /// reference within rounding.
 class LloydRelaxation
 {

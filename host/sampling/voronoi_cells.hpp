@@ -26,7 +26,7 @@ namespace reference {
 VoronoiCells voronoi_cells(const PointSet& points);
 }
 
-/// The same by kernels/voronoi_2d.cl and voronoi_3d.cl.
+/// The same by kernels/voronoi_2d.cl and voronoi_3d_*.cl.
 class VoronoiKernels
 {
 public:
