@@ -44,17 +44,6 @@ void expect_brute_force_power(const PointSet& points, int size, int samples, std
     }
 }
 
-/// Random points with corners and coordinates next to the borders among them.
-PointSet random_points_with_borders(std::size_t count, int dimension, std::mt19937_64& random)
-{
-    PointSet points = random_points(count, dimension, random);
-    const double border[] = {0.0, 1.0 - 0x1p-53, 0.5, 0x1p-60, 0.25, 0.5 - 0x1p-54};
-    for (double& x : points.coordinates) {
-        if (random() % 8 == 0) x = border[random() % 6];
-    }
-    return points;
-}
-
 TEST(ExactPeriodogram, AgreesWithTheDirectSumIn2D)
 {
     std::mt19937_64 random(1);

@@ -31,16 +31,6 @@ std::vector<double> fast_periodogram(const PointSet& points, int size,
     return all_frequencies(FastPeriodogram(points.dimension, size, tolerance).compute(points));
 }
 
-/// Random points with corners and coordinates next to the borders among them.
-PointSet with_borders(PointSet points, std::mt19937_64& random)
-{
-    const double border[] = {0.0, 1.0 - 0x1p-53, 0.5, 0x1p-60, 0.25, 0.5 - 0x1p-54};
-    for (double& x : points.coordinates) {
-        if (random() % 8 == 0) x = border[random() % 6];
-    }
-    return points;
-}
-
 TEST(FastPeriodogram, AgreesWithTheExactSum)
 {
     std::mt19937_64 random(1);
@@ -49,7 +39,7 @@ TEST(FastPeriodogram, AgreesWithTheExactSum)
         for (int i = 0; i < 40; ++i) {
             const int size = 2 * (1 + static_cast<int>(random() % (dimension == 2 ? 100 : 16)));
             const std::size_t count = 1 + random() % 1000;
-            const PointSet sets[] = {with_borders(random_points(count, dimension, random), random),
+            const PointSet sets[] = {random_points_with_borders(count, dimension, random),
                                      clustered_points(count, dimension, 3, 1e-3, random)};
             for (const PointSet& points : sets) {
                 const double error = l2_error(fast_periodogram(points, size), exact_periodogram(points, size));

@@ -23,6 +23,17 @@ inline PointSet random_points(std::size_t count, int dimension, std::mt19937_64&
     return points;
 }
 
+/// Random points with corners and coordinates next to the borders among them.
+inline PointSet random_points_with_borders(std::size_t count, int dimension, std::mt19937_64& random)
+{
+    PointSet points = random_points(count, dimension, random);
+    const double border[] = {0.0, 1.0 - 0x1p-53, 0.5, 0x1p-60, 0.25, 0.5 - 0x1p-54};
+    for (double& x : points.coordinates) {
+        if (random() % 8 == 0) x = border[random() % 6];
+    }
+    return points;
+}
+
 /// Independent uniform points whose coordinates are multiples of 2^-32.
 inline PointSet random_points_32(std::size_t count, int dimension, std::mt19937_64& random)
 {
