@@ -68,6 +68,7 @@ LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles)
     }
 
     LatticePeaks result;
+    result.tiles = tiles;
     for (const int z : spectrum.dimension == 3 ? multiples : std::vector{0}) {
         for (const int y : multiples) {
             for (const int x : multiples) {

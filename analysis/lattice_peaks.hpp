@@ -23,6 +23,7 @@ namespace poissonlab {
 
 struct LatticePeaks
 {
+    int tiles = 0;                  ///< M
     double max_ratio = 0;           ///< over all peaks; 0 without any
     double mean_ratio = 0;          ///< mean of the ratios; 0 without any
     std::array<int, 3> frequency{}; ///< where the ratio is largest, the first in storage order; 2D: z is 0

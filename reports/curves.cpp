@@ -10,8 +10,8 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <set>
+#include <utility>
 
 namespace poissonlab {
 
@@ -21,22 +21,21 @@ constexpr double most_power_shown = 5;
 constexpr double most_db_shown = 30;
 constexpr auto unit_frequency = "frequency (cycles per unit length)";
 constexpr auto spacing_frequency = "frequency (cycles per mean spacing of the points)";
+constexpr auto principal_unit = "frequency (in units of the principal frequency 1/d_{min})";
+constexpr double principal_units_shown = 4;
 
-// A dotted upright line with its name at the top, on the side that has room.
-std::string principal_frequency_mark(const Curve& curve)
+// Where the principal frequency is, and an axis in units of it.
+std::string principal_frequency_marks(const Curve& curve)
 {
     if (!curve.principal_frequency || *curve.principal_frequency > curve.max_frequency) return {};
-    const bool left_half = *curve.principal_frequency < 0.7 * curve.max_frequency;
-    return fmt::format(
-        "set arrow from first {0:.6g}, graph 0 to first {0:.6g}, graph 1 nohead back lw 1 dt (2,3) "
-        "lc rgb '{1}'\n"
-        "set label '1/d_{{min}}' at first {0:.6g}, graph 0.97 {2} textcolor rgb '{1}'\n",
-        *curve.principal_frequency, mark_color, left_half ? "left offset 0.5,0" : "right offset -0.5,0");
+    const double principal = *curve.principal_frequency;
+    return top_axis("in units of the principal frequency 1/d_{min}", curve.max_frequency / principal) +
+           upright_mark(principal, "1/d_{min}", principal >= 0.7 * curve.max_frequency);
 }
 
-std::string data_block(std::size_t index, const Curve& curve)
+std::string data_block(const Curve& curve)
 {
-    std::string block = fmt::format("$series{} << END\n", index);
+    std::string block = fmt::format("$series{} << END\n", curve.index);
     for (const auto& bin : curve.bins) {
         const auto finite = [](double v) { return std::isfinite(v) ? fmt::format("{:.6g}", v) : "NaN"; };
         fmt::format_to(std::back_inserter(block), "{:.6g} {} {} {} {}\n", bin.frequency, finite(bin.power),
@@ -87,10 +86,10 @@ Overlaid on_one_axis(const std::vector<Curve>& curves)
 }
 
 // Column 2 is power, column 3 anisotropy; columns 4 and 5 are the power one standard error lower and higher.
-std::string plot_alone(const Curve& curve, std::size_t index, int column)
+std::string plot_alone(const Curve& curve, int column)
 {
-    return data_block(index, curve) +
-           fmt::format("plot $series{0} using 1:{1} with lines {2}", index, column, line_style(index));
+    return data_block(curve) +
+           fmt::format("plot $series{0} using 1:{1} with lines {2}", curve.index, column, line_style(curve.index));
 }
 
 // The roughness of a curve: how much it goes up and down.
@@ -107,19 +106,18 @@ double roughness(const Curve& curve)
 GnuplotPicture overlay(const std::vector<Curve>& curves, std::string commands, int column,
                        const std::filesystem::path& stem)
 {
-    std::vector<std::size_t> order(curves.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater{}, [&](std::size_t i) { return roughness(curves[i]); });
-
+    std::vector<const Curve*> order;
     std::vector<KeyEntry> key;
-    std::string plot;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        commands += data_block(i, curves[i]);
-        key.push_back({i, curves[i].label});
+    for (const auto& curve : curves) {
+        order.push_back(&curve);
+        commands += data_block(curve);
+        key.push_back({curve.index, curve.label});
     }
-    for (const auto i : order)
-        plot += fmt::format("{}$series{} using 1:{} with lines {} notitle", plot.empty() ? "plot " : ", ", i,
-                            column, line_style(i));
+    std::ranges::stable_sort(order, std::greater{}, [](const Curve* curve) { return roughness(*curve); });
+    std::string plot;
+    for (const Curve* curve : order)
+        plot += fmt::format("{}$series{} using 1:{} with lines {} notitle", plot.empty() ? "plot " : ", ",
+                            curve->index, column, line_style(curve->index));
     return with_key(commands, plot, key, stem);
 }
 
@@ -136,6 +134,16 @@ std::string label_with_points(const std::string& label, std::size_t points)
 {
     if ((label + ", ").find(fmt::format("N = {}, ", format_count(points))) != std::string::npos) return label;
     return fmt::format("{} ({} points)", label, format_count(points));
+}
+
+std::string label_without_points(const std::string& label, std::size_t points)
+{
+    const auto text = fmt::format("N = {}", format_count(points));
+    const auto padded = label + ", ";
+    const auto at = padded.find(text + ", ");
+    if (at == std::string::npos) return label;
+    const auto rest = padded.substr(0, at) + padded.substr(at + text.size() + 2);
+    return rest.substr(0, rest.size() - std::min<std::size_t>(rest.size(), 2));
 }
 
 CurveScales common_scales(const std::vector<Curve>& curves)
@@ -156,26 +164,24 @@ CurveScales common_scales(const std::vector<Curve>& curves)
     return scales;
 }
 
-GnuplotPicture plot_radial_power(const Curve& curve, std::size_t index, const CurveScales& scales,
-                                 const std::filesystem::path& stem)
+GnuplotPicture plot_radial_power(const Curve& curve, const CurveScales& scales, const std::filesystem::path& stem)
 {
     const auto band = fmt::format(", $series{0} using 1:4:5 with filledcurves fc rgb '{1}' fs transparent solid 0.25 "
                                   "noborder",
-                                  index, curve_color(index));
-    return {power_axes(curve.max_frequency, scales) + principal_frequency_mark(curve) +
-                plot_alone(curve, index, 2) + band,
+                                  curve.index, curve_color(curve.index));
+    return {power_axes(curve.max_frequency, scales) + principal_frequency_marks(curve) +
+                plot_alone(curve, 2) + band,
             panel_width, panel_height, stem};
 }
 
-GnuplotPicture plot_anisotropy(const Curve& curve, std::size_t index, const CurveScales& scales,
-                               const std::filesystem::path& stem)
+GnuplotPicture plot_anisotropy(const Curve& curve, const CurveScales& scales, const std::filesystem::path& stem)
 {
     const auto text = fmt::format("set label '−10 log_{{10}} {} = {} dB' at graph 1, first {:.6g} right "
                                   "offset 0,-1.2 textcolor rgb '{}'\n",
                                   curve.realizations, format_fixed(curve.background_db, 1),
                                   curve.background_db, mark_color);
     return {anisotropy_axes(curve.max_frequency, scales) + reference_line(curve.background_db) + text +
-                principal_frequency_mark(curve) + plot_alone(curve, index, 3),
+                principal_frequency_marks(curve) + plot_alone(curve, 3),
             panel_width, panel_height, stem};
 }
 
@@ -195,6 +201,24 @@ GnuplotPicture overlay_anisotropy(const std::vector<Curve>& curves, const CurveS
     for (const auto& curve : curves) backgrounds.insert(curve.background_db);
     for (const double db : backgrounds) commands += reference_line(db);
     return overlay(shown, commands, 3, stem);
+}
+
+std::vector<Curve> principal_curves(const std::vector<Curve>& curves)
+{
+    std::vector<Curve> result;
+    for (auto curve : curves) {
+        if (!curve.principal_frequency || *curve.principal_frequency > curve.max_frequency) continue;
+        for (auto& bin : curve.bins) bin.frequency /= *curve.principal_frequency;
+        curve.max_frequency = std::min(curve.max_frequency / *curve.principal_frequency, principal_units_shown);
+        result.push_back(std::move(curve));
+    }
+    return result;
+}
+
+GnuplotPicture overlay_principal_power(const std::vector<Curve>& curves, const CurveScales& scales,
+                                       const std::filesystem::path& stem)
+{
+    return overlay(curves, power_axes(max_frequency(curves), scales, principal_unit), 2, stem);
 }
 
 }

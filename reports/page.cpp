@@ -122,6 +122,11 @@ PageData overlays(const std::vector<ReportSeries>& series, const std::filesystem
         for (const auto& curve : curves) names.push_back(curve.label);
         return names;
     };
+    if (const auto principal = labels_of(principal_curves(frequency_curves(series))); principal.size() > 1)
+        list << overlay_panel(out, principal_overlay, "is_principal", "Radially averaged power",
+                              "frequency, in units of each series' principal frequency", principal);
+    if (const auto pairs = labels_of(pair_correlation_curves(series)); pairs.size() > 1)
+        list << overlay_panel(out, pair_correlation_overlay, "is_pairs", "Pair correlation", "distance", pairs);
     if (const auto iterative = labels_of(iteration_curves(series)); iterative.size() > 1) {
         list << overlay_panel(out, radius_overlay, "is_radius", "Relative radius", "iterations", iterative);
         list << overlay_panel(out, energy_overlay, "is_energy", "Energy", "iterations", iterative);
@@ -204,6 +209,9 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
 
     page.set("compared", series.size() > 1);
     page.set("overlays", overlays(series, out));
+    page.set("integration", integration_panels(series, out));
+    page.set("integrated", !integration_curves(series).empty());
+    page.set("pairs", !pair_correlation_curves(series).empty());
     page.set("iterative", !iteration_curves(series).empty());
     page.set("zone_plate", zone_plate_reference_panel(series, out));
 

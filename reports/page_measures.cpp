@@ -8,13 +8,23 @@ namespace poissonlab {
 
 namespace {
 
-PageData measure(const char* name, const std::string& value, const char* meaning)
+PageData measure(const char* name, const std::string& value, const std::string& meaning)
 {
     PageData data;
     data.set("name", name);
     data.set("value", value);
     data.set("meaning", meaning);
     return data;
+}
+
+// "disk 0.051, step 0.12"
+std::string integrals_text(const std::vector<StoredMeasures::Integral>& integrals)
+{
+    std::string text;
+    for (const auto& integral : integrals)
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", integral.integrand,
+                            format_significant(integral.relative_variance, 2));
+    return text;
 }
 
 std::string with_error(double value, double error)
@@ -41,6 +51,16 @@ PageData measures_list(const StoredMeasures& measures)
         list << measure("Power towards frequency 0", with_error(fit->intercept, fit->intercept_error),
                         "1 for random points, 0.059 for saturated dart throwing: lower is better");
     }
+    if (const auto& peaks = measures.lattice_peaks)
+        list << measure("Lattice peaks",
+                        fmt::format("{} at most, {} on average", format_significant(peaks->max_ratio, 3),
+                                    format_significant(peaks->mean_ratio, 3)),
+                        fmt::format("power at multiples of frequency {} over that around them, {} places: 1 on average "
+                                    "without tiles",
+                                    peaks->tiles, format_count(static_cast<std::uint64_t>(peaks->peaks))));
+    if (!measures.integration.empty())
+        list << measure("Error of integrals", integrals_text(measures.integration),
+                        "mean squared error over that of as many random points: lower is better");
     if (measures.largest_empty_radius)
         list << measure("Largest gap", format_fixed(*measures.largest_empty_radius, 3),
                         "radius of the largest empty circle over the largest possible minimum distance: at least 0.577 "

@@ -45,6 +45,10 @@ PageData zone_plate_error_panel(const ReportSeries& series, const std::filesyste
 PageData zone_plate_reference_panel(const std::vector<ReportSeries>& series,
                                     const std::filesystem::path& out);
 
+/// The plots of integration errors against the number of points, one an integrand; an empty list where there
+/// are none.
+PageData integration_panels(const std::vector<ReportSeries>& series, const std::filesystem::path& out);
+
 /// Where one run comes from: version, command, seed, device, config.
 PageData provenance(const StoredRun& run);
 

@@ -1,4 +1,5 @@
 // One series' section of the page: panels, their captions, and the stored files.
+#include "geometry/relative_radius.hpp"
 #include "reports/embedding.hpp"
 #include "reports/number_format.hpp"
 #include "reports/page_parts.hpp"
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {
@@ -111,6 +113,18 @@ PageData anisotropy_panel(const ReportSeries& series, const std::filesystem::pat
                     format_fixed(curve.background_db, 1), curve.realizations));
 }
 
+PageData pair_correlation_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.pair_correlation.empty()) return false;
+    const auto& bins = series.pair_correlation;
+    const auto peak = *std::ranges::max_element(bins, {}, &PairCorrelationBin::value);
+    const auto unit = max_min_distance(series.stored->points, series.run->dimension);
+    const auto caption = fmt::format("Highest {} at {} of the largest possible minimum distance, {}.",
+                                     format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
+                                     format_significant(unit, 4));
+    return picture_panel(series, out, "pair-correlation.svg", "pair-correlation.png", "Pair correlation", caption);
+}
+
 PageData file_link(const std::string& text, const std::filesystem::path& out,
                    const std::filesystem::path& file)
 {
@@ -150,6 +164,11 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
         {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
     groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
                                         picture("png", "anisotropy.png")});
+
+    if (!stored.pair_correlation_file.empty())
+        groups << file_group("Pair correlation", {result("csv", stored.pair_correlation_file),
+                                                  picture("svg", "pair-correlation.svg"),
+                                                  picture("png", "pair-correlation.png")});
 
     if (stored.iterations)
         groups << file_group("Iterations",
@@ -195,6 +214,7 @@ PageData series_section(const ReportSeries& series, std::size_t index, const std
     data.set("spectrum_panel", spectrum_panel(series, out));
     data.set("radial_panel", radial_panel(series, out));
     data.set("anisotropy_panel", anisotropy_panel(series, out));
+    data.set("pair_correlation_panel", pair_correlation_panel(series, out));
     data.set("relative_radius_panel", relative_radius_panel(series, out));
     data.set("energy_panel", energy_panel(series, out));
     data.set("zone_plate_panel", zone_plate_panel(series, out));

@@ -58,6 +58,22 @@ std::string reference_line(double height)
                        height, mark_color);
 }
 
+std::string upright_mark(double x, const std::string& name, bool name_on_the_left)
+{
+    return fmt::format("set arrow from first {0:.6g}, graph 0 to first {0:.6g}, graph 1 nohead back lw 1 dt (2,3) "
+                       "lc rgb '{1}'\n"
+                       "set label '{2}' at first {0:.6g}, graph 0.97 {3} textcolor rgb '{1}'\n",
+                       x, mark_color, name, name_on_the_left ? "right offset -0.5,0" : "left offset 0.5,0");
+}
+
+std::string top_axis(const std::string& label, double high)
+{
+    const double step = high > 30 ? 10 : high > 12 ? 5 : high > 5 ? 2 : high > 2.5 ? 1 : 0.5;
+    return fmt::format("set border 7\nset x2range [0:{:.10g}]\nset x2tics {:g} out scale 0.6\n"
+                       "set x2label '{}' offset 0,-0.5\nset tmargin 3\n",
+                       high, step, label);
+}
+
 GnuplotPicture with_key(const std::string& commands, const std::string& plot,
                         const std::vector<KeyEntry>& key, const std::filesystem::path& stem)
 {

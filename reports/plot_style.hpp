@@ -40,6 +40,12 @@ std::string axes(const std::string& label, double low, double high, const ValueA
 /// A dashed line across the plot, in front of the curves: a curve that lies on it must be seen to.
 std::string reference_line(double height);
 
+/// A dotted upright line at x, behind the curves, with its name at the top, left or right of it.
+std::string upright_mark(double x, const std::string& name, bool name_on_the_left);
+
+/// A second horizontal axis along the top from 0 to `high`, with its label.
+std::string top_axis(const std::string& label, double high);
+
 /// A series in a plot of several.
 struct KeyEntry
 {

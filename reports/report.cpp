@@ -35,13 +35,37 @@ void add_frequency_plots(const std::vector<ReportSeries>& series, const fs::path
     const auto curves = frequency_curves(series);
     const auto scales = common_scales(curves);
     for (std::size_t i = 0; i < series.size(); ++i) {
-        pictures.push_back(plot_radial_power(curves[i], i, scales, series[i].pictures / "radial"));
-        pictures.push_back(plot_anisotropy(curves[i], i, scales, series[i].pictures / "anisotropy"));
+        pictures.push_back(plot_radial_power(curves[i], scales, series[i].pictures / "radial"));
+        pictures.push_back(plot_anisotropy(curves[i], scales, series[i].pictures / "anisotropy"));
     }
     if (series.size() > 1) {
         pictures.push_back(overlay_radial_power(curves, scales, out / power_overlay));
         pictures.push_back(overlay_anisotropy(curves, scales, out / anisotropy_overlay));
     }
+    if (const auto principal = principal_curves(curves); principal.size() > 1)
+        pictures.push_back(overlay_principal_power(principal, scales, out / principal_overlay));
+}
+
+// The pair correlation of every series, and of all.
+void add_pair_correlation_plots(const std::vector<ReportSeries>& series, const fs::path& out,
+                                std::vector<GnuplotPicture>& pictures)
+{
+    const auto curves = pair_correlation_curves(series);
+    const auto scales = common_pair_correlation_scales(curves);
+    for (const auto& curve : curves)
+        pictures.push_back(
+            plot_pair_correlation(curve, scales, series[curve.index].pictures / "pair-correlation"));
+    if (curves.size() > 1)
+        pictures.push_back(overlay_pair_correlation(curves, scales, out / pair_correlation_overlay));
+}
+
+// Errors of integrals against the number of points, a plot an integrand.
+void add_integration_plots(const std::vector<ReportSeries>& series, const fs::path& out,
+                           std::vector<GnuplotPicture>& pictures)
+{
+    const auto curves = integration_curves(series);
+    for (const auto& integrand : integrands_of(curves))
+        pictures.push_back(plot_integration_error(curves, integrand, out / (integration_prefix + integrand)));
 }
 
 // Relative radius and energy of every series that has iterations, and of all of these.
@@ -88,6 +112,8 @@ std::vector<GnuplotPicture> all_plots(const std::vector<ReportSeries>& series, c
 {
     std::vector<GnuplotPicture> pictures;
     add_frequency_plots(series, out, pictures);
+    add_pair_correlation_plots(series, out, pictures);
+    add_integration_plots(series, out, pictures);
     add_iteration_plots(series, out, pictures);
     add_zone_plate_plots(series, out, pictures);
     return pictures;
@@ -107,7 +133,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     std::vector<StoredRun> runs;
     for (const auto& folder : result_folders) runs.push_back(read_stored_run(folder));
     auto series = lay_out(runs, out);
-    for (auto& entry : series) read_curve(entry);
+    for (auto& entry : series) read_curves(entry);
     create_folders(out, series);
 
     // gnuplot works in its own processes while this one draws the images.

@@ -1,9 +1,13 @@
 #include "reports/report_layout.hpp"
 
+#include "geometry/relative_radius.hpp"
 #include "reports/number_format.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
+#include <utility>
 
 namespace poissonlab {
 
@@ -59,7 +63,80 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const fs::
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
 {
     std::vector<Curve> curves;
-    for (const auto& entry : series) curves.push_back(entry.curve);
+    for (const auto& entry : series) {
+        curves.push_back(entry.curve);
+        curves.back().index = curves.size() - 1;
+    }
+    return curves;
+}
+
+namespace {
+
+// What the key of a plot of all series calls a series: with its number of points where sizes differ.
+std::string key_label(const ReportSeries& series, bool with_points)
+{
+    return with_points ? label_with_points(series.label, series.stored->points) : series.label;
+}
+
+}
+
+std::vector<PairCorrelationCurve> pair_correlation_curves(const std::vector<ReportSeries>& series)
+{
+    const bool with_points = sizes_differ(frequency_curves(series));
+    std::vector<PairCorrelationCurve> curves;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (series[i].pair_correlation.empty()) continue;
+        const double unit = max_min_distance(series[i].stored->points, series[i].run->dimension);
+        std::optional<double> radius;
+        if (series[i].stored->relative_radius) radius = series[i].stored->relative_radius->mean;
+        curves.push_back({i, key_label(series[i], with_points), unit, radius, series[i].pair_correlation});
+    }
+    return curves;
+}
+
+namespace {
+
+// What series that differ only in N have in common.
+auto method_of(const ReportSeries& series)
+{
+    NamedTexts parameters = series.stored->parameters;
+    std::erase_if(parameters, [](const auto& entry) { return entry.first == "points"; });
+    return std::tuple(series.run, series.stored->sampler, parameters,
+                      label_without_points(series.label, series.stored->points));
+}
+
+// The number of the first series of each series' method.
+std::vector<std::size_t> first_of_method(const std::vector<ReportSeries>& series)
+{
+    std::map<decltype(method_of(series.front())), std::size_t> firsts;
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        result.push_back(firsts.try_emplace(method_of(series[i]), i).first->second);
+    return result;
+}
+
+}
+
+std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>& series)
+{
+    const auto firsts = first_of_method(series);
+    std::vector<IntegrationCurve> curves;
+    std::map<std::pair<std::size_t, std::string>, std::size_t> places;
+    for (std::size_t i = 0; i < series.size(); ++i)
+        for (const auto& integral : series[i].stored->measures.integration) {
+            const auto place = places.try_emplace({firsts[i], integral.integrand}, curves.size()).first->second;
+            if (place == curves.size())
+                curves.push_back({firsts[i], label_without_points(series[i].label, series[i].stored->points),
+                                  integral.integrand, {}});
+            curves[place].samples.push_back({static_cast<double>(series[i].stored->points), integral.rms_error,
+                                             integral.standard_error});
+        }
+    for (auto& curve : curves) std::ranges::sort(curve.samples, {}, &IntegrationSample::points);
+    std::erase_if(curves, [](const auto& curve) {
+        return curve.samples.front().points == curve.samples.back().points;
+    });
+    std::map<std::size_t, std::size_t> numbers; // of the methods that are left
+    for (auto& curve : curves) curve.index = numbers.try_emplace(curve.index, numbers.size()).first->second;
     return curves;
 }
 
@@ -70,9 +147,7 @@ std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& se
     for (std::size_t i = 0; i < series.size(); ++i) {
         const auto& stored = *series[i].stored;
         if (!stored.iterations) continue;
-        auto label = series[i].label;
-        if (with_points) label = label_with_points(label, stored.points);
-        curves.push_back({i, label, series[i].run->dimension, &*stored.iterations});
+        curves.push_back({i, key_label(series[i], with_points), series[i].run->dimension, &*stored.iterations});
     }
     return curves;
 }
@@ -84,9 +159,7 @@ std::vector<ZonePlateCurve> zone_plate_curves(const std::vector<ReportSeries>& s
     for (std::size_t i = 0; i < series.size(); ++i) {
         const auto& stored = *series[i].stored;
         if (!stored.zone_plate) continue;
-        auto label = series[i].label;
-        if (with_points) label = label_with_points(label, stored.points);
-        curves.push_back({i, label, stored.zone_plate->size, series[i].zone_plate});
+        curves.push_back({i, key_label(series[i], with_points), stored.zone_plate->size, series[i].zone_plate});
     }
     return curves;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "reports/curves.hpp"
+#include "reports/integration_curves.hpp"
 #include "reports/iteration_curves.hpp"
+#include "reports/pair_correlation_curves.hpp"
 #include "reports/points_image.hpp"
 #include "reports/stored_results.hpp"
 #include "reports/zone_plate_curves.hpp"
@@ -15,10 +17,15 @@ namespace poissonlab {
 
 /// Files of the plots of all series, in the report's folder, without extension.
 inline constexpr auto power_overlay = "radial-all";
+inline constexpr auto principal_overlay = "radial-principal-all";
 inline constexpr auto anisotropy_overlay = "anisotropy-all";
+inline constexpr auto pair_correlation_overlay = "pair-correlation-all";
 inline constexpr auto radius_overlay = "relative-radius-all";
 inline constexpr auto energy_overlay = "energy-all";
 inline constexpr auto zone_plate_overlay = "zone-plate-error-all";
+
+/// Files of the plots of integration errors against N: this and the integrand's name.
+inline constexpr auto integration_prefix = "integration-";
 
 /// The picture of the zone plate that others are compared with, in the report's folder.
 inline constexpr auto zone_plate_reference_picture = "zone-plate-reference.png";
@@ -32,6 +39,7 @@ struct ReportSeries
                        ///< use the same label
     std::filesystem::path pictures; ///< folder of its pictures
     Curve curve;
+    std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
     std::vector<ErrorBin> zone_plate; ///< empty for series without the sampling test
     PointsView view;
 };
@@ -42,6 +50,13 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std:
 
 /// The curves of all series, once they are read.
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);
+
+/// The pair correlations of the series that have one; labels as for iterations.
+std::vector<PairCorrelationCurve> pair_correlation_curves(const std::vector<ReportSeries>& series);
+
+/// The errors of integrals against N: series that differ only in N are one curve. Empty where no curve has two
+/// sizes.
+std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>& series);
 
 /// The iterations of the series that have some, which the series must outlive; labels say how many points a
 /// series has where sizes differ.

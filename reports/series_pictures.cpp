@@ -6,6 +6,7 @@
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
 #include "reports/grey_image.hpp"
+#include "reports/pair_correlation_table.hpp"
 #include "reports/plane_image.hpp"
 #include "reports/radial_table.hpp"
 #include "reports/spectrum_image.hpp"
@@ -16,7 +17,7 @@
 
 namespace poissonlab {
 
-void read_curve(ReportSeries& series)
+void read_curves(ReportSeries& series)
 {
     const auto& stored = *series.stored;
     auto& curve = series.curve;
@@ -29,6 +30,8 @@ void read_curve(ReportSeries& series)
     if (stored.min_distance && stored.min_distance->mean > 0)
         curve.principal_frequency = 1 / stored.min_distance->mean;
     curve.max_frequency = stored.spectrum_size > 0 ? stored.spectrum_size / 2 : curve.bins.back().frequency;
+    if (!stored.pair_correlation_file.empty())
+        series.pair_correlation = read_pair_correlation_table(series.run->folder / stored.pair_correlation_file);
     if (stored.zone_plate)
         series.zone_plate = read_zone_plate_table(series.run->folder / stored.zone_plate->error_file);
 }

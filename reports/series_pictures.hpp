@@ -5,9 +5,9 @@
 
 namespace poissonlab {
 
-/// Reads radial.csv into series.curve and, where it is there, zone-plate.csv into series.zone_plate. Throws
-/// InputError.
-void read_curve(ReportSeries& series);
+/// Reads radial.csv into series.curve and, where they are there, pair-correlation.csv and zone-plate.csv into
+/// series.pair_correlation and series.zone_plate. Throws InputError.
+void read_curves(ReportSeries& series);
 
 /// Reads the first realization, sets series.view, and writes points.png and points.svg.
 /// Throws InputError when the set is not what results.json says.

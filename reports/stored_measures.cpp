@@ -4,6 +4,20 @@
 
 namespace poissonlab {
 
+namespace {
+
+// Pictures are called after it.
+std::string read_integrand(const StoredObject& integral)
+{
+    const auto name = integral.text("integrand");
+    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+    if (name.empty() || !std::ranges::all_of(name, is_letter))
+        throw integral.error("integrand", "'" + name + "' must be small letters");
+    return name;
+}
+
+}
+
 StoredMeasures read_measures(const StoredObject& series)
 {
     StoredMeasures measures;
@@ -19,6 +33,16 @@ StoredMeasures read_measures(const StoredObject& series)
         measures.low_frequency_power = {fit.number("exponent"), fit.number("exponent_standard_error"),
                                         fit.number("intercept"), fit.number("intercept_standard_error")};
     }
+    if (object.has("lattice_peaks")) {
+        const auto peaks = object.object("lattice_peaks");
+        measures.lattice_peaks = {peaks.integer("tiles", 2), peaks.number("max_ratio"), peaks.number("mean_ratio"),
+                                  peaks.integer("peaks", 0)};
+    }
+    if (object.has("integration"))
+        for (const auto& integral : object.objects("integration"))
+            measures.integration.push_back({read_integrand(integral), integral.number("rms_error"),
+                                            integral.number("standard_error"),
+                                            integral.number("relative_variance")});
     if (object.has("largest_empty"))
         measures.largest_empty_radius = object.object("largest_empty").number("relative_radius");
     if (object.has("voronoi")) {

@@ -4,7 +4,10 @@
 #include "reports/stored_object.hpp"
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -25,9 +28,24 @@ struct StoredMeasures
         std::array<double, 5> neighbour_share{}; ///< up to 4, 5, 6, 7, at least 8 neighbours
     };
 
+    struct Peaks
+    {
+        std::int64_t tiles = 0;
+        double max_ratio = 0, mean_ratio = 0;
+        std::int64_t peaks = 0;
+    };
+    struct Integral
+    {
+        std::string integrand;
+        double rms_error = 0, standard_error = 0;
+        double relative_variance = 0; ///< 1: Monte Carlo
+    };
+
     std::optional<double> effective_nyquist;
     std::optional<Oscillation> oscillation;
     std::optional<Fit> low_frequency_power;
+    std::optional<Peaks> lattice_peaks;
+    std::vector<Integral> integration;
     std::optional<double> largest_empty_radius; ///< relative to the largest minimum distance
     std::optional<Cells> voronoi;
 };

@@ -135,6 +135,8 @@ StoredSeries read_series(const StoredObject& object)
     const auto radial = object.object("radial");
     series.radial_file = radial.file_name("file");
     series.background_anisotropy_db = radial.number("background_anisotropy_db");
+    if (object.has("pair_correlation"))
+        series.pair_correlation_file = object.object("pair_correlation").file_name("file");
     series.iterations = read_iterations(object);
     series.zone_plate = read_zone_plate_members(object);
     series.measures = read_measures(object);

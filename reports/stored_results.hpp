@@ -72,6 +72,7 @@ struct StoredSeries
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
     std::string radial_file;
     double background_anisotropy_db = 0;
+    std::string pair_correlation_file; ///< empty: sets of one point
     std::optional<StoredIterations> iterations;
     std::optional<StoredZonePlate> zone_plate;
     StoredMeasures measures;

@@ -28,11 +28,7 @@ std::string data_block(const ZonePlateCurve& curve)
 // Distances from the origin along the upper edge, of pictures of that size.
 std::string distance_axis(double max_frequency, int size)
 {
-    const double end = max_frequency / plate_frequency(1, size);
-    const double step = end > 30 ? 10 : end > 12 ? 5 : end > 5 ? 2 : 1;
-    return fmt::format("set border 7\nset x2range [0:{:.10g}]\nset x2tics {:g} out scale 0.6\n"
-                       "set x2label 'distance from the origin' offset 0,-0.5\nset tmargin 3\n",
-                       end, step);
+    return top_axis("distance from the origin", max_frequency / plate_frequency(1, size));
 }
 
 std::string frame(const ZonePlateScales& scales)

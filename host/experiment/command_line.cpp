@@ -44,7 +44,11 @@ constexpr auto analyze_footer =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
 a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
-  poissonlab analyze set-*.dat --label "My method" --out mine)";
+  poissonlab analyze set-*.dat --label "My method" --out mine
+--set takes the keys of a config's [analysis] that are about the analysis:
+  --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
+  --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
+  --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 
 /// The program's subcommands with their options, and what was given.
 class CommandLine
@@ -123,6 +127,9 @@ void CommandLine::add_analyze()
         ->option_text("TEXT");
     analyze_->add_option("--domain", o.domain, "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1")
         ->option_text("[LOW:]HIGH");
+    analyze_->add_option("--set", o.overrides, "Set a key of [analysis]; may be repeated")
+        ->option_text("analysis.KEY=VALUE")
+        ->allow_extra_args(false);
     analyze_->add_option("--threads", o.threads, "Use so many threads; default: all")
         ->option_text("N")
         ->check(CLI::Range(1, 4096));

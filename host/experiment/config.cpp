@@ -1,60 +1,14 @@
 #include "experiment/config.hpp"
 
-#include "experiment/nearest_key.hpp"
+#include "experiment/config_values.hpp"
 #include "experiment/overrides.hpp"
 #include "experiment/toml_reader.hpp"
 #include "io/whole_file.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <limits>
 
 namespace poissonlab {
 namespace {
-
-std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
-                          std::int64_t maximum, std::int64_t otherwise)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return otherwise;
-    const auto* value = node->get_if<std::int64_t>();
-    if (!value || *value < minimum || *value > maximum)
-        throw invalid_node(key, *node, fmt::format("must be an integer from {} to {}", minimum, maximum));
-    return *value;
-}
-
-bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return otherwise;
-    const auto* value = node->get_if<bool>();
-    if (!value) throw invalid_node(key, *node, "must be true or false");
-    return *value;
-}
-
-std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return otherwise;
-    const auto* value = node->get_if<std::string>();
-    if (!value || value->empty() || value->find('\n') != std::string::npos)
-        throw invalid_node(key, *node, "must be a line of text in quotes");
-    return *value;
-}
-
-/// Whether a key has the second of two words; the first is the default.
-bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return false;
-    const auto* value = node->get_if<std::string>();
-    if (value && *value == words[0]) return false;
-    if (value && *value == words[1]) return true;
-    throw invalid_node(key, *node, "must be \"" + words[0] + "\" or \"" + words[1] + "\"" +
-                                       (value ? did_you_mean(*value, words) : ""));
-}
 
 void read_analysis(const ConfigTable& top, Config& config)
 {
@@ -62,17 +16,15 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    check_keys(*table, {"points", "realizations", "dimension", "spectrum", "zone_plate"});
+    std::vector<std::string> keys = {"points", "realizations", "dimension"};
+    keys.insert(keys.end(), analysis_option_keys().begin(), analysis_option_keys().end());
+    check_keys(*table, keys);
     config.points = static_cast<std::size_t>(
         read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
-    if (is_second_word(*table, "spectrum", {"fast", "exact"})) config.spectrum = PeriodogramMethod::exact;
-    config.zone_plate = read_flag(*table, "zone_plate", config.zone_plate);
-    if (config.zone_plate && config.dimension != 2)
-        throw invalid_node("zone_plate", *find(*table, "zone_plate"),
-                           "needs dimension = 2: the zone plate is a function of the plane");
+    config.analysis = read_analysis_options(*table, config.dimension);
 }
 
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)

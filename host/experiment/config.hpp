@@ -1,7 +1,7 @@
 // The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
 #pragma once
 
-#include "analysis/spectrum.hpp"
+#include "experiment/analysis_options.hpp"
 #include "experiment/sampler_table.hpp"
 #include "sampling/sampler.hpp"
 
@@ -36,8 +36,7 @@ struct Config
     std::size_t points = 16384;
     int realizations = 10;
     int dimension = 2;
-    PeriodogramMethod spectrum = PeriodogramMethod::fast;
-    bool zone_plate = false;           ///< 2D only
+    AnalysisOptions analysis;
     std::vector<MethodConfig> methods; ///< at least one
 };
 

@@ -69,9 +69,8 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.seed = config.seed;
     experiment.engine = config.engine == Engine::opencl ? "opencl" : "reference";
     experiment.dimension = config.dimension;
-    experiment.spectrum = config.spectrum;
+    experiment.analysis = config.analysis;
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
-    experiment.zone_plate = config.zone_plate;
     for (const SeriesPlan& series : make_plan(config))
         experiment.series.push_back(make_task(series, config.engine, lazy));
     experiment.machine = [lazy] { return machine_of(*lazy); };

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "analysis/blue_noise_measures.hpp"
+#include "analysis/integration_error.hpp"
 #include "analysis/largest_empty_ball.hpp"
+#include "analysis/lattice_peaks.hpp"
 #include "analysis/low_frequency_power.hpp"
-#include "analysis/spectrum.hpp"
 #include "analysis/voronoi_diagram.hpp"
+#include "experiment/analysis_options.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -50,9 +52,8 @@ struct Experiment
     std::optional<std::uint64_t> seed;  ///< empty, like the engine, for imported sets
     std::string engine;                 ///< "opencl" or "reference"
     int dimension = 2;
-    PeriodogramMethod spectrum = PeriodogramMethod::fast;
+    AnalysisOptions analysis;
     std::uint32_t realizations = 0; ///< K as asked for
-    bool zone_plate = false;        ///< whether sets sample the zone plate; 2D only
     std::vector<SeriesTask> series;
     std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed
 };
@@ -72,6 +73,8 @@ struct SeriesMeasures
     std::optional<double> effective_nyquist; ///< of the mean spectrum, in units of half of N^(1/dimension)
     std::optional<Oscillation> oscillation;
     std::optional<LowFrequencyPower> low_frequency_power;
+    std::optional<LatticePeaks> lattice_peaks;     ///< of sets that are said to be tiled
+    std::vector<IntegrationError> integration;     ///< over all realizations
     std::optional<double> packing_fraction;           ///< these are of the first realization
     std::optional<LargestEmptyBall> largest_empty;
     std::optional<VoronoiStatistics> voronoi; ///< 2D
@@ -88,6 +91,7 @@ struct SeriesResult
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
     SeriesMeasures measures;
+    bool has_pair_correlation = false; ///< sets of one point have none
     std::vector<std::string> point_files;                 ///< relative to the output folder
     std::vector<double> sample_seconds;
     double build_seconds = 0;

@@ -1,5 +1,6 @@
 #include "experiment/results_json.hpp"
 
+#include "analysis/radial_statistics.hpp"
 #include "experiment/iteration_records.hpp"
 #include "version.hpp"
 
@@ -107,6 +108,18 @@ Json measures_json(const SeriesMeasures& measures)
                                        {"intercept_standard_error", low->intercept_standard_error},
                                        {"begin", low->begin},
                                        {"end", low->end}};
+    if (const auto& peaks = measures.lattice_peaks)
+        json["lattice_peaks"] = {{"tiles", peaks->tiles},
+                                 {"max_ratio", peaks->max_ratio},
+                                 {"mean_ratio", peaks->mean_ratio},
+                                 {"frequency", peaks->frequency},
+                                 {"peaks", peaks->peaks}};
+    for (const IntegrationError& error : measures.integration)
+        json["integration"].push_back({{"integrand", error.integrand},
+                                       {"integral", error.integral},
+                                       {"rms_error", error.rms_error},
+                                       {"standard_error", error.standard_error},
+                                       {"relative_variance", error.relative_variance}});
     if (measures.packing_fraction) json["packing_fraction"] = *measures.packing_fraction;
     if (const auto& gap = measures.largest_empty)
         json["largest_empty"] = {{"radius", gap->radius}, {"relative_radius", gap->relative_radius}};
@@ -141,6 +154,8 @@ Json series_json(const SeriesTask& task, const SeriesResult& result)
                         {"file", task.name + "/spectrum.exr"}};
     json["radial"] = {{"file", task.name + "/radial.csv"},
                       {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
+    if (result.has_pair_correlation)
+        json["pair_correlation"] = {{"file", task.name + "/pair-correlation.csv"}};
     if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
     if (result.zone_plate) json["zone_plate"] = zone_plate_json(task, *result.zone_plate);
     json["point_files"] = result.point_files;
@@ -174,15 +189,6 @@ std::string results_json(const Experiment& experiment, const std::vector<SeriesR
         json["series"].push_back(series_json(experiment.series[i], results[i]));
     // Arguments can hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::string radial_csv(const std::vector<RadialBin>& bins)
-{
-    std::string text = "frequency,power,anisotropy_db,samples,power_error\n";
-    for (const RadialBin& bin : bins)
-        text += fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples,
-                            bin.power_error);
-    return text;
 }
 
 }

@@ -1,8 +1,6 @@
-// results.json and radial.csv: the numbers of an experiment as text. docs/output-folder.md describes every
-// member.
+// results.json: the numbers of an experiment as text. docs/output-folder.md describes every member.
 #pragma once
 
-#include "analysis/radial_statistics.hpp"
 #include "experiment/experiment.hpp"
 
 #include <string>
@@ -13,8 +11,5 @@ namespace poissonlab {
 /// The text of results.json. `results` has one item for each series of the experiment.
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine);
-
-/// The text of radial.csv: frequency,power,anisotropy_db,samples,power_error; numbers in their shortest exact form.
-std::string radial_csv(const std::vector<RadialBin>& bins);
 
 }

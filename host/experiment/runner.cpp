@@ -6,6 +6,7 @@
 #include "experiment/interrupt.hpp"
 #include "experiment/iteration_records.hpp"
 #include "experiment/result_folder.hpp"
+#include "experiment/result_tables.hpp"
 #include "experiment/results_json.hpp"
 #include "experiment/series_analysis.hpp"
 #include "experiment/zone_plate_analysis.hpp"
@@ -104,7 +105,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
 {
     const auto begin = Clock::now();
     const auto sampler = task.create();
-    SeriesAnalysis analysis(task.label, sampler->sizes_vary(), experiment.spectrum);
+    SeriesAnalysis analysis(task.label, sampler->sizes_vary(), experiment.analysis);
     ZonePlateAnalysis zone_plate;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds;
@@ -118,7 +119,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         iterations.push_back(sampler->iterations());
         const std::string file = fmt::format("realization-{:03}.dat", k);
         analysis.add(points);
-        if (experiment.zone_plate) zone_plate.add(points);
+        if (experiment.analysis.zone_plate) zone_plate.add(points);
         write_points(folder / file, points, point_file_comment(experiment, task, k));
         point_files.push_back(task.name + "/" + file);
         progress.realization_done(points.size(), seconds);
@@ -129,10 +130,12 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
     const std::vector<RadialBin> radial = analysis.radial_curve(spectrum);
     write_whole_file(folder / "radial.csv", radial_csv(radial));
-    analysis.measure_spectrum(radial);
+    analysis.measure(spectrum, radial);
+    if (const auto pairs = analysis.pair_correlation(); !pairs.empty())
+        write_whole_file(folder / "pair-correlation.csv", pair_correlation_csv(pairs));
 
     SeriesResult result = analysis.result();
-    if (experiment.zone_plate) store_zone_plate(zone_plate, image_metadata(experiment, task), folder, result);
+    if (experiment.analysis.zone_plate) store_zone_plate(zone_plate, image_metadata(experiment, task), folder, result);
     if (!realizations_that_got_there(iterations).empty()) {
         write_whole_file(folder / "iterations.csv", iterations_csv(iterations));
         result.iterations = std::move(iterations);

@@ -2,6 +2,7 @@
 
 #include "analysis/distance_statistics.hpp"
 #include "analysis/packing_fraction.hpp"
+#include "analysis/torus_ball.hpp"
 #include "errors/errors.hpp"
 #include "geometry/relative_radius.hpp"
 
@@ -9,27 +10,48 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 
 namespace poissonlab {
 namespace {
 
 constexpr std::size_t most_points_triangulated = 300'000;
+constexpr double distances_shown = 4; // in units of the largest possible minimum distance, with
+constexpr double bins_per_distance = 50;
+constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so that errors compare
 
+}
+
+/// What is averaged over the sets, for sets like the first one.
+void SeriesAnalysis::start(const PointSet& first)
+{
+    const std::size_t n = first.size();
+    const int dimension = first.dimension;
+    result_.spectrum_size = options_.spectrum_size > 0
+                                ? options_.spectrum_size
+                                : spectrum_size(std::max<std::size_t>(n, 1), dimension);
+    estimate_.emplace(dimension, result_.spectrum_size, sizes_vary_, options_.spectrum);
+    integration_.emplace(dimension, shift_seed);
+    if (n < 2) return;
+    const double step = max_min_distance(n, dimension) / bins_per_distance;
+    const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension));
+    pairs_.emplace(dimension, end, static_cast<std::size_t>(std::ceil(end / step)));
 }
 
 void SeriesAnalysis::add(const PointSet& points)
 {
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t n = points.size();
-    if (!estimate_) {
-        result_.spectrum_size = spectrum_size(std::max<std::size_t>(n, 1), points.dimension);
-        estimate_.emplace(points.dimension, result_.spectrum_size, sizes_vary_, method_);
-    }
+    if (!estimate_) start(points);
     try {
         estimate_->add(points);
     } catch (const InputError& error) {
         throw InputError(label_ + ": " + error.what());
     }
+    integration_->add(points);
+    if (n < 2) pairs_.reset();
+    if (pairs_) pairs_->add(points);
     const double distance = min_toroidal_distance(points);
     if (result_.points.empty()) measure_first(points);
     result_.points.push_back(n);
@@ -50,14 +72,21 @@ void SeriesAnalysis::measure_first(const PointSet& points)
     if (points.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(points));
 }
 
-void SeriesAnalysis::measure_spectrum(const std::vector<RadialBin>& radial)
+void SeriesAnalysis::measure(const Spectrum& mean, const std::vector<RadialBin>& radial)
 {
     const std::size_t n = result_.points.front();
-    const int dimension = estimate_.value().dimension();
     SeriesMeasures& measures = result_.measures;
-    measures.effective_nyquist = effective_nyquist_frequency(radial, n, dimension);
-    measures.oscillation = oscillation(radial, n, dimension, static_cast<int>(result_.points.size()));
-    measures.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, dimension));
+    measures.effective_nyquist = effective_nyquist_frequency(radial, n, mean.dimension);
+    measures.oscillation = oscillation(radial, n, mean.dimension, static_cast<int>(result_.points.size()));
+    measures.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
+    if (options_.tiles > 0) measures.lattice_peaks = lattice_peaks(mean, options_.tiles);
+    measures.integration = integration_->mean();
+    result_.has_pair_correlation = pairs_.has_value();
+}
+
+std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
+{
+    return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
 }
 
 Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean(); }

@@ -1,6 +1,8 @@
 // What is measured on the realizations of a series, one after the other.
 #pragma once
 
+#include "analysis/integration_error.hpp"
+#include "analysis/pair_correlation.hpp"
 #include "analysis/radial_statistics.hpp"
 #include "analysis/spectrum.hpp"
 #include "experiment/experiment.hpp"
@@ -10,14 +12,14 @@
 
 namespace poissonlab {
 
-/// Collects distances and adds up periodograms, in the order in which realizations come. The number of points
+/// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which realizations come. The number of points
 /// and the dimension of the first one decide the size of the spectrum.
 class SeriesAnalysis
 {
 public:
     /// `label` is for messages; `sizes_vary` as the sampler says it.
-    SeriesAnalysis(std::string label, bool sizes_vary, PeriodogramMethod method)
-        : label_(std::move(label)), sizes_vary_(sizes_vary), method_(method)
+    SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options)
     {}
 
     /// Throws InputError for sets that are empty, of another dimension, or of another size where sizes must
@@ -30,20 +32,27 @@ public:
     /// radial_statistics() of a mean spectrum of this series, with errors.
     std::vector<RadialBin> radial_curve(const Spectrum& mean) const;
 
-    /// Adds the measures that are made from the radial curve to the result.
-    void measure_spectrum(const std::vector<RadialBin>& radial);
+    /// The mean pair correlation, up to four of the largest possible minimum distances in steps of a fiftieth of
+    /// it; empty where a set has one point only.
+    std::vector<PairCorrelationBin> pair_correlation() const;
+
+    /// Adds the measures of the mean spectrum and its radial curve, and those of all sets, to the result.
+    void measure(const Spectrum& mean, const std::vector<RadialBin>& radial);
 
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
 private:
+    void start(const PointSet& first);
     void measure_first(const PointSet& points);
 
     std::string label_;
     bool sizes_vary_;
-    PeriodogramMethod method_;
+    AnalysisOptions options_;
     SeriesResult result_;
     std::optional<SpectrumEstimate> estimate_;
+    std::optional<PairCorrelationEstimate> pairs_;
+    std::optional<IntegrationErrorEstimate> integration_;
 };
 
 }

@@ -46,6 +46,41 @@ TEST(Analyze, GivesWhatRunGave)
               content_of(folder.path() / "made/jittered/radial.csv"));
 }
 
+TEST(Analyze, TakesKeysOfTheAnalysis)
+{
+    const TemporaryFolder folder;
+    folder.write("grid.txt", "0.25 0.25\n0.75 0.25\n0.25 0.75\n0.75 0.75\n");
+    const Outcome outcome =
+        run_program(folder.path(), {"analyze", "grid.txt", "--set", "analysis.zone_plate=true", "--set",
+                                    "analysis.tiles=2", "--set", "analysis.spectrum_size=12"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto json = nlohmann::json::parse(content_of(folder.path() / "out/grid/results.json"));
+    const auto& series = json["series"][0];
+    EXPECT_EQ(json["overrides"].size(), 3);
+    EXPECT_EQ(series["spectrum"]["size"], 12);
+    EXPECT_TRUE(fs::exists(folder.path() / "out/grid/grid/zone-plate.exr"));
+    EXPECT_EQ(series["measures"]["lattice_peaks"]["tiles"], 2);
+    EXPECT_TRUE(fs::exists(folder.path() / "out/grid/grid/pair-correlation.csv"));
+    EXPECT_EQ(series["measures"]["integration"].size(), 5);
+}
+
+TEST(Analyze, OtherKeysMeanNothing)
+{
+    const TemporaryFolder folder;
+    folder.write("grid.txt", "0.25 0.25\n0.75 0.25\n");
+    const auto error_of = [&](const std::string& set) {
+        const Outcome outcome = run_program(folder.path(), {"analyze", "grid.txt", "--set", set});
+        EXPECT_EQ(outcome.status, 2) << set;
+        return outcome.error;
+    };
+    EXPECT_THAT(error_of("seed=2"), testing::HasSubstr("unknown key"));
+    EXPECT_THAT(error_of("analysis.points=2"), testing::HasSubstr("unknown key"));
+    EXPECT_THAT(error_of("analysis=2"), testing::HasSubstr("--set analysis.KEY=VALUE"));
+    EXPECT_THAT(error_of("method.0.label=a"), testing::HasSubstr("[[method]]"));
+    EXPECT_THAT(error_of("analysis.volume=true"), testing::HasSubstr("needs dimension = 3"));
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
 TEST(Analyze, UnequalSizesAreAnError)
 {
     const TemporaryFolder folder;

@@ -50,7 +50,7 @@ TEST(ConfigError, UnknownAnalysisKey)
 {
     EXPECT_EQ(error_of("[analysis]\npoint = 16384\n" + good_method),
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
-              "known keys: points, realizations, dimension, spectrum, zone_plate");
+              "known keys: points, realizations, dimension, spectrum, spectrum_size, volume, zone_plate, tiles");
 }
 
 TEST(ConfigError, UnknownMethodKey)
@@ -161,7 +161,7 @@ TEST(ConfigError, ZonePlate)
     EXPECT_EQ(error_of("[analysis]\nzone_plate = true\ndimension = 3\n" + good_method),
               "c.toml:2: zone_plate = true: needs dimension = 2: the zone plate is a function of the plane");
     EXPECT_FALSE(
-        parse_config("[analysis]\nzone_plate = false\ndimension = 3\n" + good_method, "c.toml").zone_plate);
+        parse_config("[analysis]\nzone_plate = false\ndimension = 3\n" + good_method, "c.toml").analysis.zone_plate);
 }
 
 TEST(ConfigError, AnalysisIsNoTable)

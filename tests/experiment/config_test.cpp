@@ -18,8 +18,8 @@ TEST(Config, HasDefaultsForAllButTheSampler)
     EXPECT_EQ(config.points, 16384U);
     EXPECT_EQ(config.realizations, 10);
     EXPECT_EQ(config.dimension, 2);
-    EXPECT_EQ(config.spectrum, PeriodogramMethod::fast);
-    EXPECT_FALSE(config.zone_plate);
+    EXPECT_EQ(config.analysis.spectrum, PeriodogramMethod::fast);
+    EXPECT_FALSE(config.analysis.zone_plate);
     ASSERT_EQ(config.methods.size(), 1U);
     EXPECT_EQ(config.methods[0].sampler->name, "random");
     EXPECT_TRUE(config.methods[0].settings.empty());
@@ -53,8 +53,8 @@ min_distance = [0.10, 0.2]
     EXPECT_EQ(config.device, "pthread");
     EXPECT_EQ(config.points, std::size_t{1} << 27);
     EXPECT_EQ(config.realizations, 10000);
-    EXPECT_EQ(config.spectrum, PeriodogramMethod::exact);
-    EXPECT_TRUE(config.zone_plate);
+    EXPECT_EQ(config.analysis.spectrum, PeriodogramMethod::exact);
+    EXPECT_TRUE(config.analysis.zone_plate);
     ASSERT_EQ(config.methods.size(), 2U);
     EXPECT_EQ(config.methods[0].label, "L");
     EXPECT_EQ(std::get<double>(config.methods[0].settings[0].choices[0].value), 1.0);

@@ -132,6 +132,24 @@ TEST(ResultsJson, HasTheSamplingTestWhereThereWasOne)
                     {"resolved_rms_error", nullptr}}));
 }
 
+TEST(ResultsJson, HasTheMeasuresThatThereAre)
+{
+    SeriesResult result = two_realizations();
+    EXPECT_TRUE(written(one_series(), result)["series"][0]["measures"].empty());
+    EXPECT_FALSE(written(one_series(), result)["series"][0].contains("pair_correlation"));
+    result.has_pair_correlation = true;
+    result.measures.lattice_peaks = {8, 12.5, 3.5, {8, -16, 0}, 99};
+    result.measures.integration = {{"disk", 0.25, 0.01, 0.001, 0.5}, {"step", 0.5, 0.02, 0.002, 0.75}};
+    const json series = written(one_series(), result)["series"][0];
+    EXPECT_EQ(series["pair_correlation"], json({{"file", "n/pair-correlation.csv"}}));
+    EXPECT_EQ(series["measures"]["lattice_peaks"], json::parse(R"({"tiles": 8, "max_ratio": 12.5, "mean_ratio": 3.5,
+                                                                    "frequency": [8, -16, 0], "peaks": 99})"));
+    EXPECT_EQ(series["measures"]["integration"].size(), 2);
+    EXPECT_EQ(series["measures"]["integration"][1],
+              json({{"integrand", "step"}, {"integral", 0.5}, {"rms_error", 0.02}, {"standard_error", 0.002},
+                    {"relative_variance", 0.75}}));
+}
+
 TEST(ResultsJson, SizesThatDifferAreAllThere)
 {
     SeriesResult result = two_realizations();
@@ -173,12 +191,6 @@ TEST(ResultsJson, TakesAnyBytes)
     Experiment experiment = one_series();
     experiment.command = "poissonlab run \xe9.toml";
     EXPECT_EQ(written(experiment, two_realizations())["command"], "poissonlab run \uFFFD.toml");
-}
-
-TEST(RadialCsv, HasShortExactNumbers)
-{
-    EXPECT_EQ(radial_csv({{1, 0.1, -10.5, 8, 0.01}, {2, 1e-30, -300.25, 16, 0}}),
-              "frequency,power,anisotropy_db,samples,power_error\n1,0.1,-10.5,8,0.01\n2,1e-30,-300.25,16,0\n");
 }
 
 }

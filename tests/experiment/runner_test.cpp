@@ -5,6 +5,8 @@
 #include "errors/errors.hpp"
 #include "experiment/message_of.hpp"
 #include "experiment/program.hpp"
+#include "experiment/result_tables.hpp"
+#include "geometry/relative_radius.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -81,6 +83,16 @@ TEST(Runner, AveragesPeriodogramsInOrder)
         EXPECT_FLOAT_EQ(static_cast<float>(stored.power[i]), static_cast<float>(expected.power[i]));
 }
 
+TEST(Runner, StoresPairCorrelationsOfAllSets)
+{
+    const TemporaryFolder folder;
+    run(experiment_of({task("s", 2, [](std::uint32_t k) { return diagonal(100, k); })}), folder.path());
+    const std::string table = content_of(folder.path() / "s/pair-correlation.csv");
+    PairCorrelationEstimate expected(2, 4 * max_min_distance(100, 2), 200);
+    for (std::uint32_t k = 0; k < 2; ++k) expected.add(diagonal(100, k));
+    EXPECT_EQ(table, pair_correlation_csv(expected.mean()));
+}
+
 TEST(Runner, SizesMayVaryWhereTheSamplerSaysSo)
 {
     const TemporaryFolder folder;
@@ -113,6 +125,8 @@ TEST(Runner, OnePointIsEnough)
     run(experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(1, 0); })}), folder.path());
     const auto json = nlohmann::json::parse(content_of(folder.path() / "results.json"));
     EXPECT_TRUE(json["series"][0]["min_distance"].is_null());
+    EXPECT_FALSE(json["series"][0].contains("pair_correlation"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "s/pair-correlation.csv"));
 }
 
 /// Sets that take as many iterations as their number says, and one more.

@@ -17,6 +17,8 @@ void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_re
             throw InputError("--domain " + options.domain + ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
     Experiment experiment = import_points(options.files, options.label, domain);
+    experiment.overrides = options.overrides;
+    experiment.analysis = overridden_analysis(options.overrides, experiment.dimension);
     experiment.command = options.command;
     const auto out =
         options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;

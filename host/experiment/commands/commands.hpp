@@ -27,6 +27,7 @@ struct AnalyzeOptions
     std::filesystem::path out; ///< empty: out/<label>
     std::string label;
     std::string domain; ///< as for parse_range(); empty: what the files say
+    std::vector<std::string> overrides;
     int threads = 0;
     bool quiet = false;
     std::string command;

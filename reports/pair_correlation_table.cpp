@@ -1,0 +1,24 @@
+#include "reports/pair_correlation_table.hpp"
+
+#include "errors/errors.hpp"
+#include "reports/number_table.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace poissonlab {
+
+std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesystem::path& path)
+{
+    std::vector<PairCorrelationBin> bins;
+    for (const auto& row :
+         read_number_table(path, "distance,pair_correlation,standard_error,pairs", "distances")) {
+        if (!std::isfinite(row[2]) || !std::isfinite(row[3]))
+            throw InputError(path.string() + ":" + std::to_string(bins.size() + 2) +
+                             ": errors and numbers of pairs must be finite");
+        bins.push_back({row[0], row[1], row[2], row[3]});
+    }
+    return bins;
+}
+
+}

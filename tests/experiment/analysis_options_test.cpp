@@ -1,0 +1,55 @@
+#include "experiment/analysis_options.hpp"
+
+#include "experiment/message_of.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+AnalysisOptions options_of(const std::vector<std::string>& overrides, int dimension = 2)
+{
+    return overridden_analysis(overrides, dimension);
+}
+
+TEST(AnalysisOptions, HaveDefaults)
+{
+    const AnalysisOptions options = options_of({});
+    EXPECT_EQ(options.spectrum, PeriodogramMethod::fast);
+    EXPECT_EQ(options.spectrum_size, 0);
+    EXPECT_FALSE(options.volume);
+    EXPECT_FALSE(options.zone_plate);
+    EXPECT_EQ(options.tiles, 0);
+}
+
+TEST(AnalysisOptions, TakeEveryKey)
+{
+    const AnalysisOptions plane = options_of({"analysis.spectrum=exact", "analysis.spectrum_size=8192",
+                                              "analysis.zone_plate=true", "analysis.tiles=4096"});
+    EXPECT_EQ(plane.spectrum, PeriodogramMethod::exact);
+    EXPECT_EQ(plane.spectrum_size, 8192);
+    EXPECT_TRUE(plane.zone_plate);
+    EXPECT_EQ(plane.tiles, 4096);
+    const AnalysisOptions space = options_of({"analysis.volume=true", "analysis.spectrum_size=512"}, 3);
+    EXPECT_TRUE(space.volume);
+    EXPECT_EQ(space.spectrum_size, 512);
+}
+
+TEST(AnalysisOptions, SayWhatIsAllowed)
+{
+    const auto error_of = [](const std::string& override, int dimension = 2) {
+        return message_of([&] { options_of({"analysis." + override}, dimension); });
+    };
+    EXPECT_THAT(error_of("spectrum_size=7"), testing::HasSubstr("spectrum_size = 7: must be even"));
+    EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 2 to 8192"));
+    EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 2 to 512"));
+    EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\""));
+    EXPECT_THAT(error_of("tiles=1"), testing::HasSubstr("must be an integer from 2 to 4096"));
+    EXPECT_THAT(error_of("zone_plate=true", 3), testing::HasSubstr("needs dimension = 2"));
+    EXPECT_THAT(error_of("volume=true"), testing::HasSubstr("needs dimension = 3"));
+    EXPECT_THAT(error_of("tile=4"), testing::HasSubstr("did you mean \"tiles\"?"));
+}
+
+}
+}

@@ -1,0 +1,85 @@
+// The pair correlation in the report: plots, words, and damaged results.
+#include "reports/report.hpp"
+
+#include "analysis/pair_correlation.hpp"
+#include "errors/errors.hpp"
+#include "io/whole_file.hpp"
+#include "page_text.hpp"
+#include "picture.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic_results.hpp"
+
+#include <gmock/gmock.h>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class PairCorrelationReport : public testing::Test
+{
+protected:
+    fs::path path() const { return folder_.path(); }
+
+    /// Gives a series a curve of three bins; the largest possible minimum distance of 256 points is 0.06716.
+    void add_curve(int series)
+    {
+        auto& json = json_["series"][series];
+        const auto file = json["name"].get<std::string>() + "/pair-correlation.csv";
+        write_whole_file(path() / file, "distance,pair_correlation,standard_error,pairs\n"
+                                        "0.01,0,0,0\n0.06716,2.25,0.1,9\n0.2,0.98,0.1,90\n");
+        json["pair_correlation"] = {{"file", file}};
+    }
+
+    std::string page()
+    {
+        test::write_results_json(path(), json_);
+        write_report({path()}, path());
+        return read_whole_file(path() / "index.html");
+    }
+
+    TemporaryFolder folder_;
+    nlohmann::json json_ = test::write_synthetic_results(folder_.path());
+};
+
+TEST_F(PairCorrelationReport, ShowsPlotsAndWords)
+{
+    add_curve(0);
+    add_curve(1);
+    const auto text = page();
+    EXPECT_EQ(test::first_markup_error(text), "");
+    EXPECT_THAT(text, HasSubstr("Highest 2.25 at 1.00 of the largest possible minimum distance, 0.06716."));
+    for (const char* file :
+         {"random/pair-correlation.png", "jittered/pair-correlation.png", "pair-correlation-all.png"})
+        EXPECT_GT(test::decode_png(read_whole_file(path() / file)).variance(), 1) << file;
+    EXPECT_FALSE(fs::exists(path() / "regular/pair-correlation.png"));
+    for (const auto& link : test::attribute_values(text, "href"))
+        if (!link.starts_with("data:") && !link.starts_with('#')) {
+            EXPECT_TRUE(fs::is_regular_file(path() / link)) << link;
+        }
+    const auto svg = read_whole_file(path() / "random/pair-correlation.svg");
+    EXPECT_THAT(svg, HasSubstr(">distance / largest possible minimum distance<"));
+    EXPECT_THAT(svg, HasSubstr(">pair correlation<"));
+}
+
+TEST_F(PairCorrelationReport, NoneMeansNoWord)
+{
+    EXPECT_THAT(test::without_data_uris(page()), Not(HasSubstr("Pair correlation")));
+    EXPECT_FALSE(fs::exists(path() / "pair-correlation-all.svg"));
+}
+
+TEST_F(PairCorrelationReport, DamagedResultsNameTheMember)
+{
+    json_["series"][0]["pair_correlation"] = {{"file", "random/none.csv"}};
+    try {
+        page();
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("series[0].pair_correlation.file: "));
+    }
+}
+
+}
+}

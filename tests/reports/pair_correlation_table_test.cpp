@@ -1,0 +1,40 @@
+// pair-correlation.csv, whole and damaged.
+#include "reports/pair_correlation_table.hpp"
+
+#include "errors/errors.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+namespace poissonlab {
+namespace {
+
+const std::string header = "distance,pair_correlation,standard_error,pairs\n";
+
+TEST(PairCorrelationTable, ReadsNumbersAsTheyAre)
+{
+    const TemporaryFolder folder;
+    const auto bins =
+        read_pair_correlation_table(folder.write("a.csv", header + "0.25,0,0,0\n0.75,1.5,0.1,12.5\n"));
+    ASSERT_EQ(bins.size(), 2);
+    EXPECT_EQ(bins[0].distance, 0.25);
+    EXPECT_EQ(bins[1].value, 1.5);
+    EXPECT_EQ(bins[1].standard_error, 0.1);
+    EXPECT_EQ(bins[1].pairs, 12.5);
+}
+
+TEST(PairCorrelationTable, ComplainsWithTheLine)
+{
+    const TemporaryFolder folder;
+    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) try {
+            read_pair_correlation_table(folder.write("a.csv", header + "1,1,1,8\n" + line + "\n"));
+            ADD_FAILURE() << line;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("a.csv:3: "));
+        }
+    EXPECT_THROW(read_pair_correlation_table(folder.write("a.csv", header)), InputError);
+    EXPECT_THROW(read_pair_correlation_table(folder.write("a.csv", "distance,frequency\n")), InputError);
+}
+
+}
+}
