@@ -79,28 +79,4 @@ std::vector<double> SpectrumEstimate::radial_errors() const
     return errors;
 }
 
-Spectrum coordinate_slice(const Spectrum& volume, int axis)
-{
-    if (volume.dimension != 3 || axis < 0 || axis > 2) {
-        throw std::invalid_argument("coordinate_slice: needs a 3D spectrum and an axis 0, 1 or 2");
-    }
-    Spectrum slice{2, volume.size, volume.points, volume.realizations, {}};
-    const auto size = static_cast<std::size_t>(volume.size);
-    const std::size_t stride[3] = {1, size, size * size};
-    const std::size_t across = stride[axis == 0 ? 1 : 0], up = stride[axis == 2 ? 1 : 2];
-    slice.power.reserve(size * size);
-    for (std::size_t v = 0; v < size; ++v) {
-        for (std::size_t u = 0; u < size; ++u) {
-            slice.power.push_back(volume.power[u * across + v * up + size / 2 * stride[axis]]);
-        }
-    }
-    return slice;
-}
-
-std::vector<Spectrum> coordinate_planes(const Spectrum& spectrum)
-{
-    if (spectrum.dimension == 2) return {spectrum};
-    return {coordinate_slice(spectrum, 2), coordinate_slice(spectrum, 1), coordinate_slice(spectrum, 0)};
-}
-
 }

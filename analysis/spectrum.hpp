@@ -101,17 +101,6 @@ private:
     std::unique_ptr<FastPeriodogram> fast_;
 };
 
-/// The plane through f = 0 perpendicular to `axis` (0 x, 1 y, 2 z) of a 3D spectrum, as a 2D spectrum. The
-/// remaining axes keep their order: columns are the first of them, rows the second.
-Spectrum coordinate_slice(const Spectrum& volume, int axis);
-
-/// The names of the coordinate planes of a volume in the order in which they are stored and shown; the first
-/// letter is the axis along columns, the second along rows.
-inline constexpr std::array<const char*, 3> plane_names = {"xy", "xz", "yz"};
-
-/// The planes that show a spectrum: a 2D one itself, of a 3D one its slices in the order of plane_names.
-std::vector<Spectrum> coordinate_planes(const Spectrum& spectrum);
-
 /// The periodogram of one set on M x M (x M) integer frequencies, by the exact sum: every transform value is
 /// within 1e-11 N of it (in practice 1e-14 N). Separable phases make it a product of matrices over one
 /// quadrant of frequencies. Coordinates must lie in [0, 1); `size` must be even and positive, the set not

@@ -1,5 +1,6 @@
 #include "analysis/spectrum_file.hpp"
 
+#include "analysis/spectrum_planes.hpp"
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 
@@ -11,6 +12,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace poissonlab {
@@ -23,30 +25,36 @@ const std::string realizations_name = "poissonlab:realizations";
 const std::string metadata_prefix = "poissonlab:meta:";
 constexpr int max_size = 1 << 15; // a larger "spectrum" is a damaged header
 
-std::vector<std::string> channels_of(int dimension)
+/// What stands before the names of channels: nothing for a 2D spectrum, the planes of a 3D one.
+std::vector<std::string> layers_of(int dimension, int size)
 {
-    if (dimension == 2) return {"Y"};
-    std::vector<std::string> channels;
-    for (const char* plane : plane_names) channels.push_back(std::string(plane) + ".Y");
-    return channels;
+    if (dimension == 2) return {""};
+    std::vector<std::string> layers;
+    for (const PlanePlace& place : shown_planes(size)) layers.push_back(plane_name(place) + ".");
+    return layers;
 }
 
-/// The layout of `size` x `size` floats a channel, for reading and for writing.
-Imf::FrameBuffer frame_buffer(std::vector<std::vector<float>>& planes, int size)
+/// One channel of an image and its pixels, row after row.
+struct Channel
 {
-    const auto channels = channels_of(planes.size() == 1 ? 2 : 3);
+    std::string name;
+    std::vector<float> pixels;
+};
+
+Imf::FrameBuffer frame_buffer(std::vector<Channel>& channels, int width)
+{
     Imf::FrameBuffer frame;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        frame.insert(channels[i], Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(planes[i].data()),
-                                             sizeof(float), sizeof(float) * static_cast<std::size_t>(size)));
+    for (Channel& channel : channels)
+        frame.insert(channel.name,
+                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channel.pixels.data()), sizeof(float),
+                                sizeof(float) * static_cast<std::size_t>(width)));
     return frame;
 }
 
-Imf::Header header_of(const Spectrum& spectrum, const std::map<std::string, std::string>& metadata)
+Imf::Header header_of(const Spectrum& spectrum, int height,
+                      const std::map<std::string, std::string>& metadata)
 {
-    Imf::Header header(spectrum.size, spectrum.size);
-    for (const auto& channel : channels_of(spectrum.dimension))
-        header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    Imf::Header header(spectrum.size, height);
     header.compression() = Imf::NO_COMPRESSION; // periodograms are noise: nothing to gain but waiting
     header.insert(points_name, Imf::StringAttribute(std::to_string(spectrum.points)));
     header.insert(realizations_name, Imf::StringAttribute(std::to_string(spectrum.realizations)));
@@ -54,6 +62,21 @@ Imf::Header header_of(const Spectrum& spectrum, const std::map<std::string, std:
         header.insert(metadata_prefix + name, Imf::StringAttribute(value));
     }
     return header;
+}
+
+void write_image(const std::filesystem::path& path, Imf::Header header, std::vector<Channel>& channels)
+{
+    const int width = header.dataWindow().max.x + 1, height = header.dataWindow().max.y + 1;
+    for (const Channel& channel : channels) header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+    write_whole_file(path, [&](const std::filesystem::path& temporary) {
+        try {
+            Imf::OutputFile file(temporary.c_str(), header);
+            file.setFrameBuffer(frame_buffer(channels, width));
+            file.writePixels(height);
+        } catch (const std::exception& error) {
+            throw StorageError(path.string() + ": cannot be written: " + error.what());
+        }
+    });
 }
 
 /// Runs `body`, which uses OpenEXR; what that throws becomes an InputError about `path`.
@@ -82,18 +105,6 @@ bool has_channel(const Imf::Header& header, const std::string& name)
     return channel && channel->type == Imf::FLOAT && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
-/// The dimension of the spectrum that the channels hold.
-int checked_dimension(const Imf::Header& header)
-{
-    for (const int dimension : {2, 3}) {
-        bool complete = true;
-        for (const auto& channel : channels_of(dimension))
-            complete = complete && has_channel(header, channel);
-        if (complete) return dimension;
-    }
-    throw std::runtime_error("there is no float32 channel \"Y\", and no three of coordinate planes");
-}
-
 /// The size of the spectrum, once the header has everything that write_spectrum puts there.
 int checked_size(const Imf::Header& header)
 {
@@ -106,23 +117,43 @@ int checked_size(const Imf::Header& header)
     return width;
 }
 
+/// The layers of the spectrum that the channels hold.
+std::vector<std::string> checked_layers(const Imf::Header& header, int size)
+{
+    for (const int dimension : {2, 3}) {
+        const auto layers = layers_of(dimension, size);
+        if (std::ranges::all_of(layers, [&](const auto& layer) { return has_channel(header, layer + "Y"); }))
+            return layers;
+    }
+    throw std::runtime_error("there is no float32 channel \"Y\", nor those of the planes of a 3D spectrum");
+}
+
 }
 
 void write_spectrum(const std::filesystem::path& path, const Spectrum& spectrum,
                     const std::map<std::string, std::string>& metadata)
 {
-    std::vector<std::vector<float>> pixels;
-    for (const Spectrum& plane : coordinate_planes(spectrum))
-        pixels.emplace_back(plane.power.begin(), plane.power.end());
-    write_whole_file(path, [&](const std::filesystem::path& temporary) {
-        try {
-            Imf::OutputFile file(temporary.c_str(), header_of(spectrum, metadata));
-            file.setFrameBuffer(frame_buffer(pixels, spectrum.size));
-            file.writePixels(spectrum.size);
-        } catch (const std::exception& error) {
-            throw StorageError(path.string() + ": cannot be written: " + error.what());
-        }
-    });
+    std::vector<Channel> channels;
+    const auto add = [&](const std::string& layer, const Spectrum& plane) {
+        channels.push_back({layer + "Y", {plane.power.begin(), plane.power.end()}});
+        if (!plane.variance.empty())
+            channels.push_back({layer + "variance", {plane.variance.begin(), plane.variance.end()}});
+    };
+    if (spectrum.dimension == 2) {
+        add("", spectrum);
+    } else {
+        for (const PlanePlace& place : shown_planes(spectrum.size))
+            add(plane_name(place) + ".", spectrum_plane(spectrum, place));
+    }
+    write_image(path, header_of(spectrum, spectrum.size, metadata), channels);
+}
+
+void write_spectrum_volume(const std::filesystem::path& path, const Spectrum& volume,
+                           const std::map<std::string, std::string>& metadata)
+{
+    if (volume.dimension != 3) throw std::invalid_argument("write_spectrum_volume: needs a 3D spectrum");
+    std::vector<Channel> channels = {{"Y", {volume.power.begin(), volume.power.end()}}};
+    write_image(path, header_of(volume, volume.size * volume.size, metadata), channels);
 }
 
 std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
@@ -134,15 +165,22 @@ std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
         plane.points = count_attribute(file.header(), points_name);
         plane.realizations = static_cast<int>(count_attribute(file.header(), realizations_name));
 
-        const auto pixels_of_plane = static_cast<std::size_t>(plane.size) * plane.size;
-        std::vector<std::vector<float>> pixels(checked_dimension(file.header()) == 2 ? 1 : 3,
-                                               std::vector<float>(pixels_of_plane));
-        file.setFrameBuffer(frame_buffer(pixels, plane.size));
+        const auto pixels = static_cast<std::size_t>(plane.size) * plane.size;
+        const auto layers = checked_layers(file.header(), plane.size);
+        std::vector<Channel> channels;
+        for (const auto& layer : layers) {
+            channels.push_back({layer + "Y", std::vector<float>(pixels)});
+            if (has_channel(file.header(), layer + "variance"))
+                channels.push_back({layer + "variance", std::vector<float>(pixels)});
+        }
+        file.setFrameBuffer(frame_buffer(channels, plane.size));
         file.readPixels(0, plane.size - 1);
         std::vector<Spectrum> planes;
-        for (const auto& values : pixels) {
-            plane.power.assign(values.begin(), values.end());
-            planes.push_back(plane);
+        for (const Channel& channel : channels) {
+            const bool is_power = channel.name.ends_with("Y");
+            if (is_power) planes.push_back(plane);
+            auto& values = is_power ? planes.back().power : planes.back().variance;
+            values.assign(channel.pixels.begin(), channel.pixels.end());
         }
         return planes;
     });
@@ -160,8 +198,7 @@ std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem:
 {
     return reading(path, [&] {
         const Imf::InputFile file(path.c_str());
-        checked_size(file.header());
-        checked_dimension(file.header());
+        checked_layers(file.header(), checked_size(file.header()));
         std::map<std::string, std::string> metadata;
         for (auto it = file.header().begin(); it != file.header().end(); ++it) {
             const std::string name = it.name();

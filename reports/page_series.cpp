@@ -4,9 +4,11 @@
 #include "reports/number_format.hpp"
 #include "reports/page_parts.hpp"
 #include "reports/radial_table.hpp"
+#include "reports/series_pictures.hpp"
 #include "reports/spectrum_image.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,6 +92,32 @@ PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path&
     return data;
 }
 
+PageData cube_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
+    return picture_panel(series, out, "spectrum-cube.png", "spectrum-cube.png", "Cube of frequencies",
+                         "x to the lower left, y to the lower right, z upwards; the eighth where all are positive is cut "
+                         "away down to frequency 0.");
+}
+
+PageData slices_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
+    const auto slices = spectrum_slices(series);
+    if (slices.empty()) return false;
+    return picture_panel(series, out, "spectrum-slices.png", "spectrum-slices.png", "Slices",
+                         fmt::format("Planes where the frequency along z is {}.", fmt::join(slices, ", ")));
+}
+
+PageData close_ups_panel(const ReportSeries& series, const std::filesystem::path& out)
+{
+    if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
+    const int reach = std::max(1, 5 * series.stored->spectrum_size / 16);
+    return picture_panel(series, out, "spectrum-close-ups.png", "spectrum-close-ups.png", "Close-ups",
+                         fmt::format("The middle of the planes through frequency 0, from {} to {}.",
+                                     format_fixed(-reach, 0), format_fixed(reach - 1, 0)));
+}
+
 PageData radial_panel(const ReportSeries& series, const std::filesystem::path& out)
 {
     const auto& curve = series.curve;
@@ -154,11 +182,15 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
     const auto result = [&](const std::string& text, const std::string& name) {
         return file_link(text, out, series.run->folder / name);
     };
+    const auto spectrum_links = [&] {
+        std::vector<PageData> links = {result("exr", stored.spectrum_file), picture("png", "spectrum.png")};
+        if (!stored.volume_file.empty()) links.push_back(result("volume exr", stored.volume_file));
+        return links;
+    };
     PageData groups{PageData::type::list};
     groups << file_group("Points", {picture("svg", "points.svg"), picture("png", "points.png")});
     if (!stored.spectrum_file.empty())
-        groups << file_group(spectrum_word(series),
-                             {result("exr", stored.spectrum_file), picture("png", "spectrum.png")});
+        groups << file_group(spectrum_word(series), spectrum_links());
     groups << file_group(
         "Radially averaged power",
         {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
@@ -212,6 +244,9 @@ PageData series_section(const ReportSeries& series, std::size_t index, const std
     auto data = overview_row(series, index);
     data.set("points_panel", points_panel(series, out));
     data.set("spectrum_panel", spectrum_panel(series, out));
+    data.set("cube_panel", cube_panel(series, out));
+    data.set("slices_panel", slices_panel(series, out));
+    data.set("close_ups_panel", close_ups_panel(series, out));
     data.set("radial_panel", radial_panel(series, out));
     data.set("anisotropy_panel", anisotropy_panel(series, out));
     data.set("pair_correlation_panel", pair_correlation_panel(series, out));

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace poissonlab {
 
@@ -42,26 +41,64 @@ void copy(const GreyImage& from, GreyImage& to, int left, int top)
 
 }
 
-GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
-                               int block)
+namespace {
+
+// A spectrum with its name above it.
+struct NamedPlane
 {
-    const int size = planes.front().size / block;
+    const Spectrum& spectrum;
+    std::string name;
+    int column = 0;
+    int row = 0;
+};
+
+GreyImage draw_planes(const std::vector<NamedPlane>& planes, const ToneMapping& tone_mapping, int block)
+{
+    const int size = planes.front().spectrum.size / block;
     const int scale = std::max(1, size / 128);
-    const int strip = (letter_height + 5) * scale; // a plane's name above it
+    const int strip = (letter_height + 5) * scale;
     const int gap = 2 * scale;
-    GreyImage image(2 * size + gap, 2 * (strip + size), 255);
-    constexpr std::array<std::array<int, 2>, 3> places = {{{0, 1}, {0, 0}, {1, 0}}}; // column and row
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-        const int left = places.at(i)[0] * (size + gap);
-        const int top = places.at(i)[1] * (strip + size);
-        copy(draw_spectrum(planes[i], tone_mapping, block), image, left, top + strip);
+    const int columns = std::ranges::max_element(planes, {}, &NamedPlane::column)->column + 1;
+    const int rows = std::ranges::max_element(planes, {}, &NamedPlane::row)->row + 1;
+    GreyImage image(columns * (size + gap) - gap, rows * (strip + size), 255);
+    for (const NamedPlane& plane : planes) {
+        const int left = plane.column * (size + gap);
+        const int top = plane.row * (strip + size);
+        copy(draw_spectrum(plane.spectrum, tone_mapping, block), image, left, top + strip);
         int at = left + scale;
-        for (const char letter : std::string_view(plane_names.at(i))) {
+        for (const char letter : plane.name) {
             draw_letter(image, letter, at, top + 3 * scale, scale);
             at += (letter_width + 1) * scale;
         }
     }
     return image;
+}
+
+}
+
+GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
+                               int block)
+{
+    return draw_planes({{planes.at(0), "xy", 0, 1}, {planes.at(1), "xz", 0, 0}, {planes.at(2), "yz", 1, 0}},
+                       tone_mapping, block);
+}
+
+GreyImage draw_plane_row(const std::vector<Spectrum>& planes, const std::vector<std::string>& names,
+                         const ToneMapping& tone_mapping, int block)
+{
+    std::vector<NamedPlane> row;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        row.push_back({planes[i], names.at(i), static_cast<int>(i), 0});
+    return draw_planes(row, tone_mapping, block);
+}
+
+Spectrum spectrum_close_up(const Spectrum& plane)
+{
+    const int half = std::max(1, 5 * plane.size / 16);
+    Spectrum middle{2, 2 * half, plane.points, plane.realizations, {}};
+    for (int y = -half; y < half; ++y)
+        for (int x = -half; x < half; ++x) middle.power.push_back(plane.at(x, y));
+    return middle;
 }
 
 }

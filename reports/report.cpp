@@ -142,7 +142,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                          [&] {
                              tbb::parallel_for_each(series, [](ReportSeries& entry) {
                                  draw_points_pictures(entry);
-                                 draw_spectrum_picture(entry);
+                                 draw_spectrum_pictures(entry);
                                  draw_zone_plate_picture(entry);
                              });
                              draw_zone_plate_reference(series, out);

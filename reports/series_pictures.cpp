@@ -1,10 +1,12 @@
 #include "reports/series_pictures.hpp"
 
 #include "analysis/spectrum_file.hpp"
+#include "analysis/spectrum_planes.hpp"
 #include "analysis/zone_plate_file.hpp"
 #include "errors/errors.hpp"
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
+#include "reports/cube_image.hpp"
 #include "reports/grey_image.hpp"
 #include "reports/pair_correlation_table.hpp"
 #include "reports/plane_image.hpp"
@@ -49,23 +51,61 @@ void draw_points_pictures(ReportSeries& series)
     write_whole_file(series.pictures / "points.svg", points_svg(series.view));
 }
 
-void draw_spectrum_picture(const ReportSeries& series)
+namespace {
+
+// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
+std::vector<Spectrum> read_planes(const ReportSeries& series)
+{
+    const auto file = series.run->folder / series.stored->spectrum_file;
+    auto planes = read_spectrum_planes(file);
+    const int size = series.stored->spectrum_size;
+    const bool in_space = series.run->dimension == 3;
+    if (planes.front().size != size || planes.size() != (in_space ? shown_planes(size).size() : 1))
+        throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", file.string(),
+                                     in_space ? "images of a 3D spectrum's planes" : "an image", size, size));
+    return planes;
+}
+
+// Beside the coordinate planes: the cube, slices along z, and the middle of the coordinate planes.
+void draw_space_pictures(const ReportSeries& series, const std::vector<Spectrum>& planes)
+{
+    const int block = page_block(planes.front().size);
+    write_png(series.pictures / "spectrum-cube.png", draw_spectrum_cube(planes, report_tone_mapping));
+    const auto slices = spectrum_slices(series);
+    if (!slices.empty()) {
+        const std::vector<Spectrum> shown(planes.end() - static_cast<std::ptrdiff_t>(slices.size()), planes.end());
+        write_png(series.pictures / "spectrum-slices.png",
+                  draw_plane_row(shown, {shown.size(), "xy"}, report_tone_mapping, block));
+    }
+    std::vector<Spectrum> middles;
+    for (std::size_t i = 0; i < 3; ++i) middles.push_back(spectrum_close_up(planes.at(i)));
+    write_png(series.pictures / "spectrum-close-ups.png",
+              draw_plane_row(middles, {"xy", "xz", "yz"}, report_tone_mapping));
+}
+
+}
+
+std::vector<int> spectrum_slices(const ReportSeries& series)
+{
+    std::vector<int> frequencies;
+    for (const PlanePlace& place : shown_planes(series.stored->spectrum_size))
+        if (place.frequency > 0) frequencies.push_back(place.frequency);
+    return frequencies;
+}
+
+void draw_spectrum_pictures(const ReportSeries& series)
 {
     if (series.stored->spectrum_file.empty()) return;
-    const auto file = series.run->folder / series.stored->spectrum_file;
-    const auto planes = read_spectrum_planes(file);
-    const int size = planes.front().size;
-    const std::size_t expected = series.run->dimension == 2 ? 1 : 3;
-    if (size != series.stored->spectrum_size || planes.size() != expected)
-        throw InputError(fmt::format("{}: must be {} of {} x {}, as results.json says", file.string(),
-                                     expected == 1 ? "an image" : "images of three planes",
-                                     series.stored->spectrum_size, series.stored->spectrum_size));
+    const auto planes = read_planes(series);
+    const bool in_space = series.run->dimension == 3;
     const auto draw = [&](int block) {
-        return expected == 1 ? draw_spectrum(planes.front(), report_tone_mapping, block)
-                             : draw_spectrum_planes(planes, report_tone_mapping, block);
+        return in_space ? draw_spectrum_planes(planes, report_tone_mapping, block)
+                        : draw_spectrum(planes.front(), report_tone_mapping, block);
     };
+    const int block = spectrum_page_block(series.stored->spectrum_size, series.run->dimension);
     write_png(series.pictures / "spectrum.png", draw(1));
-    write_png(series.pictures / "spectrum-small.png", draw(spectrum_page_block(size, series.run->dimension)));
+    write_png(series.pictures / "spectrum-small.png", draw(block));
+    if (in_space) draw_space_pictures(series, planes);
 }
 
 void draw_zone_plate_picture(const ReportSeries& series)

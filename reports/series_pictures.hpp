@@ -14,8 +14,12 @@ void read_curves(ReportSeries& series);
 void draw_points_pictures(ReportSeries& series);
 
 /// Reads spectrum.exr and writes spectrum.png and, for the page, spectrum-small.png, both with the report's
-/// tone mapping; nothing for a series without.
-void draw_spectrum_picture(const ReportSeries& series);
+/// tone mapping; of a 3D spectrum spectrum-cube.png, spectrum-slices.png and spectrum-close-ups.png as well. Nothing
+/// for a series without.
+void draw_spectrum_pictures(const ReportSeries& series);
+
+/// The frequencies along z of the slices in spectrum-slices.png; none for spectra of a few frequencies.
+std::vector<int> spectrum_slices(const ReportSeries& series);
 
 /// Reads zone-plate.exr and writes zone-plate.png; nothing for a series without.
 void draw_zone_plate_picture(const ReportSeries& series);

@@ -72,6 +72,7 @@ void read_spectrum_members(const StoredObject& object, StoredSeries& series)
         throw spectrum.error("kind", "one realization has a periodogram, not an estimate");
     series.spectrum_size = static_cast<int>(spectrum.integer("size", 2));
     series.spectrum_file = spectrum.file_name("file");
+    if (spectrum.has("volume_file")) series.volume_file = spectrum.file_name("volume_file");
 }
 
 StoredSpread read_spread(const StoredObject& object, const std::string& name, std::size_t count)

@@ -70,6 +70,7 @@ struct StoredSeries
     bool is_estimate = false;  ///< true: "power spectrum estimate", false: "periodogram"
     int spectrum_size = 0;     ///< frequency samples along each axis
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
+    std::string volume_file;   ///< all of a 3D spectrum; empty: not stored
     std::string radial_file;
     double background_anisotropy_db = 0;
     std::string pair_correlation_file; ///< empty: sets of one point

@@ -129,7 +129,7 @@ Json measures_json(const SeriesMeasures& measures)
     return json;
 }
 
-Json series_json(const SeriesTask& task, const SeriesResult& result)
+Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_volume)
 {
     const auto count = static_cast<int>(result.points.size());
     const auto total = std::accumulate(result.points.begin(), result.points.end(), std::size_t{0});
@@ -152,6 +152,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result)
     json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
                         {"size", result.spectrum_size},
                         {"file", task.name + "/spectrum.exr"}};
+    if (has_volume) json["spectrum"]["volume_file"] = task.name + "/spectrum-volume.exr";
     json["radial"] = {{"file", task.name + "/radial.csv"},
                       {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
     if (result.has_pair_correlation)
@@ -186,7 +187,7 @@ std::string results_json(const Experiment& experiment, const std::vector<SeriesR
     json["machine"] = machine_json(machine);
     json["series"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i)
-        json["series"].push_back(series_json(experiment.series[i], results[i]));
+        json["series"].push_back(series_json(experiment.series[i], results[i], experiment.analysis.volume));
     // Arguments can hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -128,6 +128,8 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     const auto averaging = Clock::now();
     const Spectrum spectrum = analysis.mean_spectrum();
     write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
+    if (experiment.analysis.volume)
+        write_spectrum_volume(folder / "spectrum-volume.exr", spectrum, image_metadata(experiment, task));
     const std::vector<RadialBin> radial = analysis.radial_curve(spectrum);
     write_whole_file(folder / "radial.csv", radial_csv(radial));
     analysis.measure(spectrum, radial);

@@ -1,9 +1,11 @@
 #include "analysis/spectrum_file.hpp"
 
+#include "analysis/spectrum_planes.hpp"
 #include "errors/errors.hpp"
 #include "support/point_patterns.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfRgbaFile.h>
@@ -11,6 +13,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -59,7 +62,7 @@ TEST_F(SpectrumFile, ComesBackAsFloats)
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
-TEST_F(SpectrumFile, OfAVolumeHoldsTheCoordinatePlanes)
+TEST_F(SpectrumFile, OfAVolumeHoldsItsPlanes)
 {
     constexpr int size = 6;
     Spectrum volume{3, size, 100, 4, {}};
@@ -69,7 +72,7 @@ TEST_F(SpectrumFile, OfAVolumeHoldsTheCoordinatePlanes)
     const auto path = folder_ / "spectrum.exr";
     write_spectrum(path, volume, {{"seed", "1"}});
     const auto planes = read_spectrum_planes(path);
-    ASSERT_EQ(planes.size(), 3u);
+    ASSERT_EQ(planes.size(), shown_planes(size).size());
     for (const Spectrum& plane : planes) {
         EXPECT_EQ(plane.size, size);
         EXPECT_EQ(plane.points, 100u);
@@ -78,17 +81,49 @@ TEST_F(SpectrumFile, OfAVolumeHoldsTheCoordinatePlanes)
     EXPECT_EQ(planes[0].at(2, -3), 100 * 2 + 10 * -3); // xy
     EXPECT_EQ(planes[1].at(2, -3), 100 * 2 + -3);      // xz
     EXPECT_EQ(planes[2].at(2, -3), 10 * 2 + -3);       // yz
+    EXPECT_EQ(planes[5].at(2, -3), -300 + 10 * 2 - 3); // yz where x is -3
     EXPECT_EQ(read_spectrum_metadata(path).at("seed"), "1");
     EXPECT_THROW(read_spectrum(path), InputError);
 
     // Programs that know OpenEXR find three layers of float32.
     const Imf::InputFile file(path.c_str());
-    for (const char* channel : {"xy.Y", "xz.Y", "yz.Y"}) {
+    for (const char* channel : {"xy.Y", "xz.Y", "yz.Y", "xy_-3.Y", "xz_-3.Y", "yz_-3.Y", "xy_1.Y"}) {
         ASSERT_NE(file.header().channels().findChannel(channel), nullptr) << channel;
         EXPECT_EQ(file.header().channels().findChannel(channel)->type, Imf::FLOAT);
     }
     write_spectrum(path, random_spectrum(8), {});
     EXPECT_EQ(read_spectrum_planes(path).size(), 1u);
+}
+
+TEST_F(SpectrumFile, HasVariancesOfSeveralRealizations)
+{
+    Spectrum spectrum = random_spectrum(8);
+    const auto path = folder_ / "spectrum.exr";
+    write_spectrum(path, spectrum, {});
+    EXPECT_TRUE(read_spectrum(path).variance.empty());
+    for (const double power : spectrum.power) spectrum.variance.push_back(std::floor(power));
+    write_spectrum(path, spectrum, {});
+    EXPECT_EQ(read_spectrum(path).variance, spectrum.variance);
+}
+
+TEST_F(SpectrumFile, OfAllFrequenciesIsATallImage)
+{
+    constexpr int size = 4;
+    Spectrum volume{3, size, 100, 4, {}};
+    for (int i = 0; i < size * size * size; ++i) volume.power.push_back(i);
+    const auto path = folder_ / "volume.exr";
+    write_spectrum_volume(path, volume, {{"seed", "1"}});
+
+    Imf::InputFile file(path.c_str());
+    EXPECT_EQ(file.header().dataWindow().max.x, size - 1);
+    ASSERT_EQ(file.header().dataWindow().max.y, size * size - 1);
+    std::vector<float> pixels(volume.power.size());
+    Imf::FrameBuffer frame;
+    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float), sizeof(float) * size));
+    file.setFrameBuffer(frame);
+    file.readPixels(0, size * size - 1);
+    EXPECT_EQ(std::vector<double>(pixels.begin(), pixels.end()), volume.power);
+    EXPECT_THROW(write_spectrum_volume(path, random_spectrum(8), {}), std::invalid_argument);
 }
 
 TEST_F(SpectrumFile, KeepsMetadata)

@@ -232,21 +232,5 @@ TEST(SpectrumEstimate, OfUniformPointsInACubeIsWhite)
     EXPECT_EQ(checked, 20);
 }
 
-TEST(CoordinateSlice, CutsThroughTheOrigin)
-{
-    Spectrum volume{3, 4, 7, 2, {}};
-    for (int w = -2; w < 2; ++w) {
-        for (int v = -2; v < 2; ++v) {
-            for (int u = -2; u < 2; ++u) volume.power.push_back(100 * u + 10 * v + w);
-        }
-    }
-    EXPECT_EQ(coordinate_slice(volume, 0).at(-2, 1), 10 * -2 + 1);   // (v, w)
-    EXPECT_EQ(coordinate_slice(volume, 1).at(-2, 1), 100 * -2 + 1);  // (u, w)
-    EXPECT_EQ(coordinate_slice(volume, 2).at(-2, 1), 100 * -2 + 10); // (u, v)
-    EXPECT_EQ(coordinate_slice(volume, 2).points, 7u);
-    EXPECT_EQ(coordinate_slice(volume, 2).realizations, 2);
-    EXPECT_THROW(coordinate_slice(volume, 3), std::invalid_argument);
-}
-
 }
 }

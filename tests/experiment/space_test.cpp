@@ -1,5 +1,6 @@
 // Three dimensions, from the config to the report and back.
 #include "analysis/spectrum_file.hpp"
+#include "analysis/spectrum_planes.hpp"
 #include "experiment/program.hpp"
 
 #include <gmock/gmock.h>
@@ -48,7 +49,7 @@ TEST_F(Space, IsSampledAnalysedAndReported)
         EXPECT_EQ(series["points"], 343);
         EXPECT_EQ(series["spectrum"]["size"], 64); // 2 / (0.75 rmax) = 33.2
         const auto planes = read_spectrum_planes(folder_.path() / "out" / series["spectrum"]["file"]);
-        ASSERT_EQ(planes.size(), 3U);
+        ASSERT_EQ(planes.size(), shown_planes(64).size());
         EXPECT_FLOAT_EQ(static_cast<float>(planes[2].at(0, 0)), 343.0F) << "DC is N";
     }
 
@@ -68,6 +69,10 @@ TEST_F(Space, IsSampledAnalysedAndReported)
     EXPECT_NEAR(power * samples, 6 * 343, 1e-4);
 
     EXPECT_GE(json["series"][3]["relative_radius"]["min"].get<double>(), 0.7 - 1e-6);
+
+    for (const char* picture : {"cube", "slices", "close-ups"})
+        EXPECT_TRUE(fs::exists(folder_.path() / "out/random" / (std::string("spectrum-") + picture + ".png"))) << picture;
+    EXPECT_FALSE(fs::exists(folder_.path() / "out/random/spectrum-volume.exr")) << "only where it is asked for";
 
     // Coordinates in threes, and the right words.
     std::istringstream points(content_of(folder_.path() / "out/random/realization-001.dat"));
@@ -135,6 +140,17 @@ TEST_F(Space, AndPlaneCanShareAReport)
     EXPECT_THAT(page, HasSubstr("2 series of 64 points on the unit torus in 2D and 3D"));
     EXPECT_THAT(page, HasSubstr("twice the disk (3D: sphere) radius"));
     EXPECT_THAT(page, HasSubstr("in cycles per mean spacing of the points"));
+}
+
+TEST_F(Space, StoresTheVolumeOnRequest)
+{
+    folder_.write("space.toml", "[analysis]\npoints = 27\nrealizations = 1\ndimension = 3\nvolume = true\n"
+                                "spectrum_size = 12\n[[method]]\nsampler = \"random\"\n");
+    const Outcome outcome = run({"run", "space.toml", "--out", "out"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto file = results("out")["series"][0]["spectrum"]["volume_file"].get<std::string>();
+    EXPECT_GT(fs::file_size(folder_.path() / "out" / file), 12 * 12 * 12 * sizeof(float));
+    EXPECT_THAT(content_of(folder_.path() / "out/index.html"), HasSubstr(">volume exr<"));
 }
 
 }

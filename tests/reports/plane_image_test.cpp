@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 namespace poissonlab {
 namespace {
 
@@ -60,6 +62,25 @@ TEST(PlaneImage, NamesThePlanes)
                                          "  #    ####\n"
                                          " # #      #\n"
                                          "#   #  ### \n");
+}
+
+TEST(PlaneImage, PutsPlanesSideBySide)
+{
+    auto planes = planes_with_spike(2, -4, 2);
+    auto image = draw_plane_row(planes, {"xy", "xy", "xz"}, report_tone_mapping);
+    EXPECT_EQ(image.width, 3 * size + 2 * gap);
+    EXPECT_EQ(image.height, strip + size);
+    EXPECT_TRUE(is_white(image, 2, 0, -4, 2));
+    EXPECT_FALSE(is_white(image, 1, 0, -4, 2));
+}
+
+TEST(PlaneImage, ACloseUpIsTheMiddle)
+{
+    const auto planes = planes_with_spike(0, -5, 4);
+    const Spectrum middle = spectrum_close_up(planes[0]);
+    EXPECT_EQ(middle.size, 10) << "five eighths of 16";
+    EXPECT_EQ(middle.at(-5, 4), 10);
+    EXPECT_EQ(std::accumulate(middle.power.begin(), middle.power.end(), 0.0), 99 + 10);
 }
 
 }
