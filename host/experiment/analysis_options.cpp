@@ -8,7 +8,7 @@
 namespace poissonlab {
 namespace {
 
-/// 512^3 frequencies take some 9 GiB while they are made.
+/// 512^3 frequencies take some 7 GiB while they are made.
 constexpr int most_frequencies_2d = 8192;
 constexpr int most_frequencies_3d = 512;
 constexpr int most_tiles = 4096;
