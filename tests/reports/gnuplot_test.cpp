@@ -3,7 +3,7 @@
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
-#include "picture.hpp"
+#include "support/picture.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

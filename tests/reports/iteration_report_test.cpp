@@ -4,7 +4,7 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 #include "page_text.hpp"
-#include "picture.hpp"
+#include "support/picture.hpp"
 #include "reports/iteration_curves.hpp"
 #include "support/temporary_folder.hpp"
 #include "synthetic_results.hpp"

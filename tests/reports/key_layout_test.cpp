@@ -2,7 +2,7 @@
 #include "reports/key_layout.hpp"
 
 #include "io/whole_file.hpp"
-#include "picture.hpp"
+#include "support/picture.hpp"
 #include "reports/plot_style.hpp"
 #include "support/temporary_folder.hpp"
 

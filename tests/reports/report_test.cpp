@@ -3,7 +3,7 @@
 
 #include "io/whole_file.hpp"
 #include "page_text.hpp"
-#include "picture.hpp"
+#include "support/picture.hpp"
 #include "reports/curves.hpp"
 #include "reports/number_format.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-#include "picture.hpp"
+#include "support/picture.hpp"
 
 #include <png.h>
 
