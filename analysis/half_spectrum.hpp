@@ -6,7 +6,8 @@
 
 namespace poissonlab {
 
-/// Frequencies u = 0 .. M/2 along x, fastest; -M/2 .. M/2 along y, then z. Scale and sign as in spectrum.hpp.
+/// Frequencies in the order in which transforms end with them: u = 0 .. M/2 along x, slowest; then -M/2 .. M/2 along y,
+/// then z, fastest. Scale and sign as in spectrum.hpp.
 struct HalfSpectrum
 {
     int dimension = 2;
@@ -14,8 +15,8 @@ struct HalfSpectrum
     std::vector<double> power;
 
     std::size_t columns() const { return static_cast<std::size_t>(size) / 2 + 1; }
-    std::size_t rows() const { return static_cast<std::size_t>(size) + 1; } ///< and slices, in 3D
-    std::size_t slices() const { return dimension == 3 ? rows() : 1; }
+    std::size_t rows() const { return static_cast<std::size_t>(size) + 1; } ///< frequencies along y, and along z
+    std::size_t lines() const { return dimension == 3 ? rows() : 1; } ///< lines of rows() frequencies for each u
 };
 
 /// All M^dimension frequencies in the order of Spectrum.
