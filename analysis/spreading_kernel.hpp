@@ -29,11 +29,24 @@ public:
     double transform(double frequency) const;
 
 private:
+    template <int width>
+    static void evaluate(const double* coefficients, double x, double* result);
+    void make_polynomials();
+    void make_nodes();
     double at(double t) const;
 
     int width_;
     double beta_;
-    std::vector<double> coefficients_; ///< [power][grid point], powers of 2 offset - 1
+    /// Powers of 2 offset - 1, for the grid points of the kernel's left half: [power][grid point]. The right half's are
+    /// the same in reverse order but for the signs of odd powers.
+    std::vector<double> coefficients_;
+
+    /// cos(2 pi frequency place) weight, summed up, is the transform.
+    struct Node
+    {
+        double place, weight;
+    };
+    std::vector<Node> nodes_;
 };
 
 }
