@@ -6,6 +6,7 @@
 #include "analysis/fast_periodogram.hpp"
 
 #include "analysis/point_spreading.hpp"
+#include "analysis/uninitialized_vector.hpp"
 
 #include <fftw3.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -14,8 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdlib>
-#include <new>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -33,26 +32,15 @@ double oversampling(int dimension) { return dimension == 2 ? 1.25 : 1.5; }
 /// Lines that change places with columns together: two cache lines.
 constexpr std::size_t block = 8;
 
-/// Memory whose blocks of complex numbers are whole cache lines. Uninitialized: threads touch first what they work on.
+/// Complex numbers without values: threads touch first what they work on. (std::complex sets itself to zero.)
 class Numbers
 {
 public:
-    explicit Numbers(std::size_t size)
-        : memory_(static_cast<Complex*>(std::aligned_alloc(alignment, padded(size * sizeof(Complex)))))
-    {
-        if (!memory_) throw std::bad_alloc();
-    }
-    Complex* data() { return memory_.get(); }
+    explicit Numbers(std::size_t size) : parts_(2 * size) {}
+    Complex* data() { return reinterpret_cast<Complex*>(parts_.data()); }
 
 private:
-    static constexpr std::size_t alignment = block * sizeof(Complex);
-    static std::size_t padded(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }
-
-    struct Free
-    {
-        void operator()(Complex* memory) const { std::free(memory); }
-    };
-    std::unique_ptr<Complex, Free> memory_;
+    UninitializedVector<double> parts_;
 };
 
 fftw_complex* fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
@@ -137,9 +125,10 @@ FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
       kernel_(kernel_width(tolerance, dimension), static_cast<double>(grid_) / size),
       spreading_(dimension, grid_, kernel_), transforms_(columns_ * plane_), workspaces_([this] { return Workspace(*this); })
 {
-    for (int f = -size / 2; f <= size / 2; ++f) {
-        const double transform = kernel_.transform(f / static_cast<double>(grid_));
-        deconvolution_.push_back(1 / (transform * transform));
+    deconvolution_.resize(size_ + 1);
+    for (std::size_t f = 0; f < columns_; ++f) {
+        const double transform = kernel_.transform(static_cast<double>(f) / static_cast<double>(grid_));
+        deconvolution_[size_ / 2 - f] = deconvolution_[size_ / 2 + f] = 1 / (transform * transform);
     }
     // An estimated plan is the same on every run. Measured ones are chosen by timing.
     Workspace& work = workspaces_.local();
@@ -160,10 +149,13 @@ void FastPeriodogram::Plan::transform_pair(std::size_t y, std::size_t z, Workspa
 }
 
 /// Twice the transforms of 2 * pairs lines, each u's in a row, from those of pairs: of a real line, that of -u is the
-/// conjugate of that of u.
+/// conjugate of that of u. Each u's are far from the next ones': without being asked for ahead they keep the loop waiting.
 void FastPeriodogram::Plan::separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const
 {
+    constexpr std::size_t ahead = 16;
     for (std::size_t u = 0; u < columns_; ++u) {
+        const std::size_t later = std::min(u + ahead, columns_ - 1) * plane_;
+        for (std::size_t i = 0; i < block; i += block / 2) __builtin_prefetch(target + later + i, 1);
         for (std::size_t pair = 0; pair < pairs; ++pair) {
             const Complex a = lines[pair * line_ + u], b = lines[pair * line_ + grid_ - u];
             target[u * plane_ + 2 * pair] = {a.real() + b.real(), a.imag() - b.imag()};
@@ -232,7 +224,9 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
         Complex* const plane = transforms_.data() + u * plane_;
         const double factor = scale * deconvolution_[size_ / 2 + u];
         if (dimension_ == 2) {
-            transform(plane, work.line.data());
+            // What is far away comes faster in its order than in that of a transform.
+            std::copy_n(plane, grid_, work.lines.data());
+            transform(work.lines.data(), work.line.data());
             store_power(work.line.data(), factor, half.power.data() + u * rows);
             return;
         }

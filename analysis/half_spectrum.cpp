@@ -9,22 +9,31 @@
 
 namespace poissonlab {
 
-std::vector<double> all_frequencies(const HalfSpectrum& half)
+std::vector<double> all_frequencies(std::span<const double> half, int dimension, int size, double factor)
 {
-    const auto size = static_cast<std::size_t>(half.size);
-    const std::size_t centre = size / 2, rows = half.rows(), lines = half.lines();
-    const std::size_t middle = half.dimension == 3 ? size : 1; // frequencies along y between those along z and x
-    std::vector<double> power(size * size * middle);
-    constexpr std::size_t block = 8; // rows at a time: a cache line of the half
-    tbb::parallel_for(std::size_t{0}, (size + block - 1) / block * middle, [&](std::size_t b) {
-        const std::size_t begin = b / middle * block, end = std::min(begin + block, size), v = b % middle;
-        double* const target = power.data() + v * size;
-        for (std::size_t u = 0; u <= centre; ++u) {
-            const double* right = half.power.data() + (u * lines + v) * rows;
-            const double* left = half.power.data() + (u * lines + lines - 1 - v) * rows + rows - 1;
-            for (std::size_t row = begin; row < end; ++row) {
-                if (u > 0) target[row * middle * size + centre - u] = *(left - row);
-                if (u < centre) target[row * middle * size + centre + u] = right[row];
+    const auto m = static_cast<std::size_t>(size);
+    const std::size_t centre = m / 2, rows = m + 1, lines = dimension == 3 ? rows : 1;
+    const std::size_t middle = dimension == 3 ? m : 1; // frequencies along y between those along z and x
+    std::vector<double> power;
+    power.reserve(m * m * middle);
+    ask_for_large_pages(power.data(), m * m * middle * sizeof(double));
+    power.resize(m * m * middle);
+    // Rows become columns by tiles: long steps through memory are slow.
+    constexpr std::size_t height = 16, width = 8;
+    tbb::parallel_for(std::size_t{0}, (m + height - 1) / height * middle, [&](std::size_t task) {
+        const std::size_t begin = task / middle * height, count = std::min(height, m - begin), v = task % middle;
+        for (std::size_t x = 0; x < m; x += width) {
+            double tile[height][width];
+            for (std::size_t i = 0; i < width && x + i < m; ++i) {
+                const bool is_mirrored = x + i < centre;
+                const std::size_t u = is_mirrored ? centre - x - i : x + i - centre;
+                const double* line = half.data() + (u * lines + (is_mirrored ? lines - 1 - v : v)) * rows;
+                for (std::size_t row = 0; row < count; ++row) {
+                    tile[row][i] = factor * line[is_mirrored ? rows - 1 - begin - row : begin + row];
+                }
+            }
+            for (std::size_t row = 0; row < count; ++row) {
+                std::copy_n(tile[row], std::min(width, m - x), &power[((begin + row) * middle + v) * m + x]);
             }
         }
     });

@@ -1,7 +1,10 @@
 // The half of a real set's frequencies that determines the rest: P(-f) = P(f).
 #pragma once
 
+#include "analysis/uninitialized_vector.hpp"
+
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -12,15 +15,20 @@ struct HalfSpectrum
 {
     int dimension = 2;
     int size = 0; ///< M, even
-    std::vector<double> power;
+    UninitializedVector<double> power;
 
     std::size_t columns() const { return static_cast<std::size_t>(size) / 2 + 1; }
     std::size_t rows() const { return static_cast<std::size_t>(size) + 1; } ///< frequencies along y, and along z
     std::size_t lines() const { return dimension == 3 ? rows() : 1; } ///< lines of rows() frequencies for each u
 };
 
-/// All M^dimension frequencies in the order of Spectrum.
-std::vector<double> all_frequencies(const HalfSpectrum& half);
+/// All M^dimension frequencies in the order of Spectrum, times `factor`, from those in the order of HalfSpectrum.
+std::vector<double> all_frequencies(std::span<const double> half, int dimension, int size, double factor = 1);
+
+inline std::vector<double> all_frequencies(const HalfSpectrum& half)
+{
+    return all_frequencies(half.power, half.dimension, half.size);
+}
 
 /// The half of all M^dimension frequencies.
 HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size);

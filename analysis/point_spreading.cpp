@@ -15,13 +15,13 @@ void PointSpreading::add_bins(const Points& points, std::size_t begin, std::size
 {
     for (std::size_t bin = begin; bin < end; ++bin, --along_y) {
         for (std::size_t p = points.starts[bin]; p < points.starts[bin + 1]; ++p) {
-            const double* values = points.values.data() + p * (dimension * width + 2);
+            const double* __restrict values = points.values.data() + p * (dimension * width + 2);
             double real = values[width + along_y], imaginary = values[width + 1 + along_y];
             if constexpr (dimension == 3) {
                 real *= values[2 * width + 2 + along_z];
                 imaginary *= values[2 * width + 2 + along_z];
             }
-            double* target = lines + 2 * points.first[p];
+            double* __restrict target = lines + 2 * points.first[p];
             for (int i = 0; i < width; ++i) {
                 target[2 * i] += real * values[i];
                 target[2 * i + 1] += imaginary * values[i];

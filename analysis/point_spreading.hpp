@@ -2,6 +2,7 @@
 #pragma once
 
 #include "analysis/spreading_kernel.hpp"
+#include "analysis/uninitialized_vector.hpp"
 #include "geometry/point_set.hpp"
 
 #include <cstddef>
@@ -36,7 +37,7 @@ private:
         std::vector<std::size_t> starts;  ///< of each bin, y fastest; one more than there are bins
         std::vector<std::uint32_t> first; ///< the first grid point along x that a point touches
         /// A point's kernel along x, along y between two zeros, and along z: value_count() numbers.
-        std::vector<double> values;
+        UninitializedVector<double> values;
     };
     using AddBins = void (*)(const Points&, std::size_t begin, std::size_t end, std::size_t along_y,
                              std::size_t along_z, double* lines);
