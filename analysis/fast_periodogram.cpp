@@ -1,8 +1,10 @@
-// How the work is divided. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all others fixed.
-//   1. lines along x are filled by all points that touch them, transformed, and cut to the frequencies u = 0 .. M/2;
+// How the work is divided. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all
+// others fixed.
+//   1. lines along x are filled by all points that touch them, transformed, and cut to u = 0 .. M/2;
 //   2. for each u, lines along y are transformed (3D: and cut to -M/2 .. M/2); then those along z.
-// The grid itself is never stored, only the lines' transforms, those of each u together. Every line is transformed from
-// consecutive numbers to consecutive numbers: FFTW's estimates of which plan is fast are far off for others.
+// The grid itself is never stored, only the lines' transforms, those of each u together. Every line is
+// transformed from consecutive numbers to consecutive numbers: FFTW's estimates of which plan is fast are far
+// off for others.
 #include "analysis/fast_periodogram.hpp"
 
 #include "analysis/point_spreading.hpp"
@@ -25,8 +27,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Grid points per frequency sample. Less than the usual 2: transforms take most of the time, and a wider kernel, which
-/// less oversampling needs, is cheap; less so in 3D.
+/// Grid points per frequency sample. Less than the usual 2: transforms take most of the time, and a wider
+/// kernel, which less oversampling needs, is cheap; less so in 3D.
 double oversampling(int dimension) { return dimension == 2 ? 1.25 : 1.5; }
 
 /// Lines that change places with columns together: two cache lines.
@@ -63,11 +65,13 @@ std::size_t transform_size(double least)
     }
 }
 
-/// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that covers clusters, in 3D.
+/// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that
+/// covers clusters, in 3D.
 int kernel_width(double tolerance, int dimension)
 {
     for (int width = SpreadingKernel::min_width; width <= SpreadingKernel::max_width; width += 2) {
-        const double error = 10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
+        const double error =
+            10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
         if (error <= tolerance) return width;
     }
     throw std::invalid_argument("FastPeriodogram: no kernel is as accurate as the tolerance asks for");
@@ -112,7 +116,7 @@ private:
     std::size_t columns_; ///< frequencies 0 .. M/2 along x
     SpreadingKernel kernel_;
     PointSpreading spreading_;
-    std::vector<double> deconvolution_; ///< one over the kernel's squared transform, at frequencies -M/2 .. M/2
+    std::vector<double> deconvolution_; ///< one over the kernel's squared transform, at -M/2 .. M/2
     Numbers transforms_;                ///< [u][y] or [u][z][y]
     tbb::enumerable_thread_specific<Workspace> workspaces_;
     FftwPlan plan_;
@@ -123,7 +127,8 @@ FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
       grid_(transform_size(std::max(oversampling(dimension) * size, 2.0 * SpreadingKernel::max_width))),
       line_(padded_line(grid_ + 1)), plane_(dimension == 2 ? line_ : line_ * grid_), columns_(size_ / 2 + 1),
       kernel_(kernel_width(tolerance, dimension), static_cast<double>(grid_) / size),
-      spreading_(dimension, grid_, kernel_), transforms_(columns_ * plane_), workspaces_([this] { return Workspace(*this); })
+      spreading_(dimension, grid_, kernel_), transforms_(columns_ * plane_),
+      workspaces_([this] { return Workspace(*this); })
 {
     deconvolution_.resize(size_ + 1);
     for (std::size_t f = 0; f < columns_; ++f) {
@@ -132,8 +137,8 @@ FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
     }
     // An estimated plan is the same on every run. Measured ones are chosen by timing.
     Workspace& work = workspaces_.local();
-    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()), FFTW_FORWARD,
-                                 FFTW_ESTIMATE));
+    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()),
+                                 FFTW_FORWARD, FFTW_ESTIMATE));
     if (!plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid_));
 }
 
@@ -148,8 +153,9 @@ void FastPeriodogram::Plan::transform_pair(std::size_t y, std::size_t z, Workspa
     result[grid_] = result[0]; // frequency 0 is its own negative
 }
 
-/// Twice the transforms of 2 * pairs lines, each u's in a row, from those of pairs: of a real line, that of -u is the
-/// conjugate of that of u. Each u's are far from the next ones': without being asked for ahead they keep the loop waiting.
+/// Twice the transforms of 2 * pairs lines, each u's in a row, from those of pairs: of a real line, that of
+/// -u is the conjugate of that of u. Each u's are far from the next ones': without being asked for ahead they
+/// keep the loop waiting.
 void FastPeriodogram::Plan::separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const
 {
     constexpr std::size_t ahead = 16;
@@ -218,7 +224,7 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
     half.size = static_cast<int>(size_);
     const std::size_t rows = half.rows();
     half.power.resize(columns_ * half.lines() * rows);
-    const double scale = 0.25 / static_cast<double>(points.size()); // separate_pairs(): of twice the transform
+    const double scale = 0.25 / static_cast<double>(points.size()); // 0.25: see separate_pairs()
     tbb::parallel_for(std::size_t{0}, columns_, [&](std::size_t u) {
         Workspace& work = workspaces_.local();
         Complex* const plane = transforms_.data() + u * plane_;
@@ -233,14 +239,16 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
         transform_along_y(plane, work);
         for (std::size_t v = 0; v < rows; ++v) {
             transform(work.plane.data() + v * line_, work.line.data());
-            store_power(work.line.data(), factor * deconvolution_[v], half.power.data() + (u * rows + v) * rows);
+            store_power(work.line.data(), factor * deconvolution_[v],
+                        half.power.data() + (u * rows + v) * rows);
         }
     });
 }
 
 FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance)
 {
-    if (dimension != 2 && dimension != 3) throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
+    if (dimension != 2 && dimension != 3)
+        throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
     if (size <= 0 || size % 2 != 0)
         throw std::invalid_argument("FastPeriodogram: size must be even and positive");
     plan_ = std::make_unique<Plan>(dimension, size, tolerance);
@@ -257,6 +265,9 @@ HalfSpectrum FastPeriodogram::compute(const PointSet& points)
     return half;
 }
 
-void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result) { plan_->compute(points, result); }
+void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result)
+{
+    plan_->compute(points, result);
+}
 
 }

@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-/// Frequencies in the order in which transforms end with them: u = 0 .. M/2 along x, slowest; then -M/2 .. M/2 along y,
-/// then z, fastest. Scale and sign as in spectrum.hpp.
+/// Frequencies in the order in which transforms end with them: u = 0 .. M/2 along x, slowest; then -M/2 ..
+/// M/2 along y, then z, fastest. Scale and sign as in spectrum.hpp.
 struct HalfSpectrum
 {
     int dimension = 2;
@@ -18,11 +18,14 @@ struct HalfSpectrum
     UninitializedVector<double> power;
 
     std::size_t columns() const { return static_cast<std::size_t>(size) / 2 + 1; }
-    std::size_t rows() const { return static_cast<std::size_t>(size) + 1; } ///< frequencies along y, and along z
-    std::size_t lines() const { return dimension == 3 ? rows() : 1; } ///< lines of rows() frequencies for each u
+    /// Frequencies along y, and along z.
+    std::size_t rows() const { return static_cast<std::size_t>(size) + 1; }
+    /// Lines of rows() frequencies for each u.
+    std::size_t lines() const { return dimension == 3 ? rows() : 1; }
 };
 
-/// All M^dimension frequencies in the order of Spectrum, times `factor`, from those in the order of HalfSpectrum.
+/// All M^dimension frequencies in the order of Spectrum, times `factor`, from those in the order of
+/// HalfSpectrum.
 std::vector<double> all_frequencies(std::span<const double> half, int dimension, int size, double factor = 1);
 
 inline std::vector<double> all_frequencies(const HalfSpectrum& half)
@@ -33,8 +36,8 @@ inline std::vector<double> all_frequencies(const HalfSpectrum& half)
 /// The half of all M^dimension frequencies.
 HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size);
 
-/// The mean power of each bin 1 .. M/2 - 1 of radial_statistics(), from half of the samples: the other half is the
-/// same.
+/// The mean power of each bin 1 .. M/2 - 1 of radial_statistics(), from half of the samples: the other half
+/// is the same.
 std::vector<double> radial_means(const HalfSpectrum& half);
 
 }

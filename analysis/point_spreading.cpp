@@ -7,8 +7,9 @@
 
 namespace poissonlab {
 
-/// Adds the points of bins begin .. end - 1 to two lines. `along_y`: how many lines behind its first one the second line
-/// is, for the points of bin `begin`; one less for each bin that follows. `along_z` likewise, the same for all, in 3D.
+/// Adds the points of bins begin .. end - 1 to two lines. `along_y`: how many lines behind its first one the
+/// second line is, for the points of bin `begin`; one less for each bin that follows. `along_z` likewise, the
+/// same for all, in 3D.
 template <int width, int dimension>
 void PointSpreading::add_bins(const Points& points, std::size_t begin, std::size_t end, std::size_t along_y,
                               std::size_t along_z, double* lines)

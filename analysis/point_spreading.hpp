@@ -11,8 +11,8 @@
 
 namespace poissonlab {
 
-/// Grid points have indices (z, y, x), x fastest; a line has all indices x. A line is summed up by one thread, over its
-/// points in a fixed order: the division of lines among threads changes nothing.
+/// Grid points have indices (z, y, x), x fastest; a line has all indices x. A line is summed up by one
+/// thread, over its points in a fixed order: the division of lines among threads changes nothing.
 class PointSpreading
 {
 public:
@@ -22,12 +22,13 @@ public:
     /// Coordinates in [0, 1).
     void set_points(const PointSet& points);
 
-    /// Lines y, even, and y + 1, the one in the real parts and the other in the imaginary parts of `lines`: both in one
-    /// go, as points of one touch the other, and as one complex transform does for both. `lines`: 2 line_size() numbers.
-    /// False, and nothing in `lines`, where no point touches the lines. z: 0 in 2D.
+    /// Lines y, even, and y + 1, the one in the real parts and the other in the imaginary parts of `lines`:
+    /// both in one go, as points of one touch the other, and as one complex transform does for both. `lines`:
+    /// 2 line_size() numbers. False, and nothing in `lines`, where no point touches the lines. z: 0 in 2D.
     bool fill_lines(std::size_t y, std::size_t z, double* lines) const;
 
-    /// Room for the grid points of a line and for those beyond its end, which fill_lines() adds to its beginning.
+    /// Room for the grid points of a line and for those beyond its end, which fill_lines() adds to its
+    /// beginning.
     std::size_t line_size() const { return grid_ + SpreadingKernel::max_width; }
 
 private:

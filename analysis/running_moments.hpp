@@ -7,8 +7,8 @@
 
 namespace poissonlab {
 
-/// Welford: Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4(3), 1962: no
-/// cancellation, one pass.
+/// Welford: Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4(3),
+/// 1962: no cancellation, one pass.
 class RunningMoments
 {
 public:

@@ -15,7 +15,7 @@ constexpr int degree = 10;
 constexpr int nodes = degree + 1;
 static_assert(degree % 2 == 0);
 
-/// Coefficients of powers of x of the polynomial that interpolates `values` at the Chebyshev nodes of [-1, 1].
+/// Coefficients of powers of x of the polynomial that interpolates `values` at Chebyshev's nodes of [-1, 1].
 std::array<double, nodes> interpolating_polynomial(const std::array<double, nodes>& values)
 {
     std::array<double, nodes> previous{}, current{}, result{};
@@ -64,8 +64,8 @@ void SpreadingKernel::make_polynomials()
     }
 }
 
-/// Gauss's quadrature from the kernel's middle to its end; t = sin a makes the integrand smooth there. All but a cosine is
-/// the same for all frequencies.
+/// Gauss's quadrature from the kernel's middle to its end; t = sin a makes the integrand smooth there. All
+/// but a cosine is the same for all frequencies.
 void SpreadingKernel::make_nodes()
 {
     using Quadrature = boost::math::quadrature::gauss<double, 60>;
@@ -74,7 +74,8 @@ void SpreadingKernel::make_nodes()
         for (const double sign : {-1, 1}) {
             const double a = middle * (1 + sign * Quadrature::abscissa()[k]);
             const double weight = middle * Quadrature::weights()[k] * width_;
-            nodes_.push_back({width_ * std::sin(a) / 2, weight * std::exp(beta_ * (std::cos(a) - 1)) * std::cos(a)});
+            nodes_.push_back(
+                {width_ * std::sin(a) / 2, weight * std::exp(beta_ * (std::cos(a) - 1)) * std::cos(a)});
         }
     }
 }
@@ -111,7 +112,8 @@ void SpreadingKernel::values(double offset, double* result) const
 double SpreadingKernel::transform(double frequency) const
 {
     double sum = 0;
-    for (const Node& node : nodes_) sum += node.weight * std::cos(2 * std::numbers::pi * frequency * node.place);
+    for (const Node& node : nodes_)
+        sum += node.weight * std::cos(2 * std::numbers::pi * frequency * node.place);
     return sum;
 }
 

@@ -11,8 +11,8 @@
 
 namespace poissonlab {
 
-/// std::vector sets new elements to zero, on one thread, which fetches fresh memory page by page: for spectra that takes
-/// as long as work that all threads share. For elements that are all written before they are read.
+/// std::vector sets new elements to zero, on one thread, which fetches fresh memory page by page: for spectra
+/// that takes as long as work that all threads share. For elements that are all written before they are read.
 template <typename T>
 class UninitializedAllocator
 {
