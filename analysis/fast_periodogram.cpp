@@ -1,23 +1,22 @@
-// How the work is divided. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all others fixed.
-//   1. each line along x is filled by all points that touch it, transformed, and cut to the frequencies 0 .. M/2;
-//   2. each line along y is transformed (3D: and cut to -M/2 .. M/2); then each along z.
-// The grid itself is never stored, only the lines' transforms. A line is summed up by one thread, over its points in a
-// fixed order, so the division among threads changes nothing.
+// How the work is divided. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all
+// others fixed.
+//   1. lines along x are filled by all points that touch them, transformed, and cut to u = 0 .. M/2;
+//   2. for each u, lines along y are transformed (3D: and cut to -M/2 .. M/2); then those along z.
+// The grid itself is never stored, only the lines' transforms, those of each u together. Every line is
+// transformed from consecutive numbers to consecutive numbers: FFTW's estimates of which plan is fast are far
+// off for others.
 #include "analysis/fast_periodogram.hpp"
 
-#include "analysis/spreading_kernel.hpp"
+#include "analysis/point_spreading.hpp"
+#include "analysis/uninitialized_vector.hpp"
 
 #include <fftw3.h>
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
-#include <cstdint>
-#include <new>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -28,34 +27,22 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Grid points per frequency sample. Less than the usual 2: transforms take most of the time, and a wider kernel, which
-/// less oversampling needs, is cheap; less so in 3D.
+/// Grid points per frequency sample. Less than the usual 2: transforms take most of the time, and a wider
+/// kernel, which less oversampling needs, is cheap; less so in 3D.
 double oversampling(int dimension) { return dimension == 2 ? 1.25 : 1.5; }
 
-/// Columns that are transformed together, and lines along x that are filled one after the other.
+/// Lines that change places with columns together: two cache lines.
 constexpr std::size_t block = 8;
 
-template <typename T>
-struct FftwDelete
-{
-    void operator()(T* memory) const { fftw_free(memory); }
-};
-
-/// Memory as FFTW likes it aligned.
-template <typename T>
-class Aligned
+/// Complex numbers without values: threads touch first what they work on. (std::complex sets itself to zero.)
+class Numbers
 {
 public:
-    explicit Aligned(std::size_t size) : memory_(static_cast<T*>(fftw_malloc(size * sizeof(T))))
-    {
-        if (!memory_) throw std::bad_alloc();
-        std::uninitialized_value_construct_n(memory_.get(), size);
-    }
-    T* data() { return memory_.get(); }
-    T& operator[](std::size_t i) { return memory_.get()[i]; }
+    explicit Numbers(std::size_t size) : parts_(2 * size) {}
+    Complex* data() { return reinterpret_cast<Complex*>(parts_.data()); }
 
 private:
-    std::unique_ptr<T, FftwDelete<T>> memory_;
+    UninitializedVector<double> parts_;
 };
 
 fftw_complex* fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
@@ -78,52 +65,20 @@ std::size_t transform_size(double least)
     }
 }
 
-/// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that covers clusters, in 3D.
+/// The narrowest kernel with this error: exp(-pi width sqrt(1 - 1 / oversampling)), times a factor that
+/// covers clusters, in 3D.
 int kernel_width(double tolerance, int dimension)
 {
     for (int width = SpreadingKernel::min_width; width <= SpreadingKernel::max_width; width += 2) {
-        const double error = 10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
+        const double error =
+            10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
         if (error <= tolerance) return width;
     }
     throw std::invalid_argument("FastPeriodogram: no kernel is as accurate as the tolerance asks for");
 }
 
-/// Points, sorted by the first line along x that they touch ("bin"), in a bin in the order of the set.
-struct SpreadPoints
-{
-    std::vector<std::size_t> starts;  ///< of each bin, y fastest; one more than there are bins
-    std::vector<std::uint32_t> first; ///< the first grid point along x that a point touches
-    std::vector<double> values;       ///< a point's kernel along x, then y, then z: dimension * width values
-};
-
-/// Adds the points of bins begin .. end - 1 to a line. `along_y`: how many lines behind its first one the line is, for
-/// the points of bin `begin`; one less for each bin that follows. `along_z` likewise, the same for all, in 3D.
-template <int width, int dimension>
-void add_bins(const SpreadPoints& spread, std::size_t begin, std::size_t end, std::size_t along_y, std::size_t along_z,
-              double* line)
-{
-    for (std::size_t bin = begin; bin < end; ++bin, --along_y) {
-        for (std::size_t p = spread.starts[bin]; p < spread.starts[bin + 1]; ++p) {
-            const double* values = spread.values.data() + p * (dimension * width);
-            double weight = values[width + along_y];
-            if constexpr (dimension == 3) weight *= values[2 * width + along_z];
-            double* target = line + spread.first[p];
-            for (int i = 0; i < width; ++i) target[i] += weight * values[i];
-        }
-    }
-}
-
-using AddBins = decltype(&add_bins<4, 2>);
-
-/// add_bins for a width known at run time: loops of known length are several times faster.
-template <int dimension, int width = SpreadingKernel::max_width>
-AddBins add_bins_for(int wanted)
-{
-    if constexpr (width > SpreadingKernel::min_width) {
-        if (wanted < width) return add_bins_for<dimension, width - 2>(wanted);
-    }
-    return add_bins<width, dimension>;
-}
+/// Room for a line: whole blocks, and not a power of two, for which a cache has few places.
+std::size_t padded_line(std::size_t size) { return ((size + block - 1) / block | 1) * block; }
 
 }
 
@@ -138,198 +93,162 @@ private:
     /// What a thread works in, kept from line to line.
     struct Workspace
     {
-        explicit Workspace(std::size_t grid)
-            : line(grid + SpreadingKernel::max_width), transformed(grid / 2 + 1), columns(block * grid)
+        explicit Workspace(const Plan& plan)
+            : line(plan.spreading_.line_size()), lines(block * plan.line_),
+              plane(plan.dimension_ == 3 ? (plan.size_ + 1) * plan.line_ : 0)
         {}
-        Aligned<double> line;
-        Aligned<Complex> transformed; ///< of the line
-        Aligned<Complex> columns;     ///< `block` lines along y or z, side by side
+        Numbers line, lines;
+        Numbers plane; ///< lines along z of one u
     };
 
-    void make_plans();
-    void spread(const PointSet& points);
-    bool fill_line(std::size_t y, std::size_t z, double* line) const;
+    void transform(Complex* from, Complex* to) { fftw_execute_dft(plan_.get(), fftw(from), fftw(to)); }
     void transform_along_x();
-    template <typename Store>
-    void transform_columns(Complex* first, std::size_t step, const Store& store);
-    /// The place of frequency number `row`, -M/2 + row, in a transform.
-    std::size_t in_transform(std::size_t row) const { return row < size_ / 2 ? grid_ + row - size_ / 2 : row - size_ / 2; }
+    void transform_pair(std::size_t y, std::size_t z, Workspace& work, Complex* result);
+    void separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const;
+    void transform_along_y(Complex* plane, Workspace& work);
+    void store_power(const Complex* line, double factor, double* power) const;
 
     int dimension_;
     std::size_t size_;
     std::size_t grid_;    ///< grid points along each axis
+    std::size_t line_;    ///< from one line to the next
+    std::size_t plane_;   ///< from one frequency u to the next: a line, in 3D `grid_` lines
     std::size_t columns_; ///< frequencies 0 .. M/2 along x
     SpreadingKernel kernel_;
-    AddBins add_bins_;
-    std::vector<double> deconvolution_; ///< one over the kernel's squared transform, at frequencies 0 .. M/2
-    SpreadPoints spread_;
-    Aligned<Complex> transforms_;       ///< a row of `columns_` for each line along x
-    FftwPlan line_plan_, column_plan_;
+    PointSpreading spreading_;
+    std::vector<double> deconvolution_; ///< one over the kernel's squared transform, at -M/2 .. M/2
+    Numbers transforms_;                ///< [u][y] or [u][z][y]
     tbb::enumerable_thread_specific<Workspace> workspaces_;
+    FftwPlan plan_;
 };
 
 FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
     : dimension_(dimension), size_(static_cast<std::size_t>(size)),
-      grid_(transform_size(std::max(oversampling(dimension) * size, 2.0 * SpreadingKernel::max_width))), columns_(size_ / 2 + 1),
+      grid_(transform_size(std::max(oversampling(dimension) * size, 2.0 * SpreadingKernel::max_width))),
+      line_(padded_line(grid_ + 1)), plane_(dimension == 2 ? line_ : line_ * grid_), columns_(size_ / 2 + 1),
       kernel_(kernel_width(tolerance, dimension), static_cast<double>(grid_) / size),
-      add_bins_(dimension == 2 ? add_bins_for<2>(kernel_.width()) : add_bins_for<3>(kernel_.width())),
-      transforms_((dimension == 2 ? grid_ : grid_ * grid_) * columns_), workspaces_([this] { return Workspace(grid_); })
+      spreading_(dimension, grid_, kernel_), transforms_(columns_ * plane_),
+      workspaces_([this] { return Workspace(*this); })
 {
+    deconvolution_.resize(size_ + 1);
     for (std::size_t f = 0; f < columns_; ++f) {
         const double transform = kernel_.transform(static_cast<double>(f) / static_cast<double>(grid_));
-        deconvolution_.push_back(1 / (transform * transform));
+        deconvolution_[size_ / 2 - f] = deconvolution_[size_ / 2 + f] = 1 / (transform * transform);
     }
-    make_plans();
-}
-
-/// Estimated plans are the same on every run. Measured ones are chosen by timing.
-void FastPeriodogram::Plan::make_plans()
-{
+    // An estimated plan is the same on every run. Measured ones are chosen by timing.
     Workspace& work = workspaces_.local();
-    const int grid = static_cast<int>(grid_);
-    line_plan_.reset(
-        fftw_plan_dft_r2c_1d(grid, work.line.data(), fftw(work.transformed.data()), FFTW_ESTIMATE));
-    column_plan_.reset(fftw_plan_many_dft(1, &grid, block, fftw(work.columns.data()), nullptr, block, 1,
-                                          fftw(work.columns.data()), nullptr, block, 1, FFTW_FORWARD, FFTW_ESTIMATE));
-    if (!line_plan_ || !column_plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid));
+    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()),
+                                 FFTW_FORWARD, FFTW_ESTIMATE));
+    if (!plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid_));
 }
 
-void FastPeriodogram::Plan::spread(const PointSet& points)
+/// Lines y and y + 1 as the real and imaginary parts of one line.
+void FastPeriodogram::Plan::transform_pair(std::size_t y, std::size_t z, Workspace& work, Complex* result)
 {
-    const std::size_t n = points.size();
-    const std::size_t width = static_cast<std::size_t>(kernel_.width());
-    const auto dimension = static_cast<std::size_t>(dimension_);
-    // The grid point that a kernel touches first, and how far it is behind the kernel's left end.
-    const auto first_of = [&](double x, double& offset) {
-        const double left = x * static_cast<double>(grid_) - static_cast<double>(width) / 2;
-        const double first = std::ceil(left);
-        offset = first - left;
-        return static_cast<std::size_t>(first < 0 ? first + static_cast<double>(grid_) : first) % grid_;
-    };
-    double unused;
-    std::vector<std::size_t> bins(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        bins[i] = first_of(points[i][1], unused);
-        if (dimension == 3) bins[i] += grid_ * first_of(points[i][2], unused);
+    if (!spreading_.fill_lines(y, z, reinterpret_cast<double*>(work.line.data()))) {
+        std::fill_n(result, grid_ + 1, Complex{});
+        return;
     }
+    transform(work.line.data(), result);
+    result[grid_] = result[0]; // frequency 0 is its own negative
+}
 
-    std::vector<std::size_t>& starts = spread_.starts;
-    starts.assign((dimension == 2 ? grid_ : grid_ * grid_) + 1, 0);
-    for (const std::size_t bin : bins) ++starts[bin + 1];
-    for (std::size_t bin = 1; bin < starts.size(); ++bin) starts[bin] += starts[bin - 1];
-    std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-    std::vector<std::size_t> order(n);
-    for (std::size_t i = 0; i < n; ++i) order[next[bins[i]]++] = i;
-
-    spread_.first.resize(n);
-    spread_.values.resize(n * dimension * width);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1024), [&](const auto& range) {
-        for (std::size_t p = range.begin(); p < range.end(); ++p) {
-            for (std::size_t k = 0; k < dimension; ++k) {
-                double offset;
-                const std::size_t first = first_of(points[order[p]][k], offset);
-                if (k == 0) spread_.first[p] = static_cast<std::uint32_t>(first);
-                kernel_.values(offset, spread_.values.data() + (p * dimension + k) * width);
-            }
+/// Twice the transforms of 2 * pairs lines, each u's in a row, from those of pairs: of a real line, that of
+/// -u is the conjugate of that of u. Each u's are far from the next ones': without being asked for ahead they
+/// keep the loop waiting.
+void FastPeriodogram::Plan::separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const
+{
+    constexpr std::size_t ahead = 16;
+    for (std::size_t u = 0; u < columns_; ++u) {
+        const std::size_t later = std::min(u + ahead, columns_ - 1) * plane_;
+        for (std::size_t i = 0; i < block; i += block / 2) __builtin_prefetch(target + later + i, 1);
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            const Complex a = lines[pair * line_ + u], b = lines[pair * line_ + grid_ - u];
+            target[u * plane_ + 2 * pair] = {a.real() + b.real(), a.imag() - b.imag()};
+            target[u * plane_ + 2 * pair + 1] = {a.imag() + b.imag(), b.real() - a.real()};
         }
-    });
-}
-
-/// False where no point touches it.
-bool FastPeriodogram::Plan::fill_line(std::size_t y, std::size_t z, double* line) const
-{
-    const auto width = static_cast<std::size_t>(kernel_.width());
-    std::fill_n(line, grid_ + width, 0.0);
-    bool is_touched = false;
-    const auto add = [&](std::size_t begin, std::size_t end, std::size_t along_y, std::size_t along_z) {
-        if (spread_.starts[begin] == spread_.starts[end]) return;
-        is_touched = true;
-        add_bins_(spread_, begin, end, along_y, along_z, line);
-    };
-    for (std::size_t along_z = 0; along_z < (dimension_ == 3 ? width : 1); ++along_z) {
-        // Bins y - width + 1 .. y; those below 0 are at the end of the row of bins.
-        const std::size_t row = (z + grid_ - along_z) % grid_ * grid_ * (dimension_ == 3 ? 1 : 0);
-        const std::size_t below = y + 1 < width ? width - 1 - y : 0;
-        if (below > 0) add(row + grid_ - below, row + grid_, width - 1, along_z);
-        add(row + y + 1 - (width - below), row + y + 1, width - 1 - below, along_z);
     }
-    for (std::size_t i = 0; i < width; ++i) line[i] += line[grid_ + i];
-    return is_touched;
 }
 
 void FastPeriodogram::Plan::transform_along_x()
 {
-    const std::size_t lines = dimension_ == 2 ? grid_ : grid_ * grid_;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lines, block), [&](const auto& range) {
+    const std::size_t blocks = (grid_ + block - 1) / block;
+    tbb::parallel_for(std::size_t{0}, blocks * (dimension_ == 2 ? 1 : grid_), [&](std::size_t b) {
         Workspace& work = workspaces_.local();
-        for (std::size_t line = range.begin(); line < range.end(); ++line) {
-            Complex* const target = transforms_.data() + line * columns_;
-            if (!fill_line(line % grid_, line / grid_, work.line.data())) {
-                std::fill_n(target, columns_, Complex{});
-                continue;
-            }
-            fftw_execute_dft_r2c(line_plan_.get(), work.line.data(), fftw(work.transformed.data()));
-            std::copy_n(work.transformed.data(), columns_, target);
+        const std::size_t z = b / blocks, begin = b % blocks * block;
+        const std::size_t pairs = std::min(block, grid_ - begin) / 2;
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            transform_pair(begin + 2 * pair, z, work, work.lines.data() + pair * line_);
         }
+        separate_pairs(work.lines.data(), pairs, transforms_.data() + z * line_ + begin);
     });
 }
 
-/// Transforms columns of values that are `step` apart, the first in a row from `first` on, and calls
-/// store(column, row, value) for all their frequencies -M/2 .. M/2.
-template <typename Store>
-void FastPeriodogram::Plan::transform_columns(Complex* first, std::size_t step, const Store& store)
+/// The lines along y of one u, in 3D; each cut to -M/2 .. M/2, they become lines along z in work.plane.
+void FastPeriodogram::Plan::transform_along_y(Complex* plane, Workspace& work)
 {
-    tbb::parallel_for(std::size_t{0}, (columns_ + block - 1) / block, [&](std::size_t b) {
-        const std::size_t begin = b * block, count = std::min(block, columns_ - begin);
-        Aligned<Complex>& columns = workspaces_.local().columns;
-        for (std::size_t i = 0; i < grid_; ++i) std::copy_n(first + i * step + begin, count, &columns[i * block]);
-        fftw_execute_dft(column_plan_.get(), fftw(columns.data()), fftw(columns.data()));
-        for (std::size_t row = 0; row <= size_; ++row) {
-            const Complex* values = &columns[in_transform(row) * block];
-            for (std::size_t k = 0; k < count; ++k) store(begin + k, row, values[k]);
+    for (std::size_t begin = 0; begin < grid_; begin += block) {
+        const std::size_t count = std::min(block, grid_ - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            transform(plane + (begin + i) * line_, work.lines.data() + i * line_);
         }
-    });
+        for (std::size_t v = 0; v <= size_; ++v) {
+            const std::size_t from = v < size_ / 2 ? grid_ + v - size_ / 2 : v - size_ / 2;
+            Complex* const target = work.plane.data() + v * line_ + begin;
+            for (std::size_t i = 0; i < count; ++i) target[i] = work.lines.data()[i * line_ + from];
+        }
+    }
+}
+
+/// Frequencies -M/2 .. M/2 of a transformed line.
+void FastPeriodogram::Plan::store_power(const Complex* line, double factor, double* power) const
+{
+    const auto store = [&](std::size_t begin, std::size_t count, const Complex* values) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const double real = values[i].real(), imaginary = values[i].imag();
+            power[begin + i] = (real * real + imaginary * imaginary) * (factor * deconvolution_[begin + i]);
+        }
+    };
+    store(0, size_ / 2, line + grid_ - size_ / 2);
+    store(size_ / 2, columns_, line);
 }
 
 void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
 {
     if (points.dimension != dimension_ || points.size() == 0)
         throw std::invalid_argument("FastPeriodogram: no points, or of another dimension");
-    spread(points);
+    spreading_.set_points(points);
     transform_along_x();
 
     half.dimension = dimension_;
     half.size = static_cast<int>(size_);
     const std::size_t rows = half.rows();
-    half.power.resize(columns_ * rows * half.slices());
-    const auto deconvolution = [&](std::size_t row) {
-        return deconvolution_[row < size_ / 2 ? size_ / 2 - row : row - size_ / 2];
-    };
-    const double scale = 1 / static_cast<double>(points.size());
-    if (dimension_ == 2) {
-        transform_columns(transforms_.data(), columns_, [&](std::size_t u, std::size_t row, Complex value) {
-            half.power[row * columns_ + u] = std::norm(value) * (deconvolution_[u] * deconvolution(row) * scale);
-        });
-        return;
-    }
-    const std::size_t slice = grid_ * columns_;
-    tbb::parallel_for(std::size_t{0}, grid_, [&](std::size_t z) {
-        Complex* const first = transforms_.data() + z * slice;
-        transform_columns(first, columns_, [&](std::size_t u, std::size_t row, Complex value) {
-            first[row * columns_ + u] = value; // rows in order of frequencies from now on
-        });
-    });
-    tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t v) {
-        transform_columns(transforms_.data() + v * columns_, slice, [&](std::size_t u, std::size_t row, Complex value) {
-            half.power[(row * rows + v) * columns_ + u] =
-                std::norm(value) * (deconvolution_[u] * deconvolution(v) * deconvolution(row) * scale);
-        });
+    half.power.resize(columns_ * half.lines() * rows);
+    const double scale = 0.25 / static_cast<double>(points.size()); // 0.25: see separate_pairs()
+    tbb::parallel_for(std::size_t{0}, columns_, [&](std::size_t u) {
+        Workspace& work = workspaces_.local();
+        Complex* const plane = transforms_.data() + u * plane_;
+        const double factor = scale * deconvolution_[size_ / 2 + u];
+        if (dimension_ == 2) {
+            // What is far away comes faster in its order than in that of a transform.
+            std::copy_n(plane, grid_, work.lines.data());
+            transform(work.lines.data(), work.line.data());
+            store_power(work.line.data(), factor, half.power.data() + u * rows);
+            return;
+        }
+        transform_along_y(plane, work);
+        for (std::size_t v = 0; v < rows; ++v) {
+            transform(work.plane.data() + v * line_, work.line.data());
+            store_power(work.line.data(), factor * deconvolution_[v],
+                        half.power.data() + (u * rows + v) * rows);
+        }
     });
 }
 
 FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance)
 {
-    if (dimension != 2 && dimension != 3) throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
+    if (dimension != 2 && dimension != 3)
+        throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
     if (size <= 0 || size % 2 != 0)
         throw std::invalid_argument("FastPeriodogram: size must be even and positive");
     plan_ = std::make_unique<Plan>(dimension, size, tolerance);
@@ -346,6 +265,9 @@ HalfSpectrum FastPeriodogram::compute(const PointSet& points)
     return half;
 }
 
-void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result) { plan_->compute(points, result); }
+void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result)
+{
+    plan_->compute(points, result);
+}
 
 }

@@ -1,8 +1,8 @@
 // The periodogram by a nonuniform fast Fourier transform of type 1, for any number of points.
 //
-// Points are spread onto a finer grid with a compact kernel, the grid is transformed by FFTW, and the kernel's
-// transform is divided out (Dutt, Rokhlin: Fast Fourier Transforms for Nonequispaced Data, 1993; kernel and error: see
-// spreading_kernel.hpp). Points are never rounded to the grid.
+// Points are spread onto a finer grid with a compact kernel, the grid is transformed by FFTW, and the
+// kernel's transform is divided out (Dutt, Rokhlin: Fast Fourier Transforms for Nonequispaced Data, 1993;
+// kernel and error: see spreading_kernel.hpp). Points are never rounded to the grid.
 #pragma once
 
 #include "analysis/half_spectrum.hpp"
@@ -15,8 +15,9 @@ namespace poissonlab {
 /// Plans and tables for periodograms of one size.
 ///
 /// Relative l2 error of the transform values: at most `tolerance`, which can be 1e-8 to 0.1. The same
-/// bytes on every run and for any number of threads: FFTW's plans are estimated, not measured, and work is divided by
-/// lines. Memory: 1.25 M * M / 2 complex doubles, in 3D (1.5 M)^2 M / 2.
+/// bytes on every run and for any number of threads: FFTW's plans are estimated, not measured, and work is
+/// divided by lines. Memory: 1.25 M * M / 2 complex doubles, in 3D (1.5 M)^2 M / 2, and 1.5 M * M for each
+/// thread.
 class FastPeriodogram
 {
 public:

@@ -4,23 +4,39 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace poissonlab {
 
-std::vector<double> all_frequencies(const HalfSpectrum& half)
+std::vector<double> all_frequencies(std::span<const double> half, int dimension, int size, double factor)
 {
-    const auto size = static_cast<std::size_t>(half.size);
-    const std::size_t centre = size / 2, columns = half.columns(), rows = half.rows();
-    const std::size_t slices = half.dimension == 3 ? size : 1;
-    std::vector<double> power(size * size * slices);
-    tbb::parallel_for(std::size_t{0}, slices * size, [&](std::size_t line) {
-        const std::size_t v = line % size, w = line / size;
-        const double* right = half.power.data() + (w * rows + v) * columns;
-        const double* left = half.power.data() + ((half.slices() - 1 - w) * rows + rows - 1 - v) * columns;
-        double* target = power.data() + line * size;
-        for (std::size_t u = 0; u < centre; ++u) target[u] = left[centre - u];
-        for (std::size_t u = centre; u < size; ++u) target[u] = right[u - centre];
+    const auto m = static_cast<std::size_t>(size);
+    const std::size_t centre = m / 2, rows = m + 1, lines = dimension == 3 ? rows : 1;
+    const std::size_t middle = dimension == 3 ? m : 1; // frequencies along y between those along z and x
+    std::vector<double> power;
+    power.reserve(m * m * middle);
+    ask_for_large_pages(power.data(), m * m * middle * sizeof(double));
+    power.resize(m * m * middle);
+    // Rows become columns by tiles: long steps through memory are slow.
+    constexpr std::size_t height = 64, width = 8;
+    tbb::parallel_for(std::size_t{0}, (m + height - 1) / height * middle, [&](std::size_t task) {
+        const std::size_t begin = task / middle * height, count = std::min(height, m - begin),
+                          v = task % middle;
+        for (std::size_t x = 0; x < m; x += width) {
+            double tile[height][width];
+            for (std::size_t i = 0; i < width && x + i < m; ++i) {
+                const bool is_mirrored = x + i < centre;
+                const std::size_t u = is_mirrored ? centre - x - i : x + i - centre;
+                const double* line = half.data() + (u * lines + (is_mirrored ? lines - 1 - v : v)) * rows;
+                for (std::size_t row = 0; row < count; ++row) {
+                    tile[row][i] = factor * line[is_mirrored ? rows - 1 - begin - row : begin + row];
+                }
+            }
+            for (std::size_t row = 0; row < count; ++row) {
+                std::copy_n(tile[row], std::min(width, m - x), &power[((begin + row) * middle + v) * m + x]);
+            }
+        }
     });
     return power;
 }
@@ -29,16 +45,16 @@ HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size)
 {
     HalfSpectrum half{dimension, size, {}};
     const auto m = static_cast<std::size_t>(size);
-    half.power.resize(half.columns() * half.rows() * half.slices());
-    std::size_t at = 0;
-    for (std::size_t w = 0; w < half.slices(); ++w) {
-        for (std::size_t v = 0; v < half.rows(); ++v) {
-            for (std::size_t u = m / 2; u <= m; ++u) {
+    const std::size_t middle = dimension == 3 ? m : 1;
+    half.power.reserve(half.columns() * half.lines() * half.rows());
+    for (std::size_t u = m / 2; u <= m; ++u) {
+        for (std::size_t v = 0; v < half.lines(); ++v) {
+            for (std::size_t w = 0; w <= m; ++w) {
                 // Frequency M/2 stands in for -M/2, at the place of the negative frequency.
-                const bool is_mirrored = u == m || v == m || (dimension == 3 && w == m);
-                const std::size_t x = is_mirrored ? m - u : u, y = is_mirrored ? m - v : v;
-                const std::size_t z = is_mirrored && dimension == 3 ? m - w : w;
-                half.power[at++] = power[(z % m * m + y % m) * m + x % m];
+                const bool is_mirrored = u == m || w == m || (dimension == 3 && v == m);
+                const std::size_t x = is_mirrored ? m - u : u, z = is_mirrored ? m - w : w;
+                const std::size_t y = is_mirrored && dimension == 3 ? m - v : v;
+                half.power.push_back(power[(z % m * middle + y % middle) * m + x % m]);
             }
         }
     }
@@ -49,7 +65,7 @@ std::vector<double> radial_means(const HalfSpectrum& half)
 {
     const auto bins = static_cast<std::size_t>(half.size / 2);
     const std::int64_t centre = half.size / 2;
-    const std::size_t lines = half.rows() * half.slices();
+    const std::size_t lines = half.columns() * half.lines();
     // Sums of fixed parts, then of the parts in order: the same for any number of threads.
     constexpr std::size_t parts = 16;
     std::vector<double> sums(parts * bins), counts(parts * bins);
@@ -57,16 +73,16 @@ std::vector<double> radial_means(const HalfSpectrum& half)
         double* const sum = sums.data() + part * bins;
         double* const count = counts.data() + part * bins;
         for (std::size_t line = lines * part / parts; line < lines * (part + 1) / parts; ++line) {
-            const auto v = static_cast<std::int64_t>(line % half.rows()) - centre;
-            const auto w = half.dimension == 3 ? static_cast<std::int64_t>(line / half.rows()) - centre : 0;
-            const double* power = half.power.data() + line * half.columns();
-            RadialBinWalk bin(v * v + w * w);
-            for (std::int64_t u = 0; u < centre; ++u) {
-                const std::size_t k = bin.of(u);
+            const auto u = static_cast<std::int64_t>(line / half.lines());
+            const auto v = half.dimension == 3 ? static_cast<std::int64_t>(line % half.lines()) - centre : 0;
+            const double weight = u == 0 ? 1 : 2; // the lines of u = 0 hold f and -f
+            const double* power = half.power.data() + line * half.rows() + centre;
+            RadialBinWalk bin(u * u + v * v);
+            for (std::int64_t w = 0; w < centre; ++w) {
+                const std::size_t k = bin.of(w);
                 if (k >= bins) break;
-                const double weight = u == 0 ? 1 : 2; // the column u = 0 holds f and -f
-                sum[k] += weight * power[u];
-                count[k] += weight;
+                sum[k] += weight * (w == 0 ? power[0] : power[w] + power[-w]);
+                count[k] += w == 0 ? weight : 2 * weight;
             }
         }
     });

@@ -3,32 +3,29 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace poissonlab {
 
-void RunningMoments::add(const std::vector<double>& values)
+void RunningMoments::add(std::span<const double> values)
 {
-    if (++count_ == 1) {
-        mean_ = values;
-        return;
-    }
-    if (count_ == 2) squares_.resize(mean_.size());
+    ++count_;
+    if (count_ == 1) mean_.resize(values.size());
+    if (count_ == 2) squares_.resize(values.size());
     const double share = 1.0 / count_;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mean_.size(), 65536), [&](const auto& range) {
+        if (count_ == 1) {
+            for (std::size_t i = range.begin(); i < range.end(); ++i) mean_[i] = values[i];
+            return;
+        }
+        if (count_ == 2) std::fill_n(squares_.begin() + range.begin(), range.size(), 0.0);
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const double difference = values[i] - mean_[i];
             mean_[i] += difference * share;
             squares_[i] += difference * (values[i] - mean_[i]);
         }
     });
-}
-
-std::vector<double> RunningMoments::variance() const
-{
-    std::vector<double> result = squares_;
-    for (double& value : result) value /= count_ - 1;
-    return result;
 }
 
 }

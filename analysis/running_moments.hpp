@@ -1,27 +1,29 @@
 // Mean and variance of many values at once, one observation of all of them after the other.
 #pragma once
 
-#include <vector>
+#include "analysis/uninitialized_vector.hpp"
+
+#include <span>
 
 namespace poissonlab {
 
-/// Welford: Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4(3), 1962: no
-/// cancellation, one pass.
+/// Welford: Note on a Method for Calculating Corrected Sums of Squares and Products, Technometrics 4(3),
+/// 1962: no cancellation, one pass.
 class RunningMoments
 {
 public:
     /// As many values each time.
-    void add(const std::vector<double>& values);
+    void add(std::span<const double> values);
 
     int count() const { return count_; }
-    const std::vector<double>& mean() const { return mean_; }
+    std::span<const double> mean() const { return mean_; }
 
-    /// Divisor count - 1; at least two observations.
-    std::vector<double> variance() const;
+    /// Squared deviations from the mean, summed up: the variance times count - 1. Empty for one observation.
+    std::span<const double> squares() const { return squares_; }
 
 private:
     int count_ = 0;
-    std::vector<double> mean_, squares_; ///< squared deviations from the mean, summed up; empty for one observation
+    UninitializedVector<double> mean_, squares_;
 };
 
 }

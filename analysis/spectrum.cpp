@@ -4,6 +4,8 @@
 #include "errors/errors.hpp"
 #include "geometry/relative_radius.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -65,8 +67,12 @@ Spectrum SpectrumEstimate::mean() const
 {
     if (power_.count() == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
     Spectrum mean{dimension_, size_, points_, power_.count(), {}};
-    mean.power = all_frequencies({dimension_, size_, power_.mean()});
-    if (power_.count() > 1) mean.variance = all_frequencies({dimension_, size_, power_.variance()});
+    tbb::parallel_invoke([&] { mean.power = all_frequencies(power_.mean(), dimension_, size_); },
+                         [&] {
+                             if (power_.count() == 1) return;
+                             mean.variance =
+                                 all_frequencies(power_.squares(), dimension_, size_, 1.0 / (power_.count() - 1));
+                         });
     if (method_ == PeriodogramMethod::fast) mean.transform_error = FastPeriodogram::default_tolerance;
     return mean;
 }
@@ -74,8 +80,10 @@ Spectrum SpectrumEstimate::mean() const
 std::vector<double> SpectrumEstimate::radial_errors() const
 {
     if (radial_.count() < 2) return {};
-    std::vector<double> errors = radial_.variance();
-    for (double& error : errors) error = std::sqrt(error / radial_.count());
+    std::vector<double> errors;
+    for (const double squares : radial_.squares()) {
+        errors.push_back(std::sqrt(squares / (radial_.count() - 1) / radial_.count()));
+    }
     return errors;
 }
 

@@ -58,7 +58,26 @@ void fftw(benchmark::State& state)
     fftw_plan_with_nthreads(static_cast<int>(state.range(1)));
     const fftw_plan plan = fftw_plan_dft_r2c(dimension, sizes.data(), in, out, FFTW_MEASURE);
     fftw_plan_with_nthreads(1); // it is a setting of the whole program
+    fftw_forget_wisdom();       // so is what was measured: fast periodograms would use it
     for (std::size_t i = 0; i < lines * columns; ++i) in[i] = static_cast<double>(i % 7);
+    for (auto _ : state) fftw_execute(plan);
+    fftw_destroy_plan(plan);
+    fftw_free(in);
+    fftw_free(out);
+}
+
+/// One of the lines that fast periodograms consist of, by an estimated plan, as theirs are, or by a measured one.
+/// Arguments: size, 1 where it is measured.
+void fftw_line(benchmark::State& state)
+{
+    const int size = static_cast<int>(state.range(0));
+    fftw_complex* in = fftw_alloc_complex(static_cast<std::size_t>(size));
+    fftw_complex* out = fftw_alloc_complex(static_cast<std::size_t>(size));
+    fftw_forget_wisdom(); // estimated plans are what was measured before, where something was
+    const fftw_plan plan =
+        fftw_plan_dft_1d(size, in, out, FFTW_FORWARD, state.range(1) == 1 ? FFTW_MEASURE : FFTW_ESTIMATE);
+    fftw_forget_wisdom();
+    for (int i = 0; i < size; ++i) in[i][0] = in[i][1] = i % 7;
     for (auto _ : state) fftw_execute(plan);
     fftw_destroy_plan(plan);
     fftw_free(in);
@@ -89,6 +108,7 @@ BENCHMARK(fast)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1);
+BENCHMARK(fftw_line)->ArgsProduct({{384, 1280, 10240}, {1, 0}})->UseRealTime()->Repetitions(7);
 BENCHMARK(ten_fast)->Args({2, 16'384, 1024})->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(7);
 
 }
@@ -105,5 +125,8 @@ int main(int argc, char** argv)
           0.2},
          {"ten of them, with radial statistics: FFTW on 2 threads / fast", "fftw/2/2/2048", "ten_fast/2/16384/1024",
           0.2},
-         {"65,536 points at 256^3: FFTW's 384^3 on 2 threads / fast", "fftw/3/2/384", "fast/3/65536/256", 1 / 1.5}});
+         {"65,536 points at 256^3: FFTW's 384^3 on 2 threads / fast", "fftw/3/2/384", "fast/3/65536/256", 1 / 1.5},
+         {"a line at 256^3: FFTW's estimated plan / measured", "fftw_line/384/0", "fftw_line/384/1"},
+         {"a line at 1,024^2: FFTW's estimated plan / measured", "fftw_line/1280/0", "fftw_line/1280/1"},
+         {"a line at 8,192^2: FFTW's estimated plan / measured", "fftw_line/10240/0", "fftw_line/10240/1"}});
 }
