@@ -61,9 +61,10 @@ HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size)
     return half;
 }
 
-std::vector<double> radial_means(const HalfSpectrum& half)
+std::vector<double> radial_means(const HalfSpectrum& half, double bin_width)
 {
-    const auto bins = static_cast<std::size_t>(half.size / 2);
+    const RadialBins radial_bins(half.size, bin_width);
+    const std::size_t bins = radial_bins.count();
     const std::int64_t centre = half.size / 2;
     const std::size_t lines = half.columns() * half.lines();
     // Sums of fixed parts, then of the parts in order: the same for any number of threads.
@@ -77,7 +78,7 @@ std::vector<double> radial_means(const HalfSpectrum& half)
             const auto v = half.dimension == 3 ? static_cast<std::int64_t>(line % half.lines()) - centre : 0;
             const double weight = u == 0 ? 1 : 2; // the lines of u = 0 hold f and -f
             const double* power = half.power.data() + line * half.rows() + centre;
-            RadialBinWalk bin(u * u + v * v);
+            RadialBins::Walk bin(radial_bins, u * u + v * v);
             for (std::int64_t w = 0; w < centre; ++w) {
                 const std::size_t k = bin.of(w);
                 if (k >= bins) break;

@@ -36,8 +36,7 @@ inline std::vector<double> all_frequencies(const HalfSpectrum& half)
 /// The half of all M^dimension frequencies.
 HalfSpectrum half_of(const std::vector<double>& power, int dimension, int size);
 
-/// The mean power of each bin 1 .. M/2 - 1 of radial_statistics(), from half of the samples: the other half
-/// is the same.
-std::vector<double> radial_means(const HalfSpectrum& half);
+/// The mean power of each bin of radial_statistics(), from half of the samples: the other half is the same.
+std::vector<double> radial_means(const HalfSpectrum& half, double bin_width = 1);
 
 }

@@ -21,13 +21,14 @@ struct RadialBin
     double anisotropy_db = 0; ///< 10 log10 of sample variance (divisor n - 1) over squared mean,
                               ///< equations 6.4 and 6.5, at least least_anisotropy_db
     std::size_t samples = 0;  ///< number of frequency samples
-    double power_error = 0;   ///< standard error of `power`, from its spread between realizations; 0: not known
+    double power_error = 0; ///< standard error of `power`, from its spread between realizations; 0: not known
 };
 
-/// Bins one frequency sample wide: bin k holds the samples with round(|f|) = k, for k = 1 .. M/2 - 1.
-/// Compared as integers (|f|^2 <= k^2 + k), so that no sample changes its bin by rounding.
-/// The DC sample (f = 0) is left out. Bins that reach beyond the spectrum's border are left out.
-std::vector<RadialBin> radial_statistics(const Spectrum& spectrum);
+/// Bins k = 1, 2, ... hold the samples with 1/2 + (k - 1) w < |f| <= 1/2 + k w, w = `bin_width` in frequency
+/// samples (at least 1). One sample wide, bin k holds those with round(|f|) = k, for k = 1 .. M/2 - 1.
+/// Compared as integers, so that no sample changes its bin by rounding. The DC sample (f = 0) is left out,
+/// and so are bins that reach beyond the spectrum's border.
+std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_width = 1);
 
 /// The anisotropy of white noise averaged over K periodograms, the reference line: -10 log10 K dB.
 double background_anisotropy_db(int realizations);

@@ -21,8 +21,9 @@ int spectrum_size(std::size_t points, int dimension)
     return size;
 }
 
-SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method)
-    : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method)
+SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method,
+                                   double bin_width)
+    : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method), bin_width_(bin_width)
 {
     if (dimension != 2 && dimension != 3)
         throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
@@ -49,7 +50,7 @@ void SpectrumEstimate::add(const PointSet& points)
     }
 
     compute_periodogram(points);
-    radial_.add(radial_means(periodogram_));
+    radial_.add(radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);
 }
 

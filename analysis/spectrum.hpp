@@ -68,9 +68,9 @@ enum class PeriodogramMethod
 class SpectrumEstimate
 {
 public:
-    /// `size` must be even and positive.
+    /// `size` must be even and positive; `bin_width` as for radial_statistics().
     SpectrumEstimate(int dimension, int size, bool sizes_vary = false,
-                     PeriodogramMethod method = PeriodogramMethod::fast);
+                     PeriodogramMethod method = PeriodogramMethod::fast, double bin_width = 1);
     ~SpectrumEstimate();
     SpectrumEstimate(SpectrumEstimate&&) noexcept;
     SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
@@ -84,7 +84,7 @@ public:
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
-    /// The standard error of the radially averaged power in each bin of radial_statistics(), from its spread between
+    /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from its spread between
     /// realizations. Empty for K = 1.
     std::vector<double> radial_errors() const;
 
@@ -94,6 +94,7 @@ private:
     int dimension_, size_;
     bool sizes_vary_;
     PeriodogramMethod method_;
+    double bin_width_;
     std::size_t points_ = 0; ///< of the first realization
     HalfSpectrum periodogram_; ///< of the last realization
     RunningMoments power_;   ///< of each frequency's power

@@ -35,8 +35,8 @@ bool read_flag_for(const ConfigTable& table, const std::string& key, int dimensi
 
 const std::vector<std::string>& analysis_option_keys()
 {
-    static const std::vector<std::string> keys = {"spectrum", "spectrum_size", "volume", "zone_plate",
-                                                  "tiles"};
+    static const std::vector<std::string> keys = {"spectrum", "spectrum_size", "bin_width",
+                                                  "volume",   "zone_plate",    "tiles"};
     return keys;
 }
 
@@ -45,6 +45,7 @@ AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension
     AnalysisOptions options;
     if (is_second_word(analysis, "spectrum", {"fast", "exact"})) options.spectrum = PeriodogramMethod::exact;
     options.spectrum_size = read_spectrum_size(analysis, dimension);
+    options.bin_width = read_number(analysis, "bin_width", 1, 100, options.bin_width);
     options.volume = read_flag_for(analysis, "volume", dimension, 3, "spectra of 2D sets are stored whole");
     options.zone_plate =
         read_flag_for(analysis, "zone_plate", dimension, 2, "the zone plate is a function of the plane");

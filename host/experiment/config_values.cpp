@@ -17,6 +17,19 @@ std::int64_t read_integer(const ConfigTable& table, const std::string& key, std:
     return *value;
 }
 
+double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum,
+                   double otherwise)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return otherwise;
+    const auto* real = node->get_if<double>();
+    const auto* integer = node->get_if<std::int64_t>();
+    const double value = real ? *real : integer ? static_cast<double>(*integer) : minimum - 1;
+    if (!(value >= minimum && value <= maximum)) // also NaN
+        throw invalid_node(key, *node, fmt::format("must be a number from {} to {}", minimum, maximum));
+    return value;
+}
+
 bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise)
 {
     const ConfigNode* node = find(table, key);

@@ -13,6 +13,8 @@ namespace poissonlab {
 /// for values of another kind or beyond the ends, which are allowed.
 std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
                           std::int64_t maximum, std::int64_t otherwise);
+double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum,
+                   double otherwise);
 bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise);
 
 /// A line of text that is not empty.

@@ -130,9 +130,8 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
     if (experiment.analysis.volume)
         write_spectrum_volume(folder / "spectrum-volume.exr", spectrum, image_metadata(experiment, task));
-    const std::vector<RadialBin> radial = analysis.radial_curve(spectrum);
-    write_whole_file(folder / "radial.csv", radial_csv(radial));
-    analysis.measure(spectrum, radial);
+    write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
+    analysis.measure(spectrum);
     if (const auto pairs = analysis.pair_correlation(); !pairs.empty())
         write_whole_file(folder / "pair-correlation.csv", pair_correlation_csv(pairs));
 

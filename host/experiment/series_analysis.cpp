@@ -31,7 +31,7 @@ void SeriesAnalysis::start(const PointSet& first)
     result_.spectrum_size = options_.spectrum_size > 0
                                 ? options_.spectrum_size
                                 : spectrum_size(std::max<std::size_t>(n, 1), dimension);
-    estimate_.emplace(dimension, result_.spectrum_size, sizes_vary_, options_.spectrum);
+    estimate_.emplace(dimension, result_.spectrum_size, sizes_vary_, options_.spectrum, options_.bin_width);
     integration_.emplace(dimension, shift_seed);
     if (n < 2) return;
     const double step = max_min_distance(n, dimension) / bins_per_distance;
@@ -72,8 +72,10 @@ void SeriesAnalysis::measure_first(const PointSet& points)
     if (points.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(points));
 }
 
-void SeriesAnalysis::measure(const Spectrum& mean, const std::vector<RadialBin>& radial)
+void SeriesAnalysis::measure(const Spectrum& mean)
 {
+    // Measures are defined on bins one sample wide, whatever the curve has.
+    const std::vector<RadialBin> radial = radial_statistics(mean);
     const std::size_t n = result_.points.front();
     SeriesMeasures& measures = result_.measures;
     measures.effective_nyquist = effective_nyquist_frequency(radial, n, mean.dimension);
@@ -93,7 +95,7 @@ Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean()
 
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
-    std::vector<RadialBin> bins = radial_statistics(mean);
+    std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
     const std::vector<double> errors = estimate_.value().radial_errors();
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;

@@ -36,8 +36,8 @@ public:
     /// it; empty where a set has one point only.
     std::vector<PairCorrelationBin> pair_correlation() const;
 
-    /// Adds the measures of the mean spectrum and its radial curve, and those of all sets, to the result.
-    void measure(const Spectrum& mean, const std::vector<RadialBin>& radial);
+    /// Adds the measures of the mean spectrum and those of all sets to the result.
+    void measure(const Spectrum& mean);
 
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }

@@ -176,10 +176,13 @@ TEST(HalfSpectrum, HasTheRadialMeansOfTheWhole)
     std::mt19937_64 random(9);
     for (const int dimension : {2, 3}) {
         const auto power = exact_periodogram(random_points(50, dimension, random), 24);
-        const auto radial = radial_statistics({dimension, 24, 50, 1, power});
-        const auto means = radial_means(half_of(power, dimension, 24));
-        ASSERT_EQ(means.size(), radial.size());
-        for (std::size_t k = 0; k < means.size(); ++k) EXPECT_NEAR(means[k], radial[k].power, 1e-13 * radial[k].power);
+        for (const double width : {1.0, 2.5}) {
+            const auto radial = radial_statistics({dimension, 24, 50, 1, power}, width);
+            const auto means = radial_means(half_of(power, dimension, 24), width);
+            ASSERT_EQ(means.size(), radial.size());
+            for (std::size_t k = 0; k < means.size(); ++k)
+                EXPECT_NEAR(means[k], radial[k].power, 1e-13 * radial[k].power);
+        }
     }
 }
 

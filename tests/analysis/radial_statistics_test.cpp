@@ -15,8 +15,8 @@ Spectrum spectrum_of(int dimension, int size, double power)
     return {dimension, size, 1, 1, std::vector<double>(dimension == 3 ? m * m * m : m * m, power)};
 }
 
-/// The samples of bin k by the definition round(|f|) = k, in long double (half-integers |f| do not occur).
-std::vector<double> samples_of_bin(const Spectrum& spectrum, int k)
+/// The samples of bin k by the definition, in long double: 1/2 + (k - 1) w < |f| <= 1/2 + k w.
+std::vector<double> samples_of_bin(const Spectrum& spectrum, int k, long double width)
 {
     std::vector<double> samples;
     const int half = spectrum.size / 2, slices = spectrum.dimension == 3 ? half : 0;
@@ -25,7 +25,8 @@ std::vector<double> samples_of_bin(const Spectrum& spectrum, int k)
         for (int v = -half; v < half; ++v) {
             for (int u = -half; u < half; ++u, ++at) {
                 const auto squared = static_cast<long double>(u * u + v * v + w * w);
-                if (std::lround(std::sqrt(squared)) == k) samples.push_back(spectrum.power[at]);
+                const long double bin = std::ceil((std::sqrt(squared) - 0.5L) / width);
+                if (bin == k) samples.push_back(spectrum.power[at]);
             }
         }
     }
@@ -53,20 +54,22 @@ TEST(RadialStatistics, AgreesWithTheDefinition)
     for (const int dimension : {2, 3}) {
         Spectrum spectrum = spectrum_of(dimension, dimension == 2 ? 100 : 22, 0.0);
         for (double& power : spectrum.power) power = uniform(random);
-        const auto radial = radial_statistics(spectrum);
-        ASSERT_EQ(radial.size(), static_cast<std::size_t>(spectrum.size / 2 - 1));
-        for (int k = 1; k < spectrum.size / 2; ++k) {
-            const RadialBin& bin = radial[static_cast<std::size_t>(k - 1)];
-            const auto samples = samples_of_bin(spectrum, k);
-            const auto n = static_cast<double>(samples.size());
-            double sum = 0, squares = 0;
-            for (const double p : samples) sum += p;
-            for (const double p : samples) squares += (p - sum / n) * (p - sum / n);
-            const double ratio = squares / (n - 1) / (sum / n * (sum / n));
-            EXPECT_EQ(bin.frequency, k);
-            EXPECT_EQ(bin.samples, samples.size());
-            EXPECT_NEAR(bin.power, sum / n, 1e-15 * n); // n additions of values below 1, relative 2^-53 each
-            EXPECT_NEAR(bin.anisotropy_db, 10.0 * std::log10(ratio), 4.4 * 4e-15 * n);
+        for (const double width : {1.0, 1.25, 2.0, 3.7}) {
+            const auto radial = radial_statistics(spectrum, width);
+            ASSERT_EQ(radial.size(), std::floor((spectrum.size / 2 - 1) / width)) << "none reaches beyond the border";
+            for (int k = 1; k <= static_cast<int>(radial.size()); ++k) {
+                const RadialBin& bin = radial[static_cast<std::size_t>(k - 1)];
+                const auto samples = samples_of_bin(spectrum, k, width);
+                const auto n = static_cast<double>(samples.size());
+                double sum = 0, squares = 0;
+                for (const double p : samples) sum += p;
+                for (const double p : samples) squares += (p - sum / n) * (p - sum / n);
+                const double ratio = squares / (n - 1) / (sum / n * (sum / n));
+                EXPECT_DOUBLE_EQ(bin.frequency, 0.5 + (k - 0.5) * width) << "the middle";
+                EXPECT_EQ(bin.samples, samples.size());
+                EXPECT_NEAR(bin.power, sum / n, 1e-15 * n); // n additions of values below 1, relative 2^-53 each
+                EXPECT_NEAR(bin.anisotropy_db, 10.0 * std::log10(ratio), 4.4 * 4e-15 * n);
+            }
         }
     }
 }

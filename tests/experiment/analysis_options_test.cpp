@@ -18,6 +18,7 @@ TEST(AnalysisOptions, HaveDefaults)
     const AnalysisOptions options = options_of({});
     EXPECT_EQ(options.spectrum, PeriodogramMethod::fast);
     EXPECT_EQ(options.spectrum_size, 0);
+    EXPECT_EQ(options.bin_width, 1);
     EXPECT_FALSE(options.volume);
     EXPECT_FALSE(options.zone_plate);
     EXPECT_EQ(options.tiles, 0);
@@ -26,7 +27,8 @@ TEST(AnalysisOptions, HaveDefaults)
 TEST(AnalysisOptions, TakeEveryKey)
 {
     const AnalysisOptions plane = options_of({"analysis.spectrum=exact", "analysis.spectrum_size=8192",
-                                              "analysis.zone_plate=true", "analysis.tiles=4096"});
+                                              "analysis.zone_plate=true", "analysis.tiles=4096", "analysis.bin_width=2.5"});
+    EXPECT_EQ(plane.bin_width, 2.5);
     EXPECT_EQ(plane.spectrum, PeriodogramMethod::exact);
     EXPECT_EQ(plane.spectrum_size, 8192);
     EXPECT_TRUE(plane.zone_plate);
@@ -45,6 +47,8 @@ TEST(AnalysisOptions, SayWhatIsAllowed)
     EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 2 to 8192"));
     EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 2 to 512"));
     EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\""));
+    EXPECT_THAT(error_of("bin_width=0.5"), testing::HasSubstr("must be a number from 1 to 100"));
+    EXPECT_THAT(error_of("bin_width=wide"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("tiles=1"), testing::HasSubstr("must be an integer from 2 to 4096"));
     EXPECT_THAT(error_of("zone_plate=true", 3), testing::HasSubstr("needs dimension = 2"));
     EXPECT_THAT(error_of("volume=true"), testing::HasSubstr("needs dimension = 3"));
