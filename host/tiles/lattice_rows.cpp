@@ -3,45 +3,52 @@
 #include <algorithm>
 
 namespace poissonlab {
+namespace {
 
-const std::uint8_t* LatticeRows::row(unsigned series, const ColorHash& hash, std::int64_t x, std::int64_t y,
-                                     std::uint64_t step, std::size_t count)
+/// How many steps lead from a coordinate to the last one.
+std::uint64_t steps_to(std::int64_t last, std::int64_t from)
+{
+    return static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(from);
+}
+
+}
+
+const std::uint8_t* LatticeRows::row(unsigned series, const ColorHash& hash, const PointRow& points)
 {
     auto& kept = kept_[series];
     unsigned& newest = newest_[series];
     for (unsigned i = 0; i < 2; ++i) {
-        const Row& row = kept[i];
-        if (row.x != x || row.y != y || row.step != step || row.count != count) continue;
+        if (kept[i].points != points) continue;
         newest = i;
-        return row.colors.data();
+        return kept[i].colors.data();
     }
     newest = 1 - newest;
     Row& row = kept[newest];
-    row.x = x;
-    row.y = y;
-    row.step = step;
-    row.count = count;
-    if (row.colors.size() < count) row.colors.resize(count);
+    row.points = points;
+    if (row.colors.size() < points.count) row.colors.resize(points.count);
     evaluate(row, hash);
     return row.colors.data();
 }
 
 void LatticeRows::evaluate(Row& row, const ColorHash& hash) const
 {
-    const Torus torus{period_};
-    // Hash functions are asked for runs that end where coordinates start again.
-    const auto last = static_cast<std::uint64_t>(period_.x == 0 ? INT64_MAX : period_.x - 1);
-    const std::int64_t y = torus.y(row.y);
-    std::int64_t x = torus.x(row.x);
-    std::span<std::uint8_t> left(row.colors.data(), row.count);
+    const PointRow& points = row.points;
+    std::span<std::uint8_t> left(row.colors.data(), points.count);
+    std::int64_t x = points.x;
     std::visit(
         [&](const auto& h) {
             while (!left.empty()) {
-                const std::uint64_t run = (last - static_cast<std::uint64_t>(x)) / row.step + 1;
-                const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(left.size(), run));
-                h.fill_row(x, static_cast<std::int64_t>(row.step), y, left.first(count));
+                // As far as no coordinate starts again: the tile's, the reduced one, the lattice point's.
+                const std::int64_t reduced = torus_.x(x);
+                const std::int64_t first =
+                    stepped(points.scale == 2 ? doubled(reduced) : reduced, points.offset);
+                std::uint64_t steps =
+                    std::min(steps_to(INT64_MAX, x), steps_to(INT64_MAX, first) / points.scale);
+                if (torus_.period.x > 0) steps = std::min(steps, steps_to(torus_.period.x - 1, reduced));
+                const std::size_t count = std::min<std::uint64_t>(left.size() - 1, steps) + 1;
+                h.fill_row(first, points.scale, points.y, left.first(count));
                 left = left.subspan(count);
-                x = torus.x(stepped(x, count * row.step));
+                x = stepped(x, count);
             }
         },
         hash);

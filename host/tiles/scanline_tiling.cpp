@@ -53,8 +53,8 @@ FittingTiles::FittingTiles(const TileSet& tiles) : kind_(tiles.kind()), colors_(
         throw std::logic_error("scanlines are of Wang or corner tiles");
     const Color colors = std::max(colors_.horizontal, colors_.vertical);
     if (colors > max_scanline_colors)
-        throw InputError("colors = " + std::to_string(colors) + ": must be at most " + std::to_string(max_scanline_colors) +
-                         " for a tiling by scanlines");
+        throw InputError("colors = " + std::to_string(colors) + ": must be at most " +
+                         std::to_string(max_scanline_colors) + " for a tiling by scanlines");
 
     // Counts, starts, tiles in their places.
     const auto for_each_pattern = [&](const auto& use) {

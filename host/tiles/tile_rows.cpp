@@ -3,18 +3,8 @@
 #include "tiles/row_arithmetic.hpp"
 
 namespace poissonlab {
-namespace {
 
-/// The period of the lattice on which the hash functions are evaluated.
-Period lattice_period(const Tiling& tiling)
-{
-    const Period p = tiling.period();
-    return tiling.algorithm() == DirectAlgorithm::wang_edge_hash ? Period{2 * p.x, 2 * p.y, 2 * p.z} : p;
-}
-
-}
-
-TileRows::TileRows(const Tiling& tiling) : tiling_(tiling), rows_(lattice_period(tiling)) {}
+TileRows::TileRows(const Tiling& tiling) : tiling_(tiling), rows_(tiling.period().x) {}
 
 void TileRows::fill(std::int64_t x, std::int64_t y, std::span<TileIndex> tiles)
 {
@@ -31,25 +21,29 @@ void TileRows::fill(std::int64_t x, std::int64_t y, std::span<TileIndex> tiles)
 
 void TileRows::fill_corner(std::int64_t x, std::int64_t y, std::span<TileIndex> tiles)
 {
+    const Torus torus{tiling_.period()};
     const std::size_t points = tiles.size() + 1;
-    const auto* north = rows_.row(0, tiling_.hash(), x, stepped(y, 1), 1, points);
-    const auto* south = rows_.row(0, tiling_.hash(), x, y, 1, points);
+    const auto* north = rows_.row(0, tiling_.hash(), {x, torus.y(stepped(y, 1)), 1, 0, points});
+    const auto* south = rows_.row(0, tiling_.hash(), {x, torus.y(y), 1, 0, points});
     index_corner_tiles(south, north, tiling_.tile_set().colors().horizontal, tiles);
 }
 
 void TileRows::fill_corner_sums(std::int64_t x, std::int64_t y, std::span<TileIndex> tiles)
 {
+    const Torus torus{tiling_.period()};
     const WangColors colors = tiling_.tile_set().colors();
     const std::size_t points = tiles.size() + 1;
-    const auto* north = rows_.row(0, tiling_.hash(), x, stepped(y, 1), 1, points);
-    const auto* south = rows_.row(0, tiling_.hash(), x, y, 1, points);
+    const PointRow north_points{x, torus.y(stepped(y, 1)), 1, 0, points};
+    const PointRow south_points{x, torus.y(y), 1, 0, points};
+    const auto* north = rows_.row(0, tiling_.hash(), north_points);
+    const auto* south = rows_.row(0, tiling_.hash(), south_points);
     north_.resize(tiles.size());
     south_.resize(tiles.size());
     add_colors(north, north + 1, colors.horizontal, north_);
     add_colors(south, south + 1, colors.horizontal, south_);
     if (tiling_.algorithm() == DirectAlgorithm::wang_two_hashes) {
-        north = rows_.row(1, tiling_.vertical_hash(), x, stepped(y, 1), 1, points);
-        south = rows_.row(1, tiling_.vertical_hash(), x, y, 1, points);
+        north = rows_.row(1, tiling_.vertical_hash(), north_points);
+        south = rows_.row(1, tiling_.vertical_hash(), south_points);
     }
     vertical_.resize(points);
     add_colors(south, north, colors.vertical, vertical_);
@@ -58,16 +52,13 @@ void TileRows::fill_corner_sums(std::int64_t x, std::int64_t y, std::span<TileIn
 
 void TileRows::fill_edges(std::int64_t x, std::int64_t y, std::span<TileIndex> tiles)
 {
-    // Reduced before they are doubled: doubled coordinates may wrap around.
     const Torus torus{tiling_.period()};
-    const std::int64_t west = doubled(torus.x(x));
     const std::int64_t south_y = doubled(torus.y(y));
     const std::int64_t north_y = doubled(torus.y(stepped(y, 1)));
-    const std::int64_t middle_x = stepped(west, 1);
-    const auto* north = rows_.row(0, tiling_.hash(), middle_x, north_y, 2, tiles.size());
-    const auto* south = rows_.row(0, tiling_.hash(), middle_x, south_y, 2, tiles.size());
+    const auto* north = rows_.row(0, tiling_.hash(), {x, north_y, 2, 1, tiles.size()});
+    const auto* south = rows_.row(0, tiling_.hash(), {x, south_y, 2, 1, tiles.size()});
     const auto* vertical =
-        rows_.row(2, tiling_.vertical_hash(), west, stepped(south_y, 1), 2, tiles.size() + 1);
+        rows_.row(2, tiling_.vertical_hash(), {x, stepped(south_y, 1), 2, 0, tiles.size() + 1});
     index_wang_tiles(north, south, vertical, tiling_.tile_set().colors(), tiles);
 }
 
