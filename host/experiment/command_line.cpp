@@ -46,6 +46,18 @@ a line with # alone separates realizations), PLY or NumPy .npy. All realizations
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
   poissonlab analyze set-*.dat --label "My method" --out mine)";
 
+constexpr auto tiling_footer =
+    R"(Prints tile indices, a row of tiles a line, north first; cubes: layer after layer from the bottom, with an empty
+line between them. A tile's coordinates are those of its lower left corner; they may be negative, of 64 bits.
+An index is the number whose digits are the colours: N E S W (wang), NE SE SW NW (corner); the same at the top and
+then at the bottom (cube).
+  corner  direct; scanline, scanline-compact
+  wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact
+  cube    direct
+Scanline tilings start at their north-west tile; the window must be at 0 0.
+--hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats).
+  poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
+
 /// The program's subcommands with their options, and what was given.
 class CommandLine
 {
@@ -57,6 +69,7 @@ public:
         add_run();
         add_analyze();
         add_report();
+        add_tiling();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
         samplers_ =
             app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
@@ -72,6 +85,7 @@ private:
     void add_run();
     void add_analyze();
     void add_report();
+    void add_tiling();
     void explain();
     std::vector<std::string> command_names() const;
 
@@ -81,11 +95,13 @@ private:
     RunOptions run_options_;
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
+    TilingOptions tiling_options_;
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
+    CLI::App* tiling_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
     CLI::App* help_ = nullptr;
@@ -138,6 +154,27 @@ void CommandLine::add_report()
     report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")
         ->option_text("DIR");
     report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+}
+
+void CommandLine::add_tiling()
+{
+    TilingOptions& o = tiling_options_;
+    tiling_ = app_.add_subcommand("tiling", "Print the tile indices of a stochastic tiling");
+    tiling_->add_option("KIND", o.kind, "corner, wang or cube")->required();
+    tiling_->add_option("--colors", o.colors, "Number of colours")->option_text("C")->required();
+    tiling_->add_option("--algorithm", o.algorithm, "How tiles are chosen, see below; default: the first")
+        ->option_text("NAME");
+    tiling_->add_option("--hash", o.hash, "What gives lattice points their colours; default: long-period")
+        ->option_text("NAME");
+    tiling_->add_option("--seed", o.seed, "Everything random follows from it; default: 1")->option_text("S");
+    tiling_->add_option("--window", o.window, "The tiles to print: lower left one, width and height")
+        ->option_text("X Y W H (cube: X Y Z W H D)")
+        ->expected(1, 6)
+        ->required();
+    tiling_->add_option("--period", o.period, "The tiling closes after so many tiles; 0: it does not")
+        ->option_text("MX [MY [MZ]]")
+        ->expected(1, 3);
+    tiling_->footer(tiling_footer);
 }
 
 std::vector<std::string> CommandLine::command_names() const
@@ -204,6 +241,7 @@ void CommandLine::execute()
     if (*run_) run_command(run_options_, write_report_);
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
+    if (*tiling_) tiling_command(tiling_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();

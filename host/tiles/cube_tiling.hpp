@@ -60,6 +60,7 @@ public:
     DominoTiling(Color colors, HashKind hash, std::uint64_t seed, std::int64_t period = 0);
 
     const TileSet& tile_set() const { return tile_set_; }
+    const ColorHash& hash() const { return hash_; }
 
     /// The index of the domino from x to x + 1.
     TileIndex tile(std::int64_t x) const;
