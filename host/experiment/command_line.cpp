@@ -11,7 +11,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <new>
 
 namespace poissonlab {
@@ -57,6 +60,22 @@ then at the bottom (cube).
 Scanline tilings start at their north-west tile; the window must be at 0 0.
 --hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats).
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
+
+/// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
+template <class Integer>
+CLI::Validator integer()
+{
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            Integer value{};
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end) return {};
+            return fmt::format("{}: must be an integer from {} to {}", text, std::numeric_limits<Integer>::min(),
+                               std::numeric_limits<Integer>::max());
+        },
+        "");
+}
 
 /// The program's subcommands with their options, and what was given.
 class CommandLine
@@ -161,19 +180,26 @@ void CommandLine::add_tiling()
     TilingOptions& o = tiling_options_;
     tiling_ = app_.add_subcommand("tiling", "Print the tile indices of a stochastic tiling");
     tiling_->add_option("KIND", o.kind, "corner, wang or cube")->required();
-    tiling_->add_option("--colors", o.colors, "Number of colours")->option_text("C")->required();
+    tiling_->add_option("--colors", o.colors, "Number of colours")
+        ->option_text("C")
+        ->check(integer<std::uint32_t>())
+        ->required();
     tiling_->add_option("--algorithm", o.algorithm, "How tiles are chosen, see below; default: the first")
         ->option_text("NAME");
     tiling_->add_option("--hash", o.hash, "What gives lattice points their colours; default: long-period")
         ->option_text("NAME");
-    tiling_->add_option("--seed", o.seed, "Everything random follows from it; default: 1")->option_text("S");
+    tiling_->add_option("--seed", o.seed, "Everything random follows from it; default: 1")
+        ->option_text("S")
+        ->check(integer<std::uint64_t>());
     tiling_->add_option("--window", o.window, "The tiles to print: lower left one, width and height")
         ->option_text("X Y W H (cube: X Y Z W H D)")
         ->expected(1, 6)
+        ->check(integer<std::int64_t>())
         ->required();
     tiling_->add_option("--period", o.period, "The tiling closes after so many tiles; 0: it does not")
         ->option_text("MX [MY [MZ]]")
-        ->expected(1, 3);
+        ->expected(1, 3)
+        ->check(integer<std::int64_t>());
     tiling_->footer(tiling_footer);
 }
 

@@ -125,10 +125,14 @@ std::size_t FittingTiles::fewest_choices() const
 }
 
 ScanlineTiling::ScanlineTiling(const TileSet& tiles, std::uint64_t width, std::uint64_t seed)
-    : fitting_(tiles), key_(stream_key(seed, Purpose::scanline_tiling, 0)), row_(width)
+    : fitting_(tiles), key_(stream_key(seed, Purpose::scanline_tiling, 0))
 {
+    if (width > max_scanline_width)
+        throw InputError("tiling by scanlines: width = " + std::to_string(width) + ": must be at most " +
+                         std::to_string(max_scanline_width));
     if (fitting_.fewest_choices() < 2)
         throw InputError("tiling by scanlines: at some places fewer than two tiles of the set fit");
+    row_.resize(width);
 }
 
 std::span<const TileIndex> ScanlineTiling::next_row()

@@ -18,6 +18,9 @@ namespace poissonlab {
 /// With more, the tiles for each pattern of colours take too much memory.
 constexpr Color max_scanline_colors = 32;
 
+/// A row is kept.
+constexpr std::uint64_t max_scanline_width = std::uint64_t{1} << 32;
+
 /// The tiles of a set of Wang or corner tiles that fit where their neighbours to the north and west are
 /// placed.
 class FittingTiles

@@ -132,6 +132,7 @@ TEST(ScanlineTiling, RefusesSetsThatLeaveNoChoice)
                  InputError);
     EXPECT_THROW(ScanlineTiling(TileSet::complete(TileKind::corner, 33), 5, 1), InputError);
     EXPECT_NO_THROW(ScanlineTiling(compact_wang_set(32), 5, 1));
+    EXPECT_THROW(ScanlineTiling(compact_wang_set(2), max_scanline_width + 1, 1), InputError);
 }
 
 TEST(ScanlineTiling, FollowsFromItsSeedAndNotFromItsSize)
