@@ -5,10 +5,14 @@
 // double them. A hash function at the edges is evaluated four times too, but neighbours share fewer of them.
 #include "bench/ratio_reporter.hpp"
 #include "tiles/cube_tiling.hpp"
+#include "tiles/direct_tiling.hpp"
 #include "tiles/scanline_tiling.hpp"
 #include "tiles/tiling.hpp"
 
 #include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -38,11 +42,12 @@ void stream_rows(benchmark::State& state, DirectAlgorithm algorithm, HashKind ha
     count_tiles(state, side);
 }
 
-/// Places that no cache or predictor foresees: a Weyl sequence of 64-bit coordinates.
-void look_up(benchmark::State& state, DirectAlgorithm algorithm, HashKind hash)
+/// The sum of what `tile` gives at places that no cache or predictor foresees: Weyl sequences of 64-bit
+/// coordinates.
+template <class Tile>
+void visit_places(benchmark::State& state, const Tile& tile)
 {
     constexpr std::uint64_t side = 256;
-    const Tiling tiling(algorithm, {colors, colors}, hash, 1);
     for (auto _ : state) {
         TileIndex seen = 0;
         std::uint64_t x = 1;
@@ -50,11 +55,26 @@ void look_up(benchmark::State& state, DirectAlgorithm algorithm, HashKind hash)
         for (std::uint64_t i = 0; i < side * side; ++i) {
             x += 0x9E3779B97F4A7C15;
             y += 0xD1B54A32D192ED03;
-            seen += tiling.tile(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
+            seen += tile(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y));
         }
         benchmark::DoNotOptimize(seen);
     }
     count_tiles(state, side);
+}
+
+void look_up(benchmark::State& state, DirectAlgorithm algorithm, HashKind hash)
+{
+    const Tiling tiling(algorithm, {colors, colors}, hash, 1);
+    visit_places(state, [&](std::int64_t x, std::int64_t y) { return tiling.tile(x, y); });
+}
+
+/// Algorithm and hash function known to the compiler.
+void look_up_inlined(benchmark::State& state)
+{
+    const PermutationHash hash(colors, stream_key(1, Purpose::tiling_colors, 0));
+    visit_places(state, [&](std::int64_t x, std::int64_t y) {
+        return corner_index(direct_corner_tile(hash, Plane{}, x, y), colors);
+    });
 }
 
 void stream_cubes(benchmark::State& state)
@@ -81,9 +101,12 @@ void scanline(benchmark::State& state, const TileSet& tiles)
 }
 
 #define EACH_HASH(function, algorithm)                                                                       \
-    BENCHMARK_CAPTURE(function, algorithm / permutation, DirectAlgorithm::algorithm, HashKind::permutation); \
-    BENCHMARK_CAPTURE(function, algorithm / long_period, DirectAlgorithm::algorithm, HashKind::long_period); \
-    BENCHMARK_CAPTURE(function, algorithm / xxh64, DirectAlgorithm::algorithm, HashKind::xxh64)
+    BENCHMARK_CAPTURE(function, algorithm / permutation, DirectAlgorithm::algorithm, HashKind::permutation)  \
+        ->Repetitions(5);                                                                                    \
+    BENCHMARK_CAPTURE(function, algorithm / long_period, DirectAlgorithm::algorithm, HashKind::long_period)  \
+        ->Repetitions(5);                                                                                    \
+    BENCHMARK_CAPTURE(function, algorithm / xxh64, DirectAlgorithm::algorithm, HashKind::xxh64)              \
+        ->Repetitions(5)
 
 EACH_HASH(stream_rows, corner);
 EACH_HASH(stream_rows, wang_one_hash);
@@ -93,8 +116,27 @@ EACH_HASH(look_up, corner);
 EACH_HASH(look_up, wang_one_hash);
 EACH_HASH(look_up, wang_two_hashes);
 EACH_HASH(look_up, wang_edge_hash);
-BENCHMARK(stream_cubes);
-BENCHMARK_CAPTURE(scanline, corner, TileSet::complete(TileKind::corner, colors));
-BENCHMARK_CAPTURE(scanline, compact_wang, compact_wang_set(colors));
+BENCHMARK(look_up_inlined)->Repetitions(5);
+BENCHMARK(stream_cubes)->Repetitions(5);
+BENCHMARK_CAPTURE(scanline, corner, TileSet::complete(TileKind::corner, colors))->Repetitions(5);
+BENCHMARK_CAPTURE(scanline, compact_wang, compact_wang_set(colors))->Repetitions(5);
+
+/// Each other algorithm over corner tiles, for each way to ask for tiles and each hash function.
+std::vector<bench::Ratio> ratios()
+{
+    std::vector<bench::Ratio> result;
+    for (const std::string way : {"stream_rows", "look_up"}) {
+        for (const std::string hash : {"permutation", "long_period", "xxh64"}) {
+            for (const std::string algorithm : {"wang_one_hash", "wang_edge_hash", "wang_two_hashes"}) {
+                result.push_back({way + ", " + hash + ": " + algorithm + " / corner",
+                                  way + "/" + algorithm + "/" + hash + "/", way + "/corner/" + hash + "/",
+                                  1});
+            }
+        }
+    }
+    return result;
+}
 
 }
+
+int main(int argc, char** argv) { return poissonlab::bench::run_benchmarks(argc, argv, ratios()); }

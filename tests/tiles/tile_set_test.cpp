@@ -76,6 +76,22 @@ TEST(TileSet, CompactSetsLeaveTwoChoicesEverywhere)
     }
 }
 
+TEST(TileSet, CompactSetsHaveTheTilesThatTheyPromise)
+{
+    for (Color c = 2; c <= 8; ++c) {
+        for (const TileIndex index : indices_of(compact_wang_set(c))) {
+            const WangTile tile = wang_tile(index, {c, c});
+            EXPECT_LT((tile.east + c - tile.north) % c, 2u);
+            EXPECT_EQ((tile.east + c - tile.north) % c, (tile.south + c - tile.west) % c);
+        }
+        for (const TileIndex index : indices_of(compact_corner_set(c))) {
+            const CornerTile tile = corner_tile(index, c);
+            EXPECT_LT((tile.south_east + 3 * c - tile.north_east - tile.south_west - tile.north_west) % c,
+                      2u);
+        }
+    }
+}
+
 TEST(TileSet, OfTwoColorsTheCompactOnesAreTheKnownOnes)
 {
     // The dissertation: the corner set is complete, and both Wang sets are the same; other than for more
