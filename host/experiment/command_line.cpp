@@ -58,7 +58,8 @@ then at the bottom (cube).
   wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact
   cube    direct
 Scanline tilings start at their north-west tile; the window must be at 0 0.
---hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats).
+--hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats);
+with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
 /// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.

@@ -204,6 +204,47 @@ TEST(Tiling, ClosesAfterItsPeriodAndNotElsewhere)
     }
 }
 
+/// Whether a region is the same so many tiles to the east, and to the north.
+bool repeats(const Tiling& tiling, std::int64_t steps)
+{
+    for (std::int64_t x = 0; x < 40; ++x) {
+        for (std::int64_t y = 0; y < 40; ++y) {
+            if (tiling.tile(x, y) != tiling.tile(x + steps, y) ||
+                tiling.tile(x, y) != tiling.tile(x, y + steps))
+                return false;
+        }
+    }
+    return true;
+}
+
+TEST(Tiling, RepeatsWithItsHashFunction)
+{
+    struct Case
+    {
+        HashKind hash;
+        Color colors;
+        std::int64_t period;
+        std::vector<std::int64_t> primes; // of the period
+    };
+    const Case cases[] = {{HashKind::permutation, 4, 256, {2}},
+                          {HashKind::permutation, 5, 255, {3, 5, 17}},
+                          {HashKind::long_period, 3, 5'930'659'848, {2, 3, 17, 19, 23, 29, 31, 37}}};
+    for (const Case& c : cases) {
+        for (const DirectAlgorithm algorithm : algorithms) {
+            const Tiling tiling(algorithm, {c.colors, c.colors}, c.hash, 1);
+            // The dense lattice has two points a tile: half of an even period.
+            const bool halves = algorithm == DirectAlgorithm::wang_edge_hash && c.period % 2 == 0;
+            const std::int64_t period = halves ? c.period / 2 : c.period;
+            EXPECT_TRUE(repeats(tiling, period));
+            for (const std::int64_t prime : c.primes) {
+                if (period % prime == 0) {
+                    EXPECT_FALSE(repeats(tiling, period / prime)) << period << " " << prime;
+                }
+            }
+        }
+    }
+}
+
 TEST(Tiling, FollowsFromItsSeed)
 {
     for (const DirectAlgorithm algorithm : algorithms) {
