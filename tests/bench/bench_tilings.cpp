@@ -100,13 +100,13 @@ void scanline(benchmark::State& state, const TileSet& tiles)
     count_tiles(state, side);
 }
 
-#define EACH_HASH(function, algorithm)                                                                       \
-    BENCHMARK_CAPTURE(function, algorithm / permutation, DirectAlgorithm::algorithm, HashKind::permutation)  \
-        ->Repetitions(5);                                                                                    \
-    BENCHMARK_CAPTURE(function, algorithm / long_period, DirectAlgorithm::algorithm, HashKind::long_period)  \
-        ->Repetitions(5);                                                                                    \
-    BENCHMARK_CAPTURE(function, algorithm / xxh64, DirectAlgorithm::algorithm, HashKind::xxh64)              \
+#define ONE_HASH(function, algorithm, hash)                                                                  \
+    BENCHMARK_CAPTURE(function, algorithm##_##hash, DirectAlgorithm::algorithm, HashKind::hash)              \
         ->Repetitions(5)
+#define EACH_HASH(function, algorithm)                                                                       \
+    ONE_HASH(function, algorithm, permutation);                                                              \
+    ONE_HASH(function, algorithm, long_period);                                                              \
+    ONE_HASH(function, algorithm, xxh64)
 
 EACH_HASH(stream_rows, corner);
 EACH_HASH(stream_rows, wang_one_hash);
