@@ -129,7 +129,7 @@ std::vector<bench::Ratio> ratios()
         for (const std::string hash : {"permutation", "long_period", "xxh64"}) {
             for (const std::string algorithm : {"wang_one_hash", "wang_edge_hash", "wang_two_hashes"}) {
                 result.push_back({way + ", " + hash + ": " + algorithm + " / corner",
-                                  way + "/" + algorithm + "/" + hash + "/", way + "/corner/" + hash + "/",
+                                  way + "/" + algorithm + "_" + hash + "/", way + "/corner_" + hash + "/",
                                   1});
             }
         }
