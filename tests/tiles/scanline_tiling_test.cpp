@@ -84,18 +84,18 @@ TEST(ScanlineTiling, NeighboursMatch)
 TEST(ScanlineTiling, WhatFitsIsWhatMatches)
 {
     for (const TileSet& set : tile_sets()) {
-        if (set.size() > 700) continue; // all pairs of tiles
+        if (set.size() > 260) continue; // pairs of tiles, each with all tiles
         const FittingTiles fitting(set);
         const auto expect_matching = [&](const TileIndex* north, const TileIndex* west) {
             const auto choices = fitting.choices(north, west);
             EXPECT_TRUE(std::ranges::equal(choices, matching(set, north, west)));
         };
         expect_matching(nullptr, nullptr);
-        for (std::uint64_t i = 0; i < set.size(); i += 7) {
+        for (std::uint64_t i = 0; i < set.size(); i += 13) {
             const TileIndex north = set.index(i);
             expect_matching(&north, nullptr);
             expect_matching(nullptr, &north);
-            for (std::uint64_t j = 0; j < set.size(); j += 11) {
+            for (std::uint64_t j = 0; j < set.size(); j += 17) {
                 // Tiles with a common corner: of corner tiles, those to the north and west share the
                 // north-west.
                 const TileIndex west = set.index(j);
