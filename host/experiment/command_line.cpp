@@ -11,7 +11,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <new>
 
 namespace poissonlab {
@@ -50,6 +53,35 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 
+constexpr auto tiling_footer =
+    R"(Prints tile indices, a row of tiles a line, north first; cubes: layer after layer from the bottom, with an empty
+line between them. A tile's coordinates are those of its lower left corner; they may be negative, of 64 bits.
+An index is the number whose digits are the colours: N E S W (wang), NE SE SW NW (corner); the same at the top and
+then at the bottom (cube).
+  corner  direct; scanline, scanline-compact
+  wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact
+  cube    direct
+Scanline tilings start at their north-west tile; the window must be at 0 0.
+--hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats);
+with edge-hash, after half as many.
+  poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
+
+/// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
+template <class Integer>
+CLI::Validator integer()
+{
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            Integer value{};
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end) return {};
+            return fmt::format("{}: must be an integer from {} to {}", text, std::numeric_limits<Integer>::min(),
+                               std::numeric_limits<Integer>::max());
+        },
+        "");
+}
+
 /// The program's subcommands with their options, and what was given.
 class CommandLine
 {
@@ -61,6 +93,7 @@ public:
         add_run();
         add_analyze();
         add_report();
+        add_tiling();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
         samplers_ =
             app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
@@ -76,6 +109,7 @@ private:
     void add_run();
     void add_analyze();
     void add_report();
+    void add_tiling();
     void explain();
     std::vector<std::string> command_names() const;
 
@@ -85,11 +119,13 @@ private:
     RunOptions run_options_;
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
+    TilingOptions tiling_options_;
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
+    CLI::App* tiling_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
     CLI::App* help_ = nullptr;
@@ -145,6 +181,34 @@ void CommandLine::add_report()
     report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")
         ->option_text("DIR");
     report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+}
+
+void CommandLine::add_tiling()
+{
+    TilingOptions& o = tiling_options_;
+    tiling_ = app_.add_subcommand("tiling", "Print the tile indices of a stochastic tiling");
+    tiling_->add_option("KIND", o.kind, "corner, wang or cube")->required();
+    tiling_->add_option("--colors", o.colors, "Number of colours")
+        ->option_text("C")
+        ->check(integer<std::uint32_t>())
+        ->required();
+    tiling_->add_option("--algorithm", o.algorithm, "How tiles are chosen, see below; default: the first")
+        ->option_text("NAME");
+    tiling_->add_option("--hash", o.hash, "What gives lattice points their colours; default: long-period")
+        ->option_text("NAME");
+    tiling_->add_option("--seed", o.seed, "Everything random follows from it; default: 1")
+        ->option_text("S")
+        ->check(integer<std::uint64_t>());
+    tiling_->add_option("--window", o.window, "The tiles to print: lower left one, width and height")
+        ->option_text("X Y W H (cube: X Y Z W H D)")
+        ->expected(1, 6)
+        ->check(integer<std::int64_t>())
+        ->required();
+    tiling_->add_option("--period", o.period, "The tiling closes after so many tiles; 0: it does not")
+        ->option_text("MX [MY [MZ]]")
+        ->expected(1, 3)
+        ->check(integer<std::int64_t>());
+    tiling_->footer(tiling_footer);
 }
 
 std::vector<std::string> CommandLine::command_names() const
@@ -211,6 +275,7 @@ void CommandLine::execute()
     if (*run_) run_command(run_options_, write_report_);
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
+    if (*tiling_) tiling_command(tiling_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();

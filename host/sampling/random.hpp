@@ -16,6 +16,8 @@ enum class Purpose : std::uint32_t
     jittered_points = 2,
     dart_throwing = 3,
     relaxation_dart_throwing = 4,
+    tiling_colors = 16,
+    scanline_tiling = 17,
 };
 
 /// The 64-bit key of one independent stream.

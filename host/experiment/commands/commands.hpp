@@ -4,6 +4,7 @@
 #include "experiment/command_line.hpp"
 #include "experiment/progress.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -40,6 +41,17 @@ struct ReportOptions
     bool quiet = false;
 };
 
+struct TilingOptions
+{
+    std::string kind; ///< "corner", "wang" or "cube"
+    std::uint32_t colors = 0;
+    std::string algorithm; ///< empty: the kind's first
+    std::string hash;      ///< empty: long-period
+    std::uint64_t seed = 1;
+    std::vector<std::int64_t> window; ///< X Y W H; cubes: X Y Z W H D
+    std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
+};
+
 void run_command(const RunOptions& options, const ReportWriter& write_report);
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
 void report_command(const ReportOptions& options, const ReportWriter& write_report);
@@ -49,6 +61,9 @@ void devices_command();
 
 /// Prints every sampler and its parameters.
 void samplers_command();
+
+/// Prints the tile indices of a window of a stochastic tiling, a row of tiles a line.
+void tiling_command(const TilingOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,

@@ -1,0 +1,44 @@
+// Pictures of tile sets and tilings, in the papers' colours.
+//
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 2.3 to 2.7 and 3.1 to 3.8: Wang tiles
+// are four triangles in the colours of their edges, corner tiles have a quarter of a disk in the colour of
+// each corner.
+#pragma once
+
+#include "tiles/tile_set.hpp"
+#include "tiles/tiling.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Wang or corner tiles in rows, the first row at the top.
+struct TileGrid
+{
+    TileKind kind = TileKind::corner;
+    WangColors colors;
+    std::size_t columns = 1;
+    std::vector<TileIndex> tiles; ///< row after row; the last row may be shorter
+    bool has_gaps = false;        ///< between tiles: a set, not a tiling
+};
+
+/// The most tiles of a picture.
+constexpr std::uint64_t max_drawn_tiles = 100'000;
+
+/// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
+/// grey, and from 8 on shades all around the colour circle.
+std::string tile_color(Color color);
+
+/// All tiles of a set in order of their indices; with columns = 0, as many as make the picture nearly square.
+/// Throws InputError for more than max_drawn_tiles.
+TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns = 0);
+
+/// A window of a tiling. Throws InputError for more than max_drawn_tiles.
+TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window);
+
+/// Tiles are 32 units wide, gaps 8.
+std::string tiles_svg(const TileGrid& grid);
+
+}
