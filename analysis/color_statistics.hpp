@@ -1,0 +1,56 @@
+// Whether the colours of a stochastic tiling are as random as they should be: how often each is there, and
+// how colours at some distance from one another agree. A bad hash function shows in both.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// Colours 0 .. `colors` - 1 on a part of a lattice, row by row.
+struct ColorField
+{
+    std::uint32_t colors = 2;
+    std::size_t width = 0;
+    std::vector<std::uint8_t> values;
+
+    std::size_t height() const { return width == 0 ? 0 : values.size() / width; }
+};
+
+/// Pearson's chi-square test of counts that should be equal on average.
+struct FrequencyTest
+{
+    double chi_square = 0; ///< sum of (count - mean)^2 / mean
+    double p_value =
+        1; ///< probability that chance makes it at least as large: chi-square with n - 1 degrees of freedom
+};
+
+/// Of at least two counts, not all of them 0; p = 1 and chi-square 0 otherwise.
+FrequencyTest test_frequencies(std::span<const std::uint64_t> counts);
+
+/// How often each colour is there.
+std::vector<std::uint64_t> color_counts(const ColorField& field);
+
+/// How often colours agree at each displacement, against independent and equally frequent ones.
+///
+/// With n pairs of places at a displacement, m of them of the same colour, z = (m - n/C) / sqrt(n/C (1 -
+/// 1/C)): for independent colours of equal probability 1/C, mean 0 and variance 1 exactly (pairs of places
+/// are independent two by two even where they share a place).
+struct ColorAutocorrelation
+{
+    int lags = 0;          ///< L: displacements from -L to L along each axis
+    std::vector<double> z; ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
+    double largest = 0;    ///< of |z|
+    std::array<int, 2> largest_at; ///< where, the first in order with y >= 0
+    double bound = 0; ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
+};
+
+/// For displacements up to `lags`, below width and height of the field. By fast Fourier transforms, so that
+/// many lags take O(C A log A) for A places; the same bytes for any number of threads. Throws
+/// std::invalid_argument for lags that are not below width and height.
+ColorAutocorrelation color_autocorrelation(const ColorField& field, int lags);
+
+}
