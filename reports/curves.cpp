@@ -125,6 +125,7 @@ GnuplotPicture overlay(const std::vector<Curve>& curves, std::string commands, i
 
 bool sizes_differ(const std::vector<Curve>& curves)
 {
+    if (curves.empty()) return false;
     const auto [fewest, most] = std::ranges::minmax(curves, {}, &Curve::points);
     const auto [flattest, deepest] = std::ranges::minmax(curves, {}, &Curve::dimension);
     return flattest.dimension != deepest.dimension || 10 * most.points > 11 * fewest.points;

@@ -142,6 +142,7 @@ private:
 
 void draw_with_gnuplot(const std::vector<GnuplotPicture>& pictures)
 {
+    if (pictures.empty()) return;
     const TemporaryFolder folder;
     for (const auto& terminal : terminals)
         write_whole_file(folder.path() / ("script." + terminal.extension), script_for(terminal, pictures));

@@ -72,8 +72,23 @@ void set_dimension_words(PageData& page, const std::vector<StoredRun>& runs)
     page.set("space", space);
 }
 
-std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series)
+std::string tilings_summary(const std::vector<ReportTiling>& tilings)
 {
+    const auto sets = static_cast<std::size_t>(
+        std::ranges::count_if(tilings, [](const auto& tiling) { return !tiling.stored->set.empty(); }));
+    const auto counted = [](std::size_t count, const char* one) {
+        return count == 0 ? std::string() : fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+    };
+    const auto first = counted(sets, "tile set"), second = counted(tilings.size() - sets, "tiling");
+    if (tilings.empty()) return {};
+    return first + (first.empty() || second.empty() ? "" : " and ") + second + ".";
+}
+
+std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
+                       const std::vector<ReportTiling>& tilings)
+{
+    const auto tiles = tilings_summary(tilings);
+    if (series.empty()) return tiles;
     const auto realizations = range_of(series, &StoredSeries::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
     const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", runs.front().dimension);
@@ -84,7 +99,7 @@ std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<Rep
     const auto& engine = runs.front().engine;
     const bool one_engine = std::ranges::all_of(runs, [&](const auto& run) { return run.engine == engine; });
     if (!engine.empty() && one_engine) text += fmt::format(", made with {}", engine_words(engine));
-    return text + ".";
+    return text + "." + (tiles.empty() ? "" : " " + tiles);
 }
 
 // `kind` is the flag that the template knows a plot by; `over` is its horizontal axis.
@@ -187,12 +202,12 @@ PageData tone_scale()
 }
 
 std::string render_page(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
-                        const std::filesystem::path& out)
+                        const std::vector<ReportTiling>& tilings, const std::filesystem::path& out)
 {
     PageData page;
     page.set("style", std::string(page_template_file("templates/report.css")));
     page.set("title", title_of(runs));
-    page.set("summary", summary_of(runs, series));
+    page.set("summary", summary_of(runs, series, tilings));
     page.set("tone_scale", tone_scale());
     set_dimension_words(page, runs);
 
@@ -202,6 +217,11 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
         rows << overview_row(series[i], i);
         sections << series_section(series[i], i, out);
     }
+    PageData tiling_sections{PageData::type::list};
+    for (std::size_t i = 0; i < tilings.size(); ++i) tiling_sections << tiling_section(tilings[i], i, out);
+    page.set("tilings", tiling_sections);
+    page.set("has_tilings", !tilings.empty());
+    page.set("has_series", !series.empty());
     page.set("rows", rows);
     page.set("sections", sections);
     page.set("several_devices", runs.size() > 1);

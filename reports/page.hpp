@@ -10,9 +10,9 @@
 
 namespace poissonlab {
 
-/// The whole page, with every picture inside; the pictures of all series must have been drawn.
+/// The whole page, with every picture inside; the pictures of all series and tilings must have been drawn.
 /// `out` is the folder that the page will lie in: links to stored files are relative to it.
 std::string render_page(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
-                        const std::filesystem::path& out);
+                        const std::vector<ReportTiling>& tilings, const std::filesystem::path& out);
 
 }

@@ -49,6 +49,9 @@ PageData zone_plate_reference_panel(const std::vector<ReportSeries>& series,
 /// are none.
 PageData integration_panels(const std::vector<ReportSeries>& series, const std::filesystem::path& out);
 
+/// One tile set or tiling: facts, pictures, how random its colours are.
+PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& out);
+
 /// Where one run comes from: version, command, seed, device, config.
 PageData provenance(const StoredRun& run);
 

@@ -18,11 +18,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void create_folders(const fs::path& out, const std::vector<ReportSeries>& series)
+void create_folders(const fs::path& out, const std::vector<ReportSeries>& series,
+                    const std::vector<ReportTiling>& tilings)
 {
     try {
         fs::create_directories(out);
         for (const auto& entry : series) fs::create_directories(entry.pictures);
+        for (const auto& entry : tilings) fs::create_directories(entry.pictures);
     } catch (const fs::filesystem_error& error) {
         throw StorageError(error.what());
     }
@@ -111,6 +113,7 @@ void draw_zone_plate_reference(const std::vector<ReportSeries>& series, const fs
 std::vector<GnuplotPicture> all_plots(const std::vector<ReportSeries>& series, const fs::path& out)
 {
     std::vector<GnuplotPicture> pictures;
+    if (series.empty()) return pictures;
     add_frequency_plots(series, out, pictures);
     add_pair_correlation_plots(series, out, pictures);
     add_integration_plots(series, out, pictures);
@@ -134,7 +137,8 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     for (const auto& folder : result_folders) runs.push_back(read_stored_run(folder));
     auto series = lay_out(runs, out);
     for (auto& entry : series) read_curves(entry);
-    create_folders(out, series);
+    const auto tilings = lay_out_tilings(runs, out);
+    create_folders(out, series, tilings);
 
     // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
@@ -145,11 +149,12 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                                  draw_spectrum_pictures(entry);
                                  draw_zone_plate_picture(entry);
                              });
+                             tbb::parallel_for_each(tilings, draw_tiling_pictures);
                              draw_zone_plate_reference(series, out);
                          });
 
     say("writing the page");
-    write_whole_file(out / "index.html", render_page(runs, series, out));
+    write_whole_file(out / "index.html", render_page(runs, series, tilings, out));
 }
 
 }

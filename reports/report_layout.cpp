@@ -60,6 +60,15 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const fs::
     return result;
 }
 
+std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, const fs::path& out)
+{
+    const auto roots = picture_roots(runs, out);
+    std::vector<ReportTiling> result;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        for (const auto& tiling : runs[i].tilings) result.push_back({&runs[i], &tiling, roots[i] / tiling.name});
+    return result;
+}
+
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
 {
     std::vector<Curve> curves;

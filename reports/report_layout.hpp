@@ -7,6 +7,7 @@
 #include "reports/pair_correlation_curves.hpp"
 #include "reports/points_image.hpp"
 #include "reports/stored_results.hpp"
+#include "reports/tiling_pictures.hpp"
 #include "reports/zone_plate_curves.hpp"
 
 #include <filesystem>
@@ -47,6 +48,9 @@ struct ReportSeries
 /// The series of all runs in order. With one run that lies in `out`, pictures go to out/<series>, else to
 /// out/<name of the run's folder>/<series>; equal folder names are told apart by a number.
 std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+
+/// The tile sets and tilings of all runs in order, with pictures in the same places as those of series.
+std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
 
 /// The curves of all series, once they are read.
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);

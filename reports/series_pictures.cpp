@@ -2,7 +2,7 @@
 
 #include "analysis/spectrum_file.hpp"
 #include "analysis/spectrum_planes.hpp"
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 #include "errors/errors.hpp"
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
@@ -113,7 +113,7 @@ void draw_zone_plate_picture(const ReportSeries& series)
     if (!series.stored->zone_plate) return;
     const auto& stored = *series.stored->zone_plate;
     const auto file = series.run->folder / stored.file;
-    const auto image = read_zone_plate(file);
+    const auto image = read_square_image(file);
     if (image.size != stored.size)
         throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
                                      stored.size, stored.size));

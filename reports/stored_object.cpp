@@ -130,6 +130,14 @@ std::string StoredObject::checked_file_name(const std::string& name, const std::
     return value;
 }
 
+std::string StoredObject::folder_name(const std::string& name) const
+{
+    const auto text = this->text(name);
+    if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos)
+        throw error(name, "'" + text + "' must be the name of a folder");
+    return text;
+}
+
 std::string StoredObject::file_name(const std::string& name) const
 {
     return checked_file_name(name, text(name));

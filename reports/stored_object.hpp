@@ -38,6 +38,9 @@ public:
     std::string shown(const std::string& name) const;
     std::vector<std::string> names() const;
 
+    /// A text that is the name of a folder: what is made of the results goes into one that is called so.
+    std::string folder_name(const std::string& name) const;
+
     /// A file name inside the result folder: relative, without "..". `names` of the files that must be there.
     std::string file_name(const std::string& name) const;
     std::vector<std::string> file_names(const std::string& name) const;

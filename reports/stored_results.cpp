@@ -50,15 +50,6 @@ NamedTexts read_named_texts(const StoredObject& parent, const std::string& name)
     return result;
 }
 
-// The pictures go into a folder of this name.
-std::string read_series_name(const StoredObject& object)
-{
-    const auto name = object.text("name");
-    if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
-        throw object.error("name", "'" + name + "' must be the name of a folder");
-    return name;
-}
-
 void read_spectrum_members(const StoredObject& object, StoredSeries& series)
 {
     if (!object.has("spectrum")) return;
@@ -114,7 +105,7 @@ std::optional<StoredZonePlate> read_zone_plate_members(const StoredObject& serie
 StoredSeries read_series(const StoredObject& object)
 {
     StoredSeries series;
-    series.name = read_series_name(object);
+    series.name = object.folder_name("name");
     series.label = object.text("label");
     series.sampler = object.text("sampler");
     series.parameters = read_named_texts(object, "parameters");
@@ -161,7 +152,6 @@ std::vector<StoredSeries> read_all_series(const StoredObject& root)
         if (!names.insert(result.back().name).second)
             throw object.error("name", "'" + result.back().name + "' is used twice");
     }
-    if (result.empty()) throw root.error("series", "must hold at least one series");
     return result;
 }
 
@@ -194,6 +184,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder)
     if (run.dimension > 3) throw root.error("dimension", "must be 2 or 3");
     run.machine = read_named_texts(root, "machine");
     run.series = read_all_series(root);
+    run.tilings = read_tilings(root);
+    if (run.series.empty() && run.tilings.empty()) throw root.error("series", "must hold at least one series");
     return run;
 }
 

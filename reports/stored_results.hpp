@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reports/stored_measures.hpp"
+#include "reports/stored_tilings.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -99,6 +100,7 @@ struct StoredRun
     int dimension = 2;
     NamedTexts machine; ///< the members of "machine" that are there
     std::vector<StoredSeries> series;
+    std::vector<StoredTiling> tilings; ///< and tile sets; at least one of these or one series
 
     /// A member of `machine`, or an empty string.
     std::string machine_member(const std::string& name) const;

@@ -45,7 +45,9 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
 void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
-    if (!node) throw InputError(config.file + ": no [[method]] table: a config needs at least one");
+    if (!node && config.tilings.empty())
+        throw InputError(config.file + ": no [[method]] table: a config needs at least one");
+    if (!node) return;
     const auto* list = node->get_if<ConfigList>();
     if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
     if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
@@ -59,7 +61,7 @@ Config parse_config(const std::string& text, const std::string& file,
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method"});
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling"});
 
     Config config;
     config.file = file;
@@ -71,6 +73,7 @@ Config parse_config(const std::string& text, const std::string& file,
     if (is_second_word(top, "engine", {"opencl", "reference"})) config.engine = Engine::reference;
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
+    config.tilings = read_tilings(top, config.seed);
     read_methods(top, registry, config);
     return config;
 }

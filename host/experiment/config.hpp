@@ -3,6 +3,7 @@
 
 #include "experiment/analysis_options.hpp"
 #include "experiment/sampler_table.hpp"
+#include "experiment/tiling_table.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -37,7 +38,8 @@ struct Config
     int realizations = 10;
     int dimension = 2;
     AnalysisOptions analysis;
-    std::vector<MethodConfig> methods; ///< at least one
+    std::vector<MethodConfig> methods;
+    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these or one method
 };
 
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.

@@ -4,8 +4,11 @@
 #include "experiment/plan.hpp"
 #include "experiment/thread_limit.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace poissonlab {
 namespace {
@@ -54,6 +57,26 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
+/// Folders of tilings, each different from all others and from those of the series.
+std::vector<TilingTask> tiling_tasks(const Config& config, const std::vector<SeriesTask>& series)
+{
+    std::set<std::string> names;
+    for (const SeriesTask& task : series) names.insert(task.name);
+    std::vector<TilingTask> tasks;
+    for (const TilingConfig& tiling : config.tilings) {
+        const std::string kind = tiling.request.kind == TileKind::wang     ? "wang"
+                                 : tiling.request.kind == TileKind::corner ? "corner"
+                                                                           : "cube";
+        const std::string base = fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
+                                             tiling.is_set() ? tiling.set : tiling.request.algorithm,
+                                             tiling.request.colors);
+        std::string name = base;
+        for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{}-{}", base, number);
+        tasks.push_back({name, tiling});
+    }
+    return tasks;
+}
+
 }
 
 Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
@@ -73,6 +96,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
     for (const SeriesPlan& series : make_plan(config))
         experiment.series.push_back(make_task(series, config.engine, lazy));
+    experiment.tilings = tiling_tasks(config, experiment.series);
     experiment.machine = [lazy] { return machine_of(*lazy); };
     if (config.engine == Engine::opencl && !device.empty()) lazy->get();
     return experiment;

@@ -3,6 +3,9 @@
 #include "experiment/nearest_key.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 
@@ -49,16 +52,22 @@ std::string read_text(const ConfigTable& table, const std::string& key, const st
     return *value;
 }
 
-bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
+std::size_t read_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
 {
     const ConfigNode* node = find(table, key);
-    if (!node) return false;
+    if (!node) return 0;
     const auto* value = node->get_if<std::string>();
-    if (value && *value == words[0]) return false;
-    if (value && *value == words[1]) return true;
-    throw invalid_node(key, *node,
-                       "must be \"" + words[0] + "\" or \"" + words[1] + "\"" +
-                           (value ? did_you_mean(*value, words) : ""));
+    const auto found = value ? std::ranges::find(words, *value) : words.end();
+    if (found == words.end())
+        throw invalid_node(key, *node,
+                           fmt::format("must be \"{}\"{}", fmt::join(words, "\" or \""),
+                                       value ? did_you_mean(*value, words) : ""));
+    return static_cast<std::size_t>(found - words.begin());
+}
+
+bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
+{
+    return read_word(table, key, words) == 1;
 }
 
 }

@@ -20,6 +20,10 @@ bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise)
 /// A line of text that is not empty.
 std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise);
 
+/// The number of a word in a list of them; the first is the default.
+std::size_t read_word(const ConfigTable& table, const std::string& key,
+                      const std::vector<std::string>& words);
+
 /// Whether a key has the second of two words; the first is the default.
 bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);
 

@@ -9,6 +9,7 @@
 #include "analysis/low_frequency_power.hpp"
 #include "analysis/voronoi_diagram.hpp"
 #include "experiment/analysis_options.hpp"
+#include "experiment/tiling_table.hpp"
 #include "sampling/sampler.hpp"
 
 #include <cstdint>
@@ -30,6 +31,13 @@ struct SeriesTask
     bool deterministic = false;
     std::uint32_t realizations = 0;
     std::function<std::unique_ptr<Sampler>()> create;
+};
+
+/// One tile set or tiling to be drawn and tested.
+struct TilingTask
+{
+    std::string name; ///< folder
+    TilingConfig config;
 };
 
 /// What the computation ran on. Empty and zero: not used.
@@ -55,6 +63,7 @@ struct Experiment
     AnalysisOptions analysis;
     std::uint32_t realizations = 0; ///< K as asked for
     std::vector<SeriesTask> series;
+    std::vector<TilingTask> tilings;
     std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed
 };
 

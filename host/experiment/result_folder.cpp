@@ -34,11 +34,12 @@ std::vector<std::string> series_in(const fs::path& folder)
     try {
         const auto json = nlohmann::json::parse(read_whole_file(folder / "results.json"));
         if (json.at("format") != "poissonlab-results") return {};
-        for (const auto& series : json.at("series")) {
-            const std::string name = series.at("name");
-            // A name that leads elsewhere is not one that this program wrote.
-            if (safe_name(name) == name) names.push_back(name);
-        }
+        for (const char* member : {"series", "tilings"})
+            for (const auto& series : json.value(member, nlohmann::json::array())) {
+                const std::string name = series.at("name");
+                // A name that leads elsewhere is not one that this program wrote.
+                if (safe_name(name) == name) names.push_back(name);
+            }
     } catch (const nlohmann::json::exception&) {
         return {};
     } catch (const InputError&) {
@@ -53,7 +54,8 @@ bool looks_like_series(const fs::path& folder)
 {
     std::error_code error;
     return fs::is_directory(folder, error) &&
-           (fs::is_empty(folder, error) || fs::exists(folder / "realization-000.dat", error));
+           (fs::is_empty(folder, error) || fs::exists(folder / "realization-000.dat", error) ||
+            fs::exists(folder / "tiles.txt", error));
 }
 
 }

@@ -166,10 +166,73 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     return json;
 }
 
+Json frequency_json(const FrequencyTest& test)
+{
+    return {{"chi_square", test.chi_square}, {"p_value", test.p_value}};
+}
+
+Json statistics_json(const TilingTask& task, const TilingStatistics& statistics)
+{
+    Json json = {{"size", statistics_size}, {"samples", statistics.samples}};
+    if (statistics.tiles) json["tile_frequencies"] = frequency_json(*statistics.tiles);
+    for (const ColorStatistics& colors : statistics.colors) {
+        const ColorAutocorrelation& autocorrelation = colors.autocorrelation;
+        json["colors"].push_back({{"name", colors.name},
+                                  {"counts", colors.counts},
+                                  {"frequencies", frequency_json(colors.frequencies)},
+                                  {"autocorrelation",
+                                   {{"file", task.name + "/" + autocorrelation_file(colors)},
+                                    {"lags", autocorrelation.lags},
+                                    {"largest", autocorrelation.largest},
+                                    {"largest_at", autocorrelation.largest_at},
+                                    {"bound", autocorrelation.bound}}}});
+    }
+    return json;
+}
+
+/// After how many tiles the hash function of a direct tiling repeats along x and y; 0: not at all.
+Json hash_period_json(const TilingRequest& request)
+{
+    const HashPeriod period = period_of(request.kind == TileKind::cube
+                                            ? make_color_hash(request.hash, request.colors, request.seed)
+                                            : make_direct_tiling(request).hash());
+    return {period.x, period.y};
+}
+
+Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& statistics)
+{
+    const TilingConfig& config = task.config;
+    const TilingRequest& request = config.request;
+    const TileSet set = config.is_set() ? make_tile_set(request.kind, request.colors, config.set) : tile_set_of(request);
+    const CubeWindow& w = config.window;
+    const bool cube = request.kind == TileKind::cube;
+    Json json = {{"name", task.name},
+                 {"label", config.label},
+                 {"kind", cube ? "cube" : request.kind == TileKind::wang ? "wang" : "corner"},
+                 {"colors", set.colors().horizontal},
+                 {"tiles", set.size()},
+                 {"file", task.name + "/tiles.txt"}};
+    if (config.regions > 0) json["regions"] = config.regions;
+    if (config.is_set()) {
+        json["set"] = config.set;
+        return json;
+    }
+    json["algorithm"] = request.algorithm;
+    json["window"] = cube ? Json{w.x, w.y, w.z, w.width, w.height, w.depth} : Json{w.x, w.y, w.width, w.height};
+    if (!request.is_scanline()) {
+        json["hash"] = hash_names().at(static_cast<std::size_t>(request.hash));
+        json["hash_period"] = hash_period_json(request);
+        json["period"] = {request.period.x, request.period.y, request.period.z};
+    }
+    if (statistics) json["statistics"] = statistics_json(task, *statistics);
+    return json;
+}
+
 }
 
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
-                         const Machine& machine)
+                         const Machine& machine,
+                         const std::vector<std::optional<TilingStatistics>>& statistics)
 {
     Json json;
     json["format"] = "poissonlab-results";
@@ -188,6 +251,8 @@ std::string results_json(const Experiment& experiment, const std::vector<SeriesR
     json["series"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i)
         json["series"].push_back(series_json(experiment.series[i], results[i], experiment.analysis.volume));
+    for (std::size_t i = 0; i < experiment.tilings.size(); ++i)
+        json["tilings"].push_back(tiling_json(experiment.tilings[i], statistics.at(i)));
     // Arguments can hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

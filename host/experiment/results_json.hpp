@@ -2,14 +2,18 @@
 #pragma once
 
 #include "experiment/experiment.hpp"
+#include "experiment/tiling_analysis.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
 
-/// The text of results.json. `results` has one item for each series of the experiment.
+/// The text of results.json. `results` has one item for each series of the experiment, `statistics` one for each tile
+/// set and tiling: nothing for sets and for tilings with a period.
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
-                         const Machine& machine);
+                         const Machine& machine,
+                         const std::vector<std::optional<TilingStatistics>>& statistics = {});
 
 }

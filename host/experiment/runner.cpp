@@ -2,13 +2,14 @@
 
 #include "analysis/radial_statistics.hpp"
 #include "analysis/spectrum_file.hpp"
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/iteration_records.hpp"
 #include "experiment/result_folder.hpp"
 #include "experiment/result_tables.hpp"
 #include "experiment/results_json.hpp"
 #include "experiment/series_analysis.hpp"
+#include "experiment/tiling_analysis.hpp"
 #include "experiment/zone_plate_analysis.hpp"
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
@@ -93,7 +94,7 @@ std::string summary(const SeriesTask& task, const SeriesResult& result, double s
 void store_zone_plate(const ZonePlateAnalysis& zone_plate, const std::map<std::string, std::string>& metadata,
                       const std::filesystem::path& folder, SeriesResult& result)
 {
-    write_zone_plate(folder / "zone-plate.exr", zone_plate.first_image(), metadata);
+    write_square_image(folder / "zone-plate.exr", zone_plate.first_image(), metadata);
     write_whole_file(folder / "zone-plate.csv", zone_plate.csv());
     result.zone_plate = zone_plate.result();
     result.analysis_seconds += zone_plate.seconds();
@@ -150,6 +151,24 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     return result;
 }
 
+/// Stores the tiles of a set or tiling in `folder` and, where a tiling does not close, what its colours are like.
+std::optional<TilingStatistics> run_tiling(const Experiment& experiment, const TilingTask& task,
+                                           const std::filesystem::path& folder)
+{
+    stop_if_interrupted();
+    write_whole_file(folder / "tiles.txt", tiles_text(task.config));
+    if (task.config.is_set() || task.config.request.period != Period{}) return std::nullopt;
+    TilingStatistics statistics = tiling_statistics(task.config);
+    const std::map<std::string, std::string> metadata = {{"title", experiment.title},
+                                                         {"label", task.config.label},
+                                                         {"config", experiment.config},
+                                                         {"version", POISSONLAB_VERSION_STRING}};
+    for (const ColorStatistics& colors : statistics.colors)
+        write_square_image(folder / autocorrelation_file(colors),
+                           {2 * statistics_lags + 1, colors.autocorrelation.z}, metadata);
+    return statistics;
+}
+
 }
 
 void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
@@ -160,13 +179,18 @@ void run_experiment(const Experiment& experiment, const std::filesystem::path& o
         names.push_back(task.name);
         total += task.realizations;
     }
+    for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
     ResultFolder folder(out, names);
     progress.start(total);
     std::vector<SeriesResult> results;
     for (const SeriesTask& task : experiment.series)
         results.push_back(run_series(experiment, task, folder.series_folder(task.name), progress));
+    std::vector<std::optional<TilingStatistics>> tilings;
+    for (const TilingTask& task : experiment.tilings)
+        tilings.push_back(run_tiling(experiment, task, folder.series_folder(task.name)));
     stop_if_interrupted();
-    folder.publish(results_json(experiment, results, experiment.machine ? experiment.machine() : Machine{}));
+    folder.publish(
+        results_json(experiment, results, experiment.machine ? experiment.machine() : Machine{}, tilings));
 }
 
 }

@@ -1,6 +1,6 @@
 // The sampling test in an experiment: what is stored, and that it is always the same.
 #include "analysis/zone_plate.hpp"
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 #include "experiment/program.hpp"
 #include "experiment/zone_plate_analysis.hpp"
 #include "io/point_file.hpp"
@@ -81,7 +81,7 @@ TEST_F(ZonePlateRun, WritesEverythingThatTheDocumentationLists)
         EXPECT_GT(plate["resolved_rms_error"]["min"], 0);
         EXPECT_LT(plate["resolved_rms_error"]["max"], plate["rms_error"]["max"]);
 
-        const auto image = read_zone_plate(out_ / plate["file"].get<std::string>());
+        const auto image = read_square_image(out_ / plate["file"].get<std::string>());
         const auto points = read_points(folder / "realization-000.dat").front();
         const auto expected = zone_plate_image(points);
         ASSERT_EQ(image.pixels.size(), expected.pixels.size());

@@ -1,7 +1,7 @@
 // The sampling test in the report: pictures, plots, words, and damaged results.
 #include "reports/report.hpp"
 
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 #include "analysis/zone_plate_reference.hpp"
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
@@ -23,7 +23,7 @@ using testing::Not;
 void add_zone_plate(const fs::path& folder, nlohmann::json& series, int size)
 {
     const auto name = series["name"].get<std::string>();
-    write_zone_plate(folder / name / "zone-plate.exr", zone_plate_reference(size), {});
+    write_square_image(folder / name / "zone-plate.exr", zone_plate_reference(size), {});
     write_whole_file(folder / name / "zone-plate.csv",
                      "distance,frequency,rms_error,pixels\n0.25,0.1,0.05,9\n30.25,1.9,0.27,90\n");
     series["zone_plate"] = {{"size", size},

@@ -1,4 +1,4 @@
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 
 #include "errors/errors.hpp"
 #include "support/temporary_folder.hpp"
@@ -13,22 +13,22 @@
 namespace poissonlab {
 namespace {
 
-TEST(ZonePlateFile, RoundTrip)
+TEST(SquareImageFile, RoundTrip)
 {
     const TemporaryFolder folder;
     const auto path = folder.path() / "plate.exr";
     const SquareImage image{3, {0, 0.25, 0.5, 0.75, 1, 1.25, -0.5, 2, 4}};
-    write_zone_plate(path, image, {{"label", "L"}});
-    const auto read = read_zone_plate(path);
+    write_square_image(path, image, {{"label", "L"}});
+    const auto read = read_square_image(path);
     EXPECT_EQ(read.size, 3);
     EXPECT_EQ(read.pixels, image.pixels);
 }
 
-TEST(ZonePlateFile, FirstLineIsTheHighestY)
+TEST(SquareImageFile, FirstLineIsTheHighestY)
 {
     const TemporaryFolder folder;
     const auto path = folder.path() / "plate.exr";
-    write_zone_plate(path, {2, {1, 2, 3, 4}}, {{"label", "L"}});
+    write_square_image(path, {2, {1, 2, 3, 4}}, {{"label", "L"}});
     Imf::InputFile file(path.c_str());
     const auto* label = file.header().findTypedAttribute<Imf::StringAttribute>("poissonlab:meta:label");
     ASSERT_TRUE(label);
@@ -41,12 +41,12 @@ TEST(ZonePlateFile, FirstLineIsTheHighestY)
     EXPECT_THAT(pixels, testing::ElementsAre(3, 4, 1, 2));
 }
 
-TEST(ZonePlateFile, RefusesOtherFiles)
+TEST(SquareImageFile, RefusesOtherFiles)
 {
     const TemporaryFolder folder;
-    EXPECT_THROW(read_zone_plate(folder.write("a.exr", "no picture")), InputError);
-    EXPECT_THROW(read_zone_plate(folder.path() / "none.exr"), InputError);
-    EXPECT_THROW(write_zone_plate(folder.path() / "none" / "a.exr", {1, {0.5}}, {}), StorageError);
+    EXPECT_THROW(read_square_image(folder.write("a.exr", "no picture")), InputError);
+    EXPECT_THROW(read_square_image(folder.path() / "none.exr"), InputError);
+    EXPECT_THROW(write_square_image(folder.path() / "none" / "a.exr", {1, {0.5}}, {}), StorageError);
 }
 
 }

@@ -1,4 +1,4 @@
-#include "analysis/zone_plate_file.hpp"
+#include "analysis/square_image_file.hpp"
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
@@ -57,7 +57,7 @@ int checked_size(const Imf::Header& header)
 
 }
 
-void write_zone_plate(const std::filesystem::path& path, const SquareImage& image,
+void write_square_image(const std::filesystem::path& path, const SquareImage& image,
                       const std::map<std::string, std::string>& metadata)
 {
     std::vector<float> pixels;
@@ -78,7 +78,7 @@ void write_zone_plate(const std::filesystem::path& path, const SquareImage& imag
     });
 }
 
-SquareImage read_zone_plate(const std::filesystem::path& path)
+SquareImage read_square_image(const std::filesystem::path& path)
 {
     try {
         Imf::InputFile file(path.c_str());
@@ -90,7 +90,7 @@ SquareImage read_zone_plate(const std::filesystem::path& path)
         turn_over(pixels, image.pixels, image.size);
         return image;
     } catch (const std::exception& error) {
-        throw InputError(path.string() + ": not a picture of the zone plate: " + error.what());
+        throw InputError(path.string() + ": not a square image: " + error.what());
     }
 }
 

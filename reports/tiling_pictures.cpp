@@ -1,0 +1,91 @@
+#include "reports/tiling_pictures.hpp"
+
+#include "analysis/square_image_file.hpp"
+#include "errors/errors.hpp"
+#include "io/whole_file.hpp"
+#include "reports/cube_tile_image.hpp"
+#include "reports/grey_image.hpp"
+#include "reports/tile_image.hpp"
+#include "reports/tile_region_image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr double pixels_a_unit = 2;
+
+/// Stored layers begin at the bottom, stored rows in the north.
+CubeGrid cube_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    if (!tiling.set.empty()) {
+        const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
+        std::vector<TileIndex> cubes = tiles;
+        return {tiling.colors, {side, (tiles.size() + side - 1) / side, 1}, cubes, true};
+    }
+    CubeGrid grid{tiling.colors, tiling.size, {}, false};
+    const auto [width, height, depth] = tiling.size;
+    for (std::size_t z = 0; z < depth; ++z)
+        for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t x = 0; x < width; ++x)
+                grid.cubes.push_back(tiles[(z * height + height - 1 - y) * width + x]);
+    return grid;
+}
+
+TileGrid square_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    const WangColors colors{tiling.colors, tiling.colors};
+    if (tiling.set.empty()) return {tiling.kind, colors, tiling.size[0], tiles, false};
+    const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
+    return {tiling.kind, colors, columns, tiles, true};
+}
+
+Drawing drawing_of(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    const bool regions = tiling.regions > 0;
+    if (tiling.kind == TileKind::cube) {
+        const CubeGrid grid = cube_grid(tiling, tiles);
+        return regions ? draw_cube_regions(grid, tiling.regions) : draw_cubes(grid);
+    }
+    const TileGrid grid = square_grid(tiling, tiles);
+    return regions ? draw_tile_regions(grid, tiling.regions) : draw_tiles(grid);
+}
+
+void draw_autocorrelation(const ReportTiling& tiling, const StoredColors& colors)
+{
+    const auto file = tiling.run->folder / colors.autocorrelation_file;
+    const SquareImage z = read_square_image(file);
+    if (z.size != 2 * colors.lags + 1)
+        throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
+                                     2 * colors.lags + 1, 2 * colors.lags + 1));
+    GreyImage image(z.size, z.size, 0);
+    for (int row = 0; row < z.size; ++row)
+        for (int column = 0; column < z.size; ++column) {
+            const double share = std::clamp(0.5 + z.at(column, row) / (2 * shown_z), 0.0, 1.0);
+            image.at(column, z.size - 1 - row) = static_cast<std::uint8_t>(std::lround(255 * share));
+        }
+    write_png(tiling.pictures / autocorrelation_picture(colors), image);
+}
+
+}
+
+std::string autocorrelation_picture(const StoredColors& colors)
+{
+    return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
+}
+
+void draw_tiling_pictures(const ReportTiling& tiling)
+{
+    const Drawing drawing = drawing_of(*tiling.stored, read_tiles(tiling.run->folder, *tiling.stored));
+    write_whole_file(tiling.pictures / "tiles.svg", drawing_svg(drawing));
+    const double wide = std::min<double>(pixels_a_unit * drawing.width, max_drawing_pixels);
+    write_drawing_png(tiling.pictures / "tiles.png", drawing, static_cast<int>(std::ceil(wide)));
+    if (!tiling.stored->statistics) return;
+    for (const StoredColors& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
+}
+
+}
