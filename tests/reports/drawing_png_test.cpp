@@ -145,17 +145,23 @@ TEST(DrawingPng, CentresStrokesOnOutlines)
         EXPECT_EQ(picture.at(10, i), outside ? white : inside ? blue : red) << i;
     }
 
-    // The area of a frame with round corners, which are 16-gons, and that of a slanted line.
+    // The area of a frame with round corners, which are 16-gons, and that of a slanted line with such ends.
     const int scale = 20;
+    const auto error_of_corners = [](int corners, double width) {
+        return corners * area_error(regular_polygon(0, 0, width / 2, 16), scale);
+    };
     const Drawing frame{20, 20, {{{{5, 5}, {15, 5}, {15, 15}, {5, 15}}, {}, red, 2}}};
-    const double disk = 8 * std::sin(std::numbers::pi / 8);
-    std::vector<DrawingPoint> both{{4, 4}, {16, 4}, {16, 16}, {4, 16}, {4, 4},
-                                   {6, 6}, {6, 14}, {14, 14}, {14, 6}, {6, 6}};
+    const double disk = 8 * std::sin(std::numbers::pi / 8); // of radius 1
     EXPECT_NEAR(red_area(test::drawn(frame, 20 * scale)), (144 - 64 - 4 + disk) * scale * scale,
-                area_error(both, scale));
-    const double error = area_error({{2, 3}, {16, 14}, {17, 13}, {3, 2}}, scale);
-    EXPECT_NEAR(red_area(test::drawn({20, 20, {{{{3, 3}, {16, 13}}, {}, red, 1.5}}}, 20 * scale)),
-                (1.5 * std::hypot(13, 10) + 0.5625 * disk) * scale * scale, error + 0.1 * scale * scale);
+                area_error({{4, 4}, {16, 4}, {16, 16}, {4, 16}}, scale) +
+                    area_error({{6, 6}, {14, 6}, {14, 14}, {6, 14}}, scale) + error_of_corners(4, 2));
+    const double width = 1.5, length = std::hypot(13, 10);
+    const double dx = -10 / length * width / 2, dy = 13 / length * width / 2;
+    EXPECT_NEAR(
+        red_area(test::drawn({20, 20, {{{{3, 3}, {16, 13}}, {}, red, width}}}, 20 * scale)),
+        (width * length + width * width / 4 * disk) * scale * scale,
+        area_error({{3 + dx, 3 + dy}, {16 + dx, 13 + dy}, {16 - dx, 13 - dy}, {3 - dx, 3 - dy}}, scale) +
+            error_of_corners(2, width));
 }
 
 TEST(DrawingPng, CutsOffWhatIsOutside)
