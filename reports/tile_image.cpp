@@ -4,24 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <numbers>
 #include <stdexcept>
 
 namespace poissonlab {
 namespace {
 
-constexpr int tile_size = 32;
-constexpr int gap_size = 8;
-constexpr int disk_radius = 11;
-
-void check_count(std::uint64_t tiles)
-{
-    if (tiles > max_drawn_tiles)
-        throw InputError(
-            fmt::format("a picture of {} tiles: at most {} can be drawn", tiles, max_drawn_tiles));
-}
+constexpr double tile_size = 32;
+constexpr double gap_size = 8;
+constexpr double disk_radius = 11 / tile_size;
+constexpr std::size_t arc_steps = 8; // of a quarter of a disk: it is within 0.06 units of round
 
 /// One channel of a saturated colour; `turns` around the colour circle.
 int channel(double turns)
@@ -30,37 +25,42 @@ int channel(double turns)
     return static_cast<int>(std::lround(255 * std::min(1.0, std::max(0.0, distance - 1))));
 }
 
-/// Four triangles that meet in the middle; (x, y) is the tile's upper left.
-void draw_wang_tile(std::string& svg, const WangTile& tile, int x, int y)
+/// From one tile to the next.
+double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? gap_size : 0); }
+
+/// Four triangles that meet in the middle.
+void add_wang_tile(std::vector<Shape>& shapes, const WangTile& tile, const DrawnSquare& square)
 {
-    constexpr int s = tile_size;
-    constexpr int h = tile_size / 2;
-    const auto triangle = [&](Color color, int x0, int y0, int dx, int dy) {
-        fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"M{} {}l{} {}L{} {}z\"/>\n",
-                       tile_color(color), x0, y0, dx, dy, x + h, y + h);
-    };
-    triangle(tile.north, x, y, s, 0);
-    triangle(tile.east, x + s, y, 0, s);
-    triangle(tile.south, x + s, y + s, -s, 0);
-    triangle(tile.west, x, y + s, 0, -s);
+    const auto colors = edge_colors(tile);
+    for (std::size_t edge = 0; edge < 4; ++edge)
+        shapes.push_back(
+            {{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
+             tile_color(colors[edge]),
+             {}});
 }
 
-/// A quarter of a disk around each corner; (x, y) is the tile's upper left.
-void draw_corner_tile(std::string& svg, const CornerTile& tile, int x, int y)
+/// A quarter of a disk around each corner.
+void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const DrawnSquare& square)
 {
-    constexpr int s = tile_size;
-    constexpr int r = disk_radius;
-    // From the corner along one side, on a clockwise arc to the other.
-    const auto quarter = [&](Color color, int x0, int y0, int dx, int dy) {
-        fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"M{} {}l{} {}a{} {} 0 0 1 {} {}z\"/>\n",
-                       tile_color(color), x0, y0, dx * r, dy * r, r, r, (-dx - dy) * r, (dx - dy) * r);
-    };
-    quarter(tile.north_east, x + s, y, 0, 1);
-    quarter(tile.south_east, x + s, y + s, -1, 0);
-    quarter(tile.south_west, x, y + s, 0, -1);
-    quarter(tile.north_west, x, y, 1, 0);
+    const auto colors = corner_colors(tile);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        Shape quarter{{square.beside_edge(corner, 0, 0)}, tile_color(colors[corner]), {}};
+        for (std::size_t step = 0; step <= arc_steps; ++step) {
+            const double angle = std::numbers::pi / 2 * static_cast<double>(step) / arc_steps;
+            quarter.outline.push_back(
+                square.beside_edge(corner, disk_radius * std::cos(angle), disk_radius * std::sin(angle)));
+        }
+        shapes.push_back(std::move(quarter));
+    }
 }
 
+}
+
+void check_drawn_count(std::uint64_t tiles)
+{
+    if (tiles > max_drawn_tiles)
+        throw InputError(
+            fmt::format("a picture of {} tiles: at most {} can be drawn", tiles, max_drawn_tiles));
 }
 
 std::string tile_color(Color color)
@@ -75,7 +75,7 @@ std::string tile_color(Color color)
 
 TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns)
 {
-    check_count(tiles.size());
+    check_drawn_count(tiles.size());
     const auto nearly_square =
         static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
     TileGrid grid{tiles.kind(), tiles.colors(), columns > 0 ? columns : nearly_square, {}, true};
@@ -86,8 +86,8 @@ TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns)
 
 TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window)
 {
-    check_count(std::max(window.width, window.height));
-    check_count(window.width * window.height);
+    check_drawn_count(std::max(window.width, window.height));
+    check_drawn_count(window.width * window.height);
     TileGrid grid{tiling.tile_set().kind(), tiling.tile_set().colors(), window.width, {}, false};
     tiling.stream(window, [&](auto, auto, std::span<const TileIndex> tiles) {
         grid.tiles.insert(grid.tiles.end(), tiles.begin(), tiles.end());
@@ -95,31 +95,46 @@ TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window)
     return grid;
 }
 
-std::string tiles_svg(const TileGrid& grid)
+Drawing empty_tile_drawing(const TileGrid& grid)
 {
     if (grid.kind != TileKind::wang && grid.kind != TileKind::corner)
         throw std::logic_error("only Wang and corner tiles are drawn");
-    const int pitch = tile_size + (grid.has_gaps ? gap_size : 0);
-    const auto columns = static_cast<int>(grid.columns);
-    const auto count = static_cast<int>(grid.tiles.size());
-    const int rows = columns > 0 ? (count + columns - 1) / columns : 0;
-    const int margin = gap_size;
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\">\n",
-                                  2 * margin + columns * pitch - (pitch - tile_size),
-                                  2 * margin + rows * pitch - (pitch - tile_size));
-    std::string borders;
-    for (int i = 0; i < count; ++i) {
-        const int x = margin + i % columns * pitch;
-        const int y = margin + i / columns * pitch;
-        const TileIndex index = grid.tiles[static_cast<std::size_t>(i)];
+    const auto length = [&](std::size_t tiles) {
+        return 2 * gap_size + static_cast<double>(tiles) * pitch(grid) - (pitch(grid) - tile_size);
+    };
+    const std::size_t columns = std::max<std::size_t>(1, grid.columns);
+    const std::size_t rows = std::max<std::size_t>(1, (grid.tiles.size() + columns - 1) / columns);
+    return {length(columns), length(rows), {}};
+}
+
+DrawnSquare tile_square(const TileGrid& grid, std::size_t tile)
+{
+    const auto column = static_cast<double>(tile % grid.columns);
+    const auto row = static_cast<double>(tile / grid.columns);
+    return {{gap_size + column * pitch(grid), gap_size + row * pitch(grid) + tile_size},
+            {tile_size, 0},
+            {0, -tile_size}};
+}
+
+void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double width)
+{
+    for (std::size_t i = 0; i < grid.tiles.size(); ++i)
+        shapes.push_back({tile_square(grid, i).outline(), {}, "#000000", width});
+}
+
+Drawing draw_tiles(const TileGrid& grid)
+{
+    Drawing drawing = empty_tile_drawing(grid);
+    for (std::size_t i = 0; i < grid.tiles.size(); ++i) {
         if (grid.kind == TileKind::wang)
-            draw_wang_tile(svg, wang_tile(index, grid.colors), x, y);
+            add_wang_tile(drawing.shapes, wang_tile(grid.tiles[i], grid.colors), tile_square(grid, i));
         else
-            draw_corner_tile(svg, corner_tile(index, grid.colors.horizontal), x, y);
-        fmt::format_to(std::back_inserter(borders), "M{} {}h{}v{}h-{}z", x, y, tile_size, tile_size,
-                       tile_size);
+            add_corner_tile(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal),
+                            tile_square(grid, i));
     }
-    return svg + "<path fill=\"none\" stroke=\"#000\" d=\"" + borders + "\"/>\n</svg>\n";
+    group_by_fill(drawing.shapes);
+    add_tile_borders(drawing.shapes, grid, 1);
+    return drawing;
 }
 
 }

@@ -5,10 +5,13 @@
 // each corner.
 #pragma once
 
+#include "reports/drawing.hpp"
+#include "reports/square_regions.hpp"
 #include "tiles/tile_set.hpp"
 #include "tiles/tiling.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +30,9 @@ struct TileGrid
 /// The most tiles of a picture.
 constexpr std::uint64_t max_drawn_tiles = 100'000;
 
+/// Throws InputError for more than max_drawn_tiles.
+void check_drawn_count(std::uint64_t tiles);
+
 /// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
 /// grey, and from 8 on shades all around the colour circle.
 std::string tile_color(Color color);
@@ -38,7 +44,19 @@ TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns = 0);
 /// A window of a tiling. Throws InputError for more than max_drawn_tiles.
 TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window);
 
-/// Tiles are 32 units wide, gaps 8.
-std::string tiles_svg(const TileGrid& grid);
+/// Wang or corner tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
+/// std::logic_error for other tiles.
+Drawing draw_tiles(const TileGrid& grid);
+
+// For other pictures of the same tiles at the same places:
+
+/// With the size of the grid's picture and no shapes. Throws std::logic_error as above.
+Drawing empty_tile_drawing(const TileGrid& grid);
+
+/// Where a tile of the grid lies.
+DrawnSquare tile_square(const TileGrid& grid, std::size_t tile);
+
+/// Appends black lines around the tiles, `width` units wide.
+void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double width);
 
 }

@@ -16,8 +16,9 @@ namespace poissonlab::test {
 /// What a browser makes of a page.
 struct Visit
 {
-    std::string log; ///< what it said; messages of the page's console have the word CONSOLE
-    Picture picture; ///< 1,280 x `height` pixels
+    std::string log;     ///< what it said; messages of the page's console have the word CONSOLE
+    Picture picture;     ///< 1,280 x `height` pixels
+    ColorPicture colors; ///< the same
 };
 
 inline Visit visit(const std::filesystem::path& page, int height)
@@ -32,7 +33,8 @@ inline Visit visit(const std::filesystem::path& page, int height)
         (scratch.path() / "profile").string() + "' --window-size=1280," + std::to_string(height) +
         " --screenshot='" + shot.string() + "' 'file://" + page.string() + "' 2> '" + log.string() + "'";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    return {read_whole_file(log), decode_png(read_whole_file(shot))};
+    const std::string png = read_whole_file(shot);
+    return {read_whole_file(log), decode_png(png), decode_color_png(png)};
 }
 
 }
