@@ -6,7 +6,7 @@
 #include "reports/cube_tile_image.hpp"
 #include "reports/grey_image.hpp"
 #include "reports/tile_image.hpp"
-#include "reports/tile_region_image.hpp"
+#include "reports/tile_regions_image.hpp"
 
 #include <fmt/format.h>
 

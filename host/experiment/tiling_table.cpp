@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <limits>
 
 namespace poissonlab {
@@ -64,9 +65,14 @@ std::string default_label(const TilingConfig& config)
     const char* kind = config.request.kind == TileKind::wang     ? "Wang tiles"
                        : config.request.kind == TileKind::corner ? "corner tiles"
                                                                  : "corner cubes";
-    const std::string colors = fmt::format("{} colours", config.request.colors);
-    if (config.is_set()) return fmt::format("{} set of {}, {}", config.set, kind, colors);
-    return fmt::format("{} tiling of {}, {}", config.request.algorithm, kind, colors);
+    const Color colors = config.request.colors;
+    if (config.set == "corner")
+        return fmt::format("Wang tiles equivalent to corner tiles, {} colours", colors);
+    std::string label =
+        config.is_set() ? fmt::format("{} set of {}, {} colours", config.set, kind, colors)
+                        : fmt::format("{} tiling of {}, {} colours", config.request.algorithm, kind, colors);
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
 }
 
 TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t seed)

@@ -18,7 +18,7 @@ TEST(TilingTable, HasDefaults)
     ASSERT_EQ(tilings.size(), 3);
     EXPECT_TRUE(tilings[0].is_set());
     EXPECT_EQ(tilings[0].set, "complete");
-    EXPECT_EQ(tilings[0].label, "complete set of corner tiles, 2 colours");
+    EXPECT_EQ(tilings[0].label, "Complete set of corner tiles, 2 colours");
     EXPECT_FALSE(tilings[1].is_set());
     EXPECT_EQ(tilings[1].request.kind, TileKind::corner);
     EXPECT_EQ(tilings[1].request.algorithm, "direct");
