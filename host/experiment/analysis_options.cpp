@@ -16,7 +16,7 @@ constexpr int most_tiles = 4096;
 int read_spectrum_size(const ConfigTable& table, int dimension)
 {
     const int most = dimension == 2 ? most_frequencies_2d : most_frequencies_3d;
-    const auto size = static_cast<int>(read_integer(table, "spectrum_size", 2, most, 0));
+    const auto size = static_cast<int>(read_integer(table, "spectrum_size", 4, most, 0));
     if (size % 2 != 0) throw invalid_node("spectrum_size", *find(table, "spectrum_size"), "must be even");
     return size;
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/distance_statistics.hpp"
 #include "analysis/packing_fraction.hpp"
+#include "analysis/radial_bin.hpp"
 #include "analysis/torus_ball.hpp"
 #include "errors/errors.hpp"
 #include "geometry/relative_radius.hpp"
@@ -31,11 +32,18 @@ void SeriesAnalysis::start(const PointSet& first)
     result_.spectrum_size = options_.spectrum_size > 0
                                 ? options_.spectrum_size
                                 : spectrum_size(std::max<std::size_t>(n, 1), dimension);
+    if (RadialBins(result_.spectrum_size, options_.bin_width).count() < 2)
+        throw InputError(
+            fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
+                        "size {}",
+                        label_, options_.bin_width, result_.spectrum_size / 2 - 1,
+                        dimension == 2 ? "annulus" : "shell", result_.spectrum_size));
     estimate_.emplace(dimension, result_.spectrum_size, sizes_vary_, options_.spectrum, options_.bin_width);
     integration_.emplace(dimension, shift_seed);
     if (n < 2) return;
     const double step = max_min_distance(n, dimension) / bins_per_distance;
-    const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension));
+    const double end =
+        std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension));
     pairs_.emplace(dimension, end, static_cast<std::size_t>(std::ceil(end / step)));
 }
 

@@ -9,12 +9,14 @@ namespace poissonlab {
 namespace {
 
 constexpr double least_expected = 10; // of a cell of a chi-square test
+constexpr std::uint64_t statistics_samples = statistics_size * statistics_size / 4;
 
 /// Colours where tiles meet, and how many tiles there are of each.
 struct Survey
 {
     std::vector<ColorField> fields;
-    std::vector<std::uint64_t> tiles; ///< by position in the set, at even places
+    std::vector<std::uint64_t>
+        tiles; ///< by position in the set, at even places; empty: too many tiles to count
 };
 
 /// The colours that a tile brings to the fields: of its lower left corner, or of its southern and western
@@ -37,7 +39,9 @@ Survey survey_of(const TilingConfig& config)
     window.width = window.height = statistics_size;
     window.depth = 1;
     Survey survey;
-    survey.tiles.resize(set.size());
+    const bool counted =
+        static_cast<double>(statistics_samples) >= least_expected * static_cast<double>(set.size());
+    if (counted) survey.tiles.resize(set.size());
     const std::size_t count = request.kind == TileKind::wang ? 2 : 1;
     survey.fields.assign(count, {request.colors, statistics_size,
                                  std::vector<std::uint8_t>(statistics_size * statistics_size)});
@@ -50,7 +54,8 @@ Survey survey_of(const TilingConfig& config)
                          for (std::size_t f = 0; f < count; ++f)
                              survey.fields[f].values[row * statistics_size + column] =
                                  static_cast<std::uint8_t>(colors[f]);
-                         if (row % 2 == 0 && column % 2 == 0) ++survey.tiles.at(set.position(tile).value());
+                         if (counted && row % 2 == 0 && column % 2 == 0)
+                             ++survey.tiles.at(set.position(tile).value());
                          ++column;
                      }
                  });
@@ -91,9 +96,8 @@ TilingStatistics tiling_statistics(const TilingConfig& config)
 {
     const Survey survey = survey_of(config);
     TilingStatistics statistics;
-    statistics.samples = statistics_size * statistics_size / 4;
-    if (static_cast<double>(statistics.samples) >= least_expected * static_cast<double>(survey.tiles.size()))
-        statistics.tiles = test_frequencies(survey.tiles);
+    statistics.samples = statistics_samples;
+    if (!survey.tiles.empty()) statistics.tiles = test_frequencies(survey.tiles);
     for (std::size_t f = 0; f < survey.fields.size(); ++f) {
         const ColorField& field = survey.fields[f];
         const auto counts = color_counts(field);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double largest_regions_2d = 0.2071; // octagons of neighbouring corners meet at (1 + sqrt 2) r = 1/2
 constexpr double largest_regions_3d = 0.1306; // and at (1 + 2 sqrt 2) r = 1/2
+constexpr std::int64_t max_paired_colors = 16;
 constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
 
 /// Whole numbers in a list of one of two lengths.
@@ -89,6 +90,8 @@ TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t see
         check_keys(table, {"kind", "colors", "tiles", "regions", "label"});
         const auto& names = tile_set_names(request.kind);
         config.set = names[read_word(table, "tiles", names)];
+        // Pairs of their colours are the colours of the edges.
+        if (config.set == "corner") read_integer(table, "colors", 2, max_paired_colors, 2);
     } else {
         check_keys(table, {"kind", "colors", "algorithm", "hash", "period", "window", "regions", "label"});
         const auto& names = tiling_algorithms(request.kind);

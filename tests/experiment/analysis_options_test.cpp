@@ -44,8 +44,8 @@ TEST(AnalysisOptions, SayWhatIsAllowed)
         return message_of([&] { options_of({"analysis." + override}, dimension); });
     };
     EXPECT_THAT(error_of("spectrum_size=7"), testing::HasSubstr("spectrum_size = 7: must be even"));
-    EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 2 to 8192"));
-    EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 2 to 512"));
+    EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 4 to 8192"));
+    EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 4 to 512"));
     EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\""));
     EXPECT_THAT(error_of("bin_width=0.5"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("bin_width=wide"), testing::HasSubstr("must be a number from 1 to 100"));

@@ -107,6 +107,18 @@ TEST(Runner, SizesMayVaryWhereTheSamplerSaysSo)
               "s: realization 1 has 17 points where the first has 16");
 }
 
+TEST(Runner, AnnuliMustFitIntoTheSpectrum)
+{
+    const TemporaryFolder folder;
+    Experiment experiment = experiment_of({task("s", 1, [](std::uint32_t) { return diagonal(16, 0); })});
+    experiment.analysis.spectrum_size = 8;
+    experiment.analysis.bin_width = 3;
+    run(experiment, folder.path());
+    experiment.analysis.bin_width = 3.5;
+    EXPECT_EQ(message_of([&] { run(experiment, folder.path()); }),
+              "s: bin_width = 3.5: must be at most 3, so that one annulus fits into the spectrum of size 8");
+}
+
 TEST(Runner, SetsThatCannotBeAnalysed)
 {
     const TemporaryFolder folder;

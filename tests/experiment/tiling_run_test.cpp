@@ -87,6 +87,14 @@ TEST_F(TilingRun, SeesWhichHashFunctionsRepeat)
     }
 }
 
+TEST_F(TilingRun, DoesNotCountTilesOfSetsThatAreTooLarge)
+{
+    const json root = results("[[tiling]]\ncolors = 251\nhash = \"xxh64\"\nwindow = [0, 0, 2, 2]\n");
+    EXPECT_EQ(root["tilings"][0]["tiles"], 251ULL * 251 * 251 * 251);
+    EXPECT_FALSE(root["tilings"][0]["statistics"].contains("tile_frequencies"));
+    EXPECT_GT(root["tilings"][0]["statistics"]["colors"][0]["frequencies"]["p_value"].get<double>(), 1e-4);
+}
+
 TEST_F(TilingRun, GivesTheSameBytesAgain)
 {
     const std::string config = "[[tiling]]\nkind = \"wang\"\n[[tile_set]]\n";

@@ -75,6 +75,9 @@ TEST(TilingTable, SaysWhatIsAllowed)
     EXPECT_THAT(error_of("algorithm = \"scanline\"\nwindow = [1, 0, 4, 4]"), HasSubstr("c.toml:1: "));
     EXPECT_THAT(error_of("tiles = \"compact\""), HasSubstr("unknown key"));
     EXPECT_THAT(message_of([] { tilings_of("[[tile_set]]\ncolors = 12\n"); }), HasSubstr("cannot be drawn"));
+    EXPECT_THAT(
+        message_of([] { tilings_of("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),
+        HasSubstr("c.toml:4: colors = 17: must be an integer from 2 to 16"));
     EXPECT_THAT(message_of([] { tilings_of("tiling = 3\n"); }), HasSubstr("written [[tiling]]"));
     EXPECT_THAT(message_of([] { tilings_of("title = \"a\"\n"); }), HasSubstr("no [[method]] table"));
 }
