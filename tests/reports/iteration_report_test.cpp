@@ -1,13 +1,8 @@
 // Iterations in the report: which plots there are, what their axes say, and damaged results.
-#include "reports/report.hpp"
-
-#include "errors/errors.hpp"
-#include "io/whole_file.hpp"
 #include "page_text.hpp"
-#include "support/picture.hpp"
+#include "report_fixture.hpp"
 #include "reports/iteration_curves.hpp"
-#include "support/temporary_folder.hpp"
-#include "synthetic_results.hpp"
+#include "support/picture.hpp"
 
 #include <gmock/gmock.h>
 
@@ -42,23 +37,8 @@ void add_iterations(const fs::path& folder, nlohmann::json& series, int iteratio
                             {"energy", spread(energy)}};
 }
 
-class IterationReport : public testing::Test
+class IterationReport : public test::ReportFixture
 {
-protected:
-    fs::path path() const { return folder_.path(); }
-
-    /// The page once results.json holds what json_ says.
-    std::string page()
-    {
-        test::write_results_json(path(), json_);
-        write_report({path()}, path());
-        return read_whole_file(path() / "index.html");
-    }
-
-    std::string svg(const std::string& name) const { return read_whole_file(path() / name); }
-
-    TemporaryFolder folder_;
-    nlohmann::json json_ = test::write_synthetic_results(folder_.path());
 };
 
 TEST_F(IterationReport, PlotsSeriesThatHaveThemAndAllOfThese)
@@ -129,24 +109,14 @@ TEST_F(IterationReport, IsTheSameEveryTime)
 TEST_F(IterationReport, DamagedResultsNameTheMember)
 {
     add_iterations(path(), json_["series"][0], 3);
-    const auto good = json_;
-    const auto error_after = [&](auto damage) {
-        json_ = good;
-        damage(json_["series"][0]["iterations"]);
-        try {
-            page();
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("no InputError");
-    };
-    EXPECT_THAT(error_after([](auto& json) { json["file"] = "random/none.csv"; }),
+    const auto error_of = [&](auto damage) { return error_after("iterations", damage); };
+    EXPECT_THAT(error_of([](auto& json) { json["file"] = "random/none.csv"; }),
                 HasSubstr("series[0].iterations.file: "));
-    EXPECT_THAT(error_after([](auto& json) { json.erase("energy"); }),
+    EXPECT_THAT(error_of([](auto& json) { json.erase("energy"); }),
                 HasSubstr("series[0].iterations.energy: is missing"));
-    EXPECT_THAT(error_after([](auto& json) { json["energy"]["mean"].erase(0); }),
+    EXPECT_THAT(error_of([](auto& json) { json["energy"]["mean"].erase(0); }),
                 HasSubstr("series[0].iterations.energy.mean: must have a number for each iteration"));
-    EXPECT_THAT(error_after([](auto& json) { json["realizations"] = nlohmann::json::array(); }),
+    EXPECT_THAT(error_of([](auto& json) { json["realizations"] = nlohmann::json::array(); }),
                 HasSubstr("series[0].iterations.realizations: must have a number for each iteration"));
 }
 

@@ -1,13 +1,7 @@
 // The pair correlation in the report: plots, words, and damaged results.
-#include "reports/report.hpp"
-
-#include "analysis/pair_correlation.hpp"
-#include "errors/errors.hpp"
-#include "io/whole_file.hpp"
 #include "page_text.hpp"
+#include "report_fixture.hpp"
 #include "support/picture.hpp"
-#include "support/temporary_folder.hpp"
-#include "synthetic_results.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,11 +12,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class PairCorrelationReport : public testing::Test
+class PairCorrelationReport : public test::ReportFixture
 {
 protected:
-    fs::path path() const { return folder_.path(); }
-
     /// Gives a series a curve of three bins; the largest possible minimum distance of 256 points is 0.06716.
     void add_curve(int series)
     {
@@ -32,16 +24,6 @@ protected:
                                         "0.01,0,0,0\n0.06716,2.25,0.1,9\n0.2,0.98,0.1,90\n");
         json["pair_correlation"] = {{"file", file}};
     }
-
-    std::string page()
-    {
-        test::write_results_json(path(), json_);
-        write_report({path()}, path());
-        return read_whole_file(path() / "index.html");
-    }
-
-    TemporaryFolder folder_;
-    nlohmann::json json_ = test::write_synthetic_results(folder_.path());
 };
 
 TEST_F(PairCorrelationReport, ShowsPlotsAndWords)
@@ -72,13 +54,11 @@ TEST_F(PairCorrelationReport, NoneMeansNoWord)
 
 TEST_F(PairCorrelationReport, DamagedResultsNameTheMember)
 {
-    json_["series"][0]["pair_correlation"] = {{"file", "random/none.csv"}};
-    try {
-        page();
-        ADD_FAILURE();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("series[0].pair_correlation.file: "));
-    }
+    EXPECT_THAT(error_after("pair_correlation",
+                            [](auto& json) {
+                                json = {{"file", "random/none.csv"}};
+                            }),
+                HasSubstr("series[0].pair_correlation.file: "));
 }
 
 }

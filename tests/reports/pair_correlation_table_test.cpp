@@ -1,10 +1,10 @@
 // pair-correlation.csv, whole and damaged.
 #include "reports/pair_correlation_table.hpp"
 
-#include "errors/errors.hpp"
 #include "support/temporary_folder.hpp"
+#include "table_errors.hpp"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace poissonlab {
 namespace {
@@ -25,15 +25,7 @@ TEST(PairCorrelationTable, ReadsNumbersAsTheyAre)
 
 TEST(PairCorrelationTable, ComplainsWithTheLine)
 {
-    const TemporaryFolder folder;
-    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) try {
-            read_pair_correlation_table(folder.write("a.csv", header + "1,1,1,8\n" + line + "\n"));
-            ADD_FAILURE() << line;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("a.csv:3: "));
-        }
-    EXPECT_THROW(read_pair_correlation_table(folder.write("a.csv", header)), InputError);
-    EXPECT_THROW(read_pair_correlation_table(folder.write("a.csv", "distance,frequency\n")), InputError);
+    test::expect_table_errors(header, read_pair_correlation_table);
 }
 
 }

@@ -1,14 +1,9 @@
 // The sampling test in the report: pictures, plots, words, and damaged results.
-#include "reports/report.hpp"
-
 #include "analysis/square_image_file.hpp"
 #include "analysis/zone_plate_reference.hpp"
-#include "errors/errors.hpp"
-#include "io/whole_file.hpp"
 #include "page_text.hpp"
+#include "report_fixture.hpp"
 #include "support/picture.hpp"
-#include "support/temporary_folder.hpp"
-#include "synthetic_results.hpp"
 
 #include <gmock/gmock.h>
 
@@ -33,21 +28,8 @@ void add_zone_plate(const fs::path& folder, nlohmann::json& series, int size)
                             {"resolved_rms_error", {{"min", 0.1234}, {"mean", 0.1234}, {"max", 0.1234}}}};
 }
 
-class ZonePlateReport : public testing::Test
+class ZonePlateReport : public test::ReportFixture
 {
-protected:
-    fs::path path() const { return folder_.path(); }
-
-    /// The page once results.json holds what json_ says.
-    std::string page()
-    {
-        test::write_results_json(path(), json_);
-        write_report({path()}, path());
-        return read_whole_file(path() / "index.html");
-    }
-
-    TemporaryFolder folder_;
-    nlohmann::json json_ = test::write_synthetic_results(folder_.path());
 };
 
 TEST_F(ZonePlateReport, ShowsPicturesPlotsAndNumbers)
@@ -111,26 +93,16 @@ TEST_F(ZonePlateReport, NoneMeansNoWord)
 TEST_F(ZonePlateReport, DamagedResultsNameTheMember)
 {
     add_zone_plate(path(), json_["series"][0], 64);
-    const auto good = json_;
-    const auto error_after = [&](auto damage) {
-        json_ = good;
-        damage(json_["series"][0]["zone_plate"]);
-        try {
-            page();
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("no InputError");
-    };
-    EXPECT_THAT(error_after([](auto& json) { json["file"] = "random/none.exr"; }),
+    const auto error_of = [&](auto damage) { return error_after("zone_plate", damage); };
+    EXPECT_THAT(error_of([](auto& json) { json["file"] = "random/none.exr"; }),
                 HasSubstr("series[0].zone_plate.file: "));
-    EXPECT_THAT(error_after([](auto& json) { json["error_file"] = "../zone-plate.csv"; }),
+    EXPECT_THAT(error_of([](auto& json) { json["error_file"] = "../zone-plate.csv"; }),
                 HasSubstr("series[0].zone_plate.error_file: "));
-    EXPECT_THAT(error_after([](auto& json) { json.erase("rms_error"); }),
+    EXPECT_THAT(error_of([](auto& json) { json.erase("rms_error"); }),
                 HasSubstr("series[0].zone_plate.rms_error: is missing"));
-    EXPECT_THAT(error_after([](auto& json) { json["size"] = 65; }),
+    EXPECT_THAT(error_of([](auto& json) { json["size"] = 65; }),
                 HasSubstr("zone-plate.exr: must be an image of 65 x 65, as results.json says"));
-    EXPECT_THAT(error_after([](auto& json) { json["error_file"] = "random/radial.csv"; }),
+    EXPECT_THAT(error_of([](auto& json) { json["error_file"] = "random/radial.csv"; }),
                 HasSubstr("radial.csv:1: must be the header distance,"));
 }
 

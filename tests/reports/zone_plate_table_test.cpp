@@ -1,10 +1,10 @@
 // zone-plate.csv, whole and damaged.
 #include "reports/zone_plate_table.hpp"
 
-#include "errors/errors.hpp"
 #include "support/temporary_folder.hpp"
+#include "table_errors.hpp"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace poissonlab {
 namespace {
@@ -23,19 +23,7 @@ TEST(ZonePlateTable, ReadsNumbersAsTheyAre)
     EXPECT_EQ(bins[1].pixels, 12);
 }
 
-TEST(ZonePlateTable, ComplainsWithTheLine)
-{
-    const TemporaryFolder folder;
-    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) try {
-            read_zone_plate_table(folder.write("a.csv", header + "1,1,1,8\n" + line + "\n"));
-            ADD_FAILURE() << line;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("a.csv:3: "));
-        }
-    EXPECT_THROW(read_zone_plate_table(folder.write("a.csv", header)), InputError);
-    EXPECT_THROW(read_zone_plate_table(folder.write("a.csv", "frequency,power,anisotropy_db,samples\n")),
-                 InputError);
-}
+TEST(ZonePlateTable, ComplainsWithTheLine) { test::expect_table_errors(header, read_zone_plate_table); }
 
 }
 }

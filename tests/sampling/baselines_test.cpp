@@ -1,6 +1,7 @@
 // Random, regular and jittered sets: size, range, uniformity, and one point a cell.
 #include "sampling/baselines.hpp"
 
+#include "support/chi_square.hpp"
 #include "support/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -33,19 +34,11 @@ std::size_t cell_of(std::span<const double> point, std::uint64_t side)
 
 /// How many standard deviations a chi-square statistic of equally likely bins is above its mean
 /// (Wilson and Hilferty 1931: its cube root is normal; good to two digits from 30 bins on).
-double chi_square_z(const std::vector<std::size_t>& counts)
+double chi_square_z(const std::vector<std::uint64_t>& counts)
 {
-    double total = 0;
-    for (const std::size_t count : counts) total += static_cast<double>(count);
-    const double expected = total / static_cast<double>(counts.size());
-    double chi_square = 0;
-    for (const std::size_t count : counts) {
-        const double difference = static_cast<double>(count) - expected;
-        chi_square += difference * difference / expected;
-    }
     const double degrees = static_cast<double>(counts.size()) - 1;
     const double variance = 2 / (9 * degrees);
-    return (std::cbrt(chi_square / degrees) - (1 - variance)) / std::sqrt(variance);
+    return (std::cbrt(test::chi_square(counts) / degrees) - (1 - variance)) / std::sqrt(variance);
 }
 
 TEST(Baselines, KeepTheirPromises)

@@ -1,0 +1,52 @@
+// A report over synthetic results that a test has changed.
+#pragma once
+
+#include "errors/errors.hpp"
+#include "io/whole_file.hpp"
+#include "reports/report.hpp"
+#include "support/temporary_folder.hpp"
+#include "synthetic_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace poissonlab::test {
+
+class ReportFixture : public testing::Test
+{
+protected:
+    std::filesystem::path path() const { return folder_.path(); }
+
+    /// The page once results.json holds what json_ says.
+    std::string page()
+    {
+        write_results_json(path(), json_);
+        write_report({path()}, path());
+        return read_whole_file(path() / "index.html");
+    }
+
+    std::string svg(const std::string& name) const { return read_whole_file(path() / name); }
+
+    /// What the report says about results of which `damage` has changed that member of the first series.
+    template <class Damage>
+    std::string error_after(const std::string& member, const Damage& damage)
+    {
+        const auto good = json_;
+        damage(json_["series"][0][member]);
+        std::string message = "no InputError";
+        try {
+            page();
+        } catch (const InputError& error) {
+            message = error.what();
+        }
+        json_ = good;
+        return message;
+    }
+
+    TemporaryFolder folder_;
+    nlohmann::json json_ = write_synthetic_results(folder_.path());
+};
+
+}
