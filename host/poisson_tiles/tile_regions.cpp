@@ -30,23 +30,6 @@ bool is_in_corner(const TileRegions& regions, std::array<std::int32_t, 3> folded
            folded[2] + folded[1] + folded[0] < regions.corner_three;
 }
 
-/// The axes of the cell at these folded coordinates.
-std::uint8_t axes_at(const TileRegions& regions, const std::array<std::int32_t, 3>& folded)
-{
-    const std::uint8_t all = all_axes(regions.dimension);
-    if (is_in_corner(regions, folded)) return 0;
-    if (regions.dimension == 3) {
-        for (int k = 0; k < 3; ++k) {
-            if (is_in_pair(regions, folded[(k + 1) % 3], folded[(k + 2) % 3]))
-                return static_cast<std::uint8_t>(1 << k);
-        }
-    }
-    for (int k = 0; k < regions.dimension; ++k) {
-        if (folded[k] < regions.width) return static_cast<std::uint8_t>(all & ~(1 << k));
-    }
-    return all;
-}
-
 }
 
 TileRegions modified_regions(int dimension, std::int32_t width)
@@ -63,6 +46,22 @@ TileRegions modified_regions(int dimension, std::int32_t width)
 
 TileRegions frame_regions(std::int32_t width) { return {2, width, width, 2 * width, 0, 0, 0}; }
 
+std::uint8_t TileRegions::axes_at(const std::array<std::int32_t, 3>& folded) const
+{
+    const std::uint8_t all = all_axes(dimension);
+    if (is_in_corner(*this, folded)) return 0;
+    if (dimension == 3) {
+        for (int k = 0; k < 3; ++k) {
+            if (is_in_pair(*this, folded[(k + 1) % 3], folded[(k + 2) % 3]))
+                return static_cast<std::uint8_t>(1 << k);
+        }
+    }
+    for (int k = 0; k < dimension; ++k) {
+        if (folded[k] < width) return static_cast<std::uint8_t>(all & ~(1 << k));
+    }
+    return all;
+}
+
 TileCell TileRegions::cell_of(std::span<const std::uint16_t> position) const
 {
     std::array<std::int32_t, 3> folded{};
@@ -72,7 +71,7 @@ TileCell TileRegions::cell_of(std::span<const std::uint16_t> position) const
         folded[k] = std::min(coordinate, tile_units - coordinate);
         if (coordinate > tile_units - coordinate) upper |= static_cast<std::uint8_t>(1 << k);
     }
-    const std::uint8_t axes = axes_at(*this, folded);
+    const std::uint8_t axes = axes_at(folded);
     return {axes, static_cast<std::uint8_t>(upper & ~axes)};
 }
 

@@ -47,6 +47,9 @@ struct TileRegions
     std::int32_t corner_two = 0;
     std::int32_t corner_three = 0;
 
+    /// The axes of the cell whose region these folded coordinates are in.
+    std::uint8_t axes_at(const std::array<std::int32_t, 3>& folded) const;
+
     /// The cell whose region a position of a tile is in. Coordinates from 0 to tile_units - 1.
     TileCell cell_of(std::span<const std::uint16_t> position) const;
 

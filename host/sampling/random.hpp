@@ -16,6 +16,7 @@ enum class Purpose : std::uint32_t
     jittered_points = 2,
     dart_throwing = 3,
     relaxation_dart_throwing = 4,
+    tile_filling = 5,
     tiling_colors = 16,
     scanline_tiling = 17,
 };

@@ -1,0 +1,267 @@
+// Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
+#include "geometry/point_set.hpp"
+#include "sampling/reference/voronoi_cells.hpp"
+#include "sampling/voronoi_cells.hpp"
+#include "tile_construction/tile_filling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poissonlab::reference {
+namespace {
+
+/// As in the kernel: a filling that needs more is given up.
+constexpr std::uint32_t max_darts = std::uint32_t{1} << 22;
+
+/// Distances are of interest below half a tile's side; longer lengths along an axis count as this.
+constexpr std::int64_t far = 32767;
+
+/// A torus while it is filled.
+class Filling
+{
+public:
+    Filling(const FillSettings& settings, const FillStage& stage, const FillProblem& problem)
+        : settings_(settings), stage_(stage), points_(problem.held), active_begin_(problem.held.size())
+    {}
+
+    /// Throws darts until there are `count` more points; false when they do not fit.
+    bool throw_darts(const DartZone& zone, std::size_t count, std::uint32_t stream, std::uint32_t attempt,
+                     std::uint32_t zone_number)
+    {
+        const std::size_t target = points_.size() + count;
+        std::size_t level = 0;
+        std::uint32_t failures = 0;
+        for (std::uint32_t dart = 0; points_.size() < target && dart < rounded_darts(); ++dart) {
+            const TilePosition position = dart_at(zone, {dart, stream, attempt, zone_number});
+            if (!is_allowed(stage_.regions, zone.cells, position)) continue;
+            if (squared_nearest(position, points_.size()) >= settings_.squared_distances[level]) {
+                points_.push_back(position);
+                failures = 0;
+            } else if (++failures == settings_.attempts) {
+                failures = 0;
+                if (++level == settings_.squared_distances.size()) break;
+            }
+        }
+        return points_.size() == target;
+    }
+
+    void mark_active_end() { active_end_ = points_.size(); }
+
+    std::vector<TilePosition> active() const
+    {
+        return {points_.begin() + static_cast<std::ptrdiff_t>(active_begin_),
+                points_.begin() + static_cast<std::ptrdiff_t>(active_end_)};
+    }
+
+    std::vector<TilePosition> surroundings() const
+    {
+        return {points_.begin() + static_cast<std::ptrdiff_t>(active_end_), points_.end()};
+    }
+
+    /// The smallest squared distance of an active point from any other.
+    std::uint32_t squared_min_distance() const
+    {
+        std::uint32_t smallest = std::numeric_limits<std::uint32_t>::max();
+        for (std::size_t i = active_begin_; i < active_end_; ++i)
+            smallest = std::min(smallest, squared_nearest(points_[i], i));
+        return smallest;
+    }
+
+    /// Keeps the last iterate that has the wanted distance, or the best one.
+    void relax()
+    {
+        std::uint32_t best = 0;
+        std::vector<TilePosition> kept;
+        for (std::uint32_t iteration = 0;; ++iteration) {
+            const std::uint32_t nearest = squared_min_distance();
+            if (nearest >= settings_.wanted || nearest > best || iteration == 0) {
+                best = std::min(nearest, settings_.wanted);
+                kept = points_;
+            }
+            if (iteration == settings_.lloyd_iterations) break;
+            const VoronoiCells cells = voronoi_cells(on_unit_torus());
+            const std::size_t images = image_count();
+            std::vector<TilePosition> movements(points_.size());
+            for (std::size_t i = active_begin_; i < active_end_; ++i) {
+                for (std::size_t k = 0; k < dimension(); ++k) {
+                    const double displacement = cells.displacements[i * images * dimension() + k];
+                    movements[i][k] = static_cast<std::int32_t>(std::nearbyint(displacement * torus_units));
+                }
+            }
+            move(movements, false);
+        }
+        points_ = kept;
+    }
+
+    /// Until the wanted distance is there, or keeps the best.
+    void repel()
+    {
+        std::uint32_t best = 0;
+        std::vector<TilePosition> kept;
+        for (std::uint32_t pass = 0;; ++pass) {
+            const std::uint32_t nearest = squared_min_distance();
+            if (pass == 0 || nearest > best) {
+                best = nearest;
+                kept = points_;
+            }
+            if (nearest >= settings_.wanted || pass == settings_.repulsion_passes) break;
+            std::vector<TilePosition> movements(points_.size());
+            for (std::size_t i = active_begin_; i < active_end_; ++i) movements[i] = repelled(i);
+            move(movements, true);
+        }
+        points_ = kept;
+    }
+
+private:
+    std::size_t dimension() const { return static_cast<std::size_t>(settings_.dimension); }
+    std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
+
+    /// The kernel looks at 32 darts a round, whose last may lie beyond the limit.
+    static constexpr std::uint32_t rounded_darts() { return (max_darts + 31) / 32 * 32; }
+
+    TilePosition dart_at(const DartZone& zone, const std::array<std::uint32_t, 4>& counter) const
+    {
+        const auto words = philox(counter, settings_.stream);
+        TilePosition position{};
+        for (std::size_t k = 0; k < dimension(); ++k) {
+            const auto offset = static_cast<std::int32_t>(std::uint64_t{words[k]} * zone.extent >> 32);
+            position[k] = wrapped(zone.low + offset);
+        }
+        return position;
+    }
+
+    TilePosition image_of(const TilePosition& position, std::size_t image) const
+    {
+        TilePosition result = position;
+        for (std::size_t k = 0; k < dimension(); ++k)
+            result[k] = wrapped(position[k] + static_cast<std::int32_t>(image >> k & 1) * tile_units);
+        return result;
+    }
+
+    std::uint32_t squared_between(const TilePosition& a, const TilePosition& b) const
+    {
+        std::uint32_t sum = 0;
+        for (std::size_t k = 0; k < dimension(); ++k) {
+            const std::int64_t length = std::min(std::abs(std::int64_t{shortest(a[k] - b[k])}), far);
+            sum += static_cast<std::uint32_t>(length * length);
+        }
+        return sum;
+    }
+
+    /// From any image of any point; `self`: the point at that position, or the number of points.
+    std::uint32_t squared_nearest(const TilePosition& position, std::size_t self) const
+    {
+        std::uint32_t smallest = std::numeric_limits<std::uint32_t>::max();
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            for (std::size_t image = 0; image < image_count(); ++image) {
+                if (i == self && image == 0) continue;
+                smallest = std::min(smallest, squared_between(position, image_of(points_[i], image)));
+            }
+        }
+        return smallest;
+    }
+
+    PointSet on_unit_torus() const
+    {
+        PointSet set{settings_.dimension, {}};
+        for (const TilePosition& point : points_) {
+            for (std::size_t image = 0; image < image_count(); ++image) {
+                const TilePosition position = image_of(point, image);
+                for (std::size_t k = 0; k < dimension(); ++k)
+                    set.coordinates.push_back(static_cast<double>(position[k]) / torus_units);
+            }
+        }
+        return set;
+    }
+
+    /// All points at once.
+    void move(const std::vector<TilePosition>& movements, bool slides)
+    {
+        for (std::size_t i = active_begin_; i < active_end_; ++i) {
+            points_[i] = allowed_end(stage_.regions, stage_.active.cells, points_[i], movements[i], slides);
+        }
+    }
+
+    TilePosition repelled(std::size_t i) const
+    {
+        const double distance = settings_.repulsion_distance;
+        const auto limit = static_cast<std::uint32_t>(distance * distance);
+        std::array<double, 3> sum{};
+        for (std::size_t j = 0; j < points_.size(); ++j) {
+            for (std::size_t image = 0; image < image_count(); ++image) {
+                if (i == j && image == 0) continue;
+                const TilePosition other = image_of(points_[j], image);
+                const std::uint32_t squared = squared_between(points_[i], other);
+                if (squared > limit) continue;
+                const double length = std::sqrt(static_cast<double>(squared));
+                const bool moves = j >= active_begin_ && j < active_end_;
+                const double push = (moves ? 0.5 : 1) * (distance - length);
+                if (squared == 0) {
+                    sum[0] += i < j ? -push : push;
+                    continue;
+                }
+                for (std::size_t k = 0; k < dimension(); ++k)
+                    sum[k] -= shortest(other[k] - points_[i][k]) / length * push;
+            }
+        }
+        double squared = 0;
+        for (std::size_t k = 0; k < dimension(); ++k) squared += sum[k] * sum[k];
+        const double length = std::sqrt(squared);
+        const double scale = length > distance ? distance / length : 1;
+        TilePosition movement{};
+        for (std::size_t k = 0; k < dimension(); ++k)
+            movement[k] = static_cast<std::int32_t>(std::nearbyint(scale * sum[k]));
+        return movement;
+    }
+
+    const FillSettings& settings_;
+    const FillStage& stage_;
+    std::vector<TilePosition> points_;
+    std::size_t active_begin_;
+    std::size_t active_end_ = 0;
+};
+
+class ReferenceFiller final : public TileFiller
+{
+public:
+    explicit ReferenceFiller(const FillSettings& settings) : settings_(settings) {}
+
+    std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
+                                  std::uint32_t attempt) override
+    {
+        std::vector<FilledTorus> results;
+        for (const FillProblem& problem : problems) results.push_back(fill(stage, problem, attempt));
+        return results;
+    }
+
+private:
+    FilledTorus fill(const FillStage& stage, const FillProblem& problem, std::uint32_t attempt) const
+    {
+        Filling filling(settings_, stage, problem);
+        FilledTorus result;
+        const bool is_filled =
+            filling.throw_darts(stage.active, problem.active, problem.stream, attempt, 0);
+        filling.mark_active_end();
+        result.thrown = filling.active();
+        if (!is_filled) return result;
+        filling.throw_darts(stage.surroundings, problem.surroundings, problem.stream, attempt, 1);
+        filling.relax();
+        if (settings_.repulsion_passes > 0) filling.repel();
+        result.active = filling.active();
+        result.surroundings = filling.surroundings();
+        result.squared_min_distance = filling.squared_min_distance();
+        return result;
+    }
+
+    FillSettings settings_;
+};
+
+}
+
+std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings)
+{
+    return std::make_unique<ReferenceFiller>(settings);
+}
+
+}

@@ -1,0 +1,219 @@
+// Fills tori on a device, a batch a launch.
+#include "tile_construction/tile_filling.hpp"
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+/// What the buffers of one launch may take; larger batches are cut.
+constexpr std::size_t max_batch_bytes = std::size_t{256} << 20;
+
+constexpr std::size_t lanes = 8;
+
+/// Of work-groups on CPUs: there, work-items of a group run one after the other.
+constexpr std::size_t default_work_group_size = 1;
+constexpr std::size_t gpu_work_group_size = 32;
+
+std::vector<std::int32_t> region_values(const TileRegions& r)
+{
+    return {r.width, r.pair_one, r.pair_sum, r.corner_one, r.corner_two, r.corner_three};
+}
+
+class DeviceFiller final : public TileFiller
+{
+public:
+    DeviceFiller(const FillSettings& settings, Device device, std::size_t work_group_size)
+        : settings_(settings), device_(std::move(device)), reaches_(voronoi_reaches(settings))
+    {
+        work_group_size_ = work_group_size > 0                ? work_group_size
+                           : device_.info().type == "CPU" ? default_work_group_size
+                                                          : gpu_work_group_size;
+        const std::string options = "-D DIMENSION=" + std::to_string(settings.dimension);
+        throw_ = device_.kernel("tile_darts.cl", "throw_tile_darts", options);
+        relax_ = device_.kernel("tile_relaxation.cl", "relax_tiles", options);
+        repel_ = device_.kernel("tile_relaxation.cl", "repel_tiles", options);
+        distances_ = device_.buffer<std::uint32_t>(settings.squared_distances.size());
+        distances_.write(settings.squared_distances);
+        reach_values_ = device_.buffer<std::int32_t>(reaches_.size());
+        reach_values_.write(reaches_);
+        region_values_ = device_.buffer<std::int32_t>(region_values({}).size());
+    }
+
+    std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
+                                  std::uint32_t attempt) override
+    {
+        region_values_.write(region_values(stage.regions));
+        copies_ = stage.is_one_tile ? 1u << settings_.dimension : 1u;
+        std::size_t most = 0;
+        for (const FillProblem& p : problems) most = std::max(most, p.held.size() + p.active + p.surroundings);
+        capacity_ = (most * copies_ + lanes - 1) / lanes * lanes;
+        const std::size_t bytes = capacity_ * axes() * (3 * sizeof(std::int32_t) + sizeof(double));
+        const std::size_t batch = std::max<std::size_t>(1, max_batch_bytes / std::max<std::size_t>(1, bytes));
+        std::vector<FilledTorus> results;
+        for (std::size_t i = 0; i < problems.size(); i += batch) {
+            fill_batch(stage, problems.subspan(i, std::min(batch, problems.size() - i)), attempt, results);
+        }
+        return results;
+    }
+
+private:
+    std::size_t axes() const { return static_cast<std::size_t>(settings_.dimension); }
+
+    void fill_batch(const FillStage& stage, std::span<const FillProblem> problems, std::uint32_t attempt,
+                    std::vector<FilledTorus>& results)
+    {
+        upload(problems);
+        throw_darts(stage.active, problems.size(), attempt, 0, active_targets_);
+        const std::vector<std::uint32_t> active_ends = counts_.read(0, problems.size());
+        const std::vector<std::int32_t> thrown = points_.read(0, problems.size() * axes() * capacity_);
+
+        // What could not be filled goes no farther.
+        std::vector<std::uint32_t> filled;
+        for (std::size_t i = 0; i < problems.size(); ++i) {
+            if (active_ends[i] == problems[i].held.size() + problems[i].active)
+                filled.push_back(static_cast<std::uint32_t>(i));
+        }
+        groups_ = filled.size();
+        problem_numbers_.write(filled);
+        throw_darts(stage.surroundings, problems.size(), attempt, 1, all_targets_);
+        relax(stage);
+        if (settings_.repulsion_passes > 0) repel(stage);
+        download(problems, active_ends, thrown, filled, results);
+    }
+
+    void upload(std::span<const FillProblem> problems)
+    {
+        const std::size_t n = problems.size();
+        const std::size_t per_problem = axes() * capacity_;
+        std::vector<std::int32_t> points(n * per_problem);
+        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n), all_targets(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const FillProblem& problem = problems[i];
+            put_held(problem.held, points.data() + i * per_problem);
+            numbers[i] = static_cast<std::uint32_t>(i);
+            streams[i] = problem.stream;
+            held[i] = static_cast<std::uint32_t>(problem.held.size());
+            active[i] = problem.active;
+            active_targets[i] = held[i] + problem.active;
+            all_targets[i] = active_targets[i] + problem.surroundings;
+        }
+        reserve(device_, points_, n * per_problem);
+        reserve(device_, moved_, n * per_problem);
+        reserve(device_, kept_, n * per_problem);
+        reserve(device_, doubles_, n * per_problem);
+        for (Buffer<std::uint32_t>* buffer : {&problem_numbers_, &streams_, &held_, &active_, &active_targets_,
+                                              &all_targets_, &counts_, &levels_, &squared_kept_})
+            reserve(device_, *buffer, n);
+        points_.write(points);
+        problem_numbers_.write(numbers);
+        streams_.write(streams);
+        held_.write(held);
+        counts_.write(held);
+        active_.write(active);
+        active_targets_.write(active_targets);
+        all_targets_.write(all_targets);
+        groups_ = n;
+    }
+
+    void put_held(const std::vector<TilePosition>& held, std::int32_t* points) const
+    {
+        for (std::size_t i = 0; i < held.size(); ++i) {
+            for (std::size_t image = 0; image < copies_; ++image) {
+                for (std::size_t k = 0; k < axes(); ++k) {
+                    points[k * capacity_ + i * copies_ + image] =
+                        wrapped(held[i][k] + static_cast<std::int32_t>(image >> k & 1) * tile_units);
+                }
+            }
+        }
+    }
+
+    void throw_darts(const DartZone& zone, std::size_t, std::uint32_t attempt, std::uint32_t zone_number,
+                     const Buffer<std::uint32_t>& targets)
+    {
+        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,
+                   settings_.stream[0], settings_.stream[1], static_cast<std::uint32_t>(capacity_),
+                   static_cast<std::uint32_t>(copies_), region_values_, zone.cells, zone.low, zone.extent,
+                   distances_, static_cast<std::uint32_t>(settings_.squared_distances.size()), settings_.attempts,
+                   targets, points_, counts_, levels_);
+    }
+
+    void relax(const FillStage& stage)
+    {
+        relax_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
+                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
+                   stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations, settings_.wanted,
+                   reach_values_, static_cast<std::uint32_t>(reaches_.size()), settings_.spacing, points_, doubles_,
+                   moved_, kept_, squared_kept_);
+    }
+
+    void repel(const FillStage& stage)
+    {
+        repel_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
+                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
+                   stage.active.cells, counts_, held_, active_, settings_.repulsion_passes, settings_.wanted,
+                   settings_.repulsion_distance, points_, moved_, kept_, squared_kept_);
+    }
+
+    /// `count` points of a problem from number `first` on, `images` apart.
+    std::vector<TilePosition> points_of(const std::vector<std::int32_t>& all, std::size_t problem, std::size_t first,
+                                        std::size_t count, std::size_t images) const
+    {
+        std::vector<TilePosition> points(count);
+        const std::int32_t* from = all.data() + problem * axes() * capacity_;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t k = 0; k < axes(); ++k) points[i][k] = from[k * capacity_ + (first + i) * images];
+        }
+        return points;
+    }
+
+    void download(std::span<const FillProblem> problems, const std::vector<std::uint32_t>& active_ends,
+                  const std::vector<std::int32_t>& thrown, const std::vector<std::uint32_t>& filled,
+                  std::vector<FilledTorus>& results)
+    {
+        const std::size_t n = problems.size();
+        const std::size_t first_result = results.size();
+        results.resize(first_result + n);
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t held = problems[i].held.size();
+            results[first_result + i].thrown = points_of(thrown, i, held, active_ends[i] - held, copies_);
+        }
+        if (filled.empty()) return;
+        const std::vector<std::uint32_t> ends = counts_.read(0, n);
+        const std::vector<std::uint32_t> squared = squared_kept_.read(0, n);
+        const std::vector<std::int32_t> kept = kept_.read(0, n * axes() * capacity_);
+        const std::vector<std::int32_t> points = points_.read(0, n * axes() * capacity_);
+        for (const std::uint32_t i : filled) {
+            FilledTorus& result = results[first_result + i];
+            const std::size_t held = problems[i].held.size();
+            result.active = points_of(kept, i, held, problems[i].active, 1);
+            result.surroundings = points_of(points, i, active_ends[i], ends[i] - active_ends[i], copies_);
+            result.squared_min_distance = squared[i];
+        }
+    }
+
+    FillSettings settings_;
+    Device device_;
+    std::vector<std::int32_t> reaches_;
+    std::size_t work_group_size_;
+    std::size_t capacity_ = 0;
+    std::size_t copies_ = 1;
+    std::size_t groups_ = 0;
+    Kernel throw_, relax_, repel_;
+    Buffer<std::uint32_t> distances_;
+    Buffer<std::int32_t> reach_values_, region_values_;
+    Buffer<std::int32_t> points_, moved_, kept_;
+    Buffer<double> doubles_;
+    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_, levels_,
+        squared_kept_;
+};
+
+}
+
+std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
+                                             std::size_t work_group_size)
+{
+    return std::make_unique<DeviceFiller>(settings, std::move(device), work_group_size);
+}
+
+}

@@ -1,0 +1,55 @@
+#include "tile_construction/tile_filling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Relaxation dart throwing is given up below this part of the radius that it starts from.
+constexpr double least_radius = 0.2;
+
+/// Passes of repulsion; those that succeed take 5 to 100.
+constexpr std::uint32_t max_repulsion_passes = 400;
+
+/// Points that are just short of the distance that is asked for are pushed a little farther, and so are those that
+/// rounding to whole units may bring closer again.
+constexpr double repulsion_margin = 1.0005;
+constexpr double rounding_margin = 2;
+
+}
+
+FillSettings fill_settings(const PoissonTileParameters& p)
+{
+    FillSettings settings;
+    settings.dimension = p.dimension;
+    settings.wanted = static_cast<std::uint32_t>(asked_squared_distance(p));
+    const double distance = asked_min_distance(p) * tile_units;
+    const double factor = p.filling == TileFilling::dart_throwing ? 0 : p.factor;
+    for (double part = 1; part >= least_radius; part *= factor) {
+        const double reduced = distance * part;
+        settings.squared_distances.push_back(static_cast<std::uint32_t>(std::ceil(reduced * reduced)));
+    }
+    settings.attempts = p.attempts;
+    settings.lloyd_iterations = p.lloyd_iterations;
+    settings.repulsion_passes = p.repulsion ? max_repulsion_passes : 0;
+    settings.repulsion_distance = std::max(distance * repulsion_margin, distance + rounding_margin);
+    settings.spacing = tile_units / std::pow(p.points_per_tile, 1.0 / p.dimension);
+    settings.stream = stream_key(p.seed, Purpose::tile_filling, 0);
+    return settings;
+}
+
+std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
+{
+    const std::vector<double> spacings =
+        settings.dimension == 2 ? std::vector<double>{1.9, 3, 4.6} : std::vector<double>{2.1, 3.2};
+    std::vector<std::int32_t> reaches;
+    for (const double factor : spacings) {
+        // A box is less than half of the torus, whose points are then all different.
+        const double reach = std::min<double>(factor * settings.spacing, tile_units - 1);
+        reaches.push_back(static_cast<std::int32_t>(reach));
+    }
+    return reaches;
+}
+
+}

@@ -1,0 +1,95 @@
+// Filling tori of two tiles a side with points around those of pieces that are there already: the one step that all
+// stages of the construction of Poisson tiles are made of.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: dart throwing or relaxation dart throwing,
+// then Lloyd relaxation with points that are held and movements that end at their regions, then repulsion. A batch of
+// tori is filled at once.
+#pragma once
+
+#include "device/device.hpp"
+#include "poisson_tiles/poisson_tile_set.hpp"
+#include "sampling/random.hpp"
+#include "tile_construction/tile_torus.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// Where darts are thrown: in allowed cells, inside of a box.
+struct DartZone
+{
+    CellSet cells = 0;
+    std::int32_t low = 0;                   ///< of the box, along each axis
+    std::uint32_t extent = torus_units;     ///< of the box
+};
+
+/// What the tori of a batch have in common.
+struct FillStage
+{
+    TileRegions regions;
+    bool is_one_tile = false; ///< the torus has one tile a side; points are below tile_units
+    DartZone active;          ///< points move in these cells as well
+    DartZone surroundings;    ///< points that are held, so that active ones are not drawn into empty space
+};
+
+struct FillProblem
+{
+    std::vector<TilePosition> held;
+    std::uint32_t active = 0;       ///< points that are wanted
+    std::uint32_t surroundings = 0; ///< as many, or fewer where they do not fit
+    std::uint32_t stream = 0;       ///< of random numbers
+};
+
+struct FilledTorus
+{
+    std::vector<TilePosition> thrown;       ///< active points as dart throwing left them; fewer than wanted: failed
+    std::vector<TilePosition> active;       ///< after relaxation and repulsion
+    std::vector<TilePosition> surroundings;
+    std::uint64_t squared_min_distance = 0; ///< of active points to all points, at most 2^32 - 1; 0: failed
+
+    bool operator==(const FilledTorus&) const = default;
+};
+
+/// How a torus is filled, whatever the stage.
+struct FillSettings
+{
+    int dimension = 2;
+    std::vector<std::uint32_t> squared_distances; ///< that darts keep, one after the other
+    std::uint32_t attempts = 0;                   ///< failed darts in a row before the next
+    std::uint32_t lloyd_iterations = 0;
+    std::uint32_t wanted = 0;                     ///< squared minimum distance
+    std::uint32_t repulsion_passes = 0;           ///< at most
+    double repulsion_distance = 0;                ///< closer points are pushed apart; units
+    double spacing = 0;                           ///< mean distance of points: N^(-1/dimension) of a tile; units
+    StreamKey stream{};
+};
+
+FillSettings fill_settings(const PoissonTileParameters& parameters);
+
+/// Half widths of the boxes in which Voronoi neighbours are looked for, one after the other; units.
+std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings);
+
+class TileFiller
+{
+public:
+    virtual ~TileFiller() = default;
+
+    /// `attempt`: every one has its own random numbers.
+    virtual std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
+                                          std::uint32_t attempt) = 0;
+};
+
+namespace reference {
+/// Sequentially, with Voronoi cells by CGAL.
+std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings);
+}
+
+/// By kernels/tile_darts.cl and tile_relaxation.cl, a work-group a torus: the same result. `work_group_size` 0: the
+/// default, at most 256.
+std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
+                                             std::size_t work_group_size = 0);
+
+}

@@ -1,0 +1,136 @@
+#include "tile_construction/tile_torus.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <span>
+
+namespace poissonlab {
+namespace {
+
+/// A position relative to the nearest lattice point.
+struct Folded
+{
+    std::array<std::int32_t, 3> distance{};
+    std::array<std::int32_t, 3> side{}; ///< 1 or -1
+};
+
+Folded folded_at(const TilePosition& position, int dimension)
+{
+    Folded folded;
+    for (int k = 0; k < dimension; ++k) {
+        const std::int32_t in_tile = position[k] & (tile_units - 1);
+        const bool is_upper = in_tile > tile_units - in_tile;
+        folded.distance[k] = is_upper ? tile_units - in_tile : in_tile;
+        folded.side[k] = is_upper ? -1 : 1;
+    }
+    return folded;
+}
+
+/// The shortest way out of a region so far, as a distance along each axis.
+struct WayOut
+{
+    TilePosition along{};
+    std::int64_t squared = std::numeric_limits<std::int64_t>::max();
+
+    /// A way along these axes, whose distances lack `lacking` in sum.
+    void consider(std::int32_t lacking, std::initializer_list<int> axes)
+    {
+        const auto count = static_cast<std::int32_t>(axes.size());
+        const std::int32_t each = (lacking + count - 1) / count;
+        const std::int64_t length = std::int64_t{count} * each * each;
+        if (length >= squared) return;
+        squared = length;
+        along = {};
+        for (const int axis : axes) along[axis] = each;
+    }
+};
+
+void leave_pair(WayOut& way, const TileRegions& regions, const TilePosition& distance, int i, int j)
+{
+    way.consider(regions.pair_one - distance[i], {i});
+    way.consider(regions.pair_one - distance[j], {j});
+    way.consider(regions.pair_sum - distance[i] - distance[j], {i, j});
+}
+
+void leave_corner_3d(WayOut& way, const TileRegions& regions, const TilePosition& distance)
+{
+    std::array<int, 3> axes{0, 1, 2};
+    std::ranges::stable_sort(axes, [&](int a, int b) { return distance[a] > distance[b]; });
+    const std::int32_t two = distance[axes[0]] + distance[axes[1]];
+    way.consider(regions.corner_one - distance[axes[0]], {axes[0]});
+    way.consider(regions.corner_two - two, {axes[0], axes[1]});
+    way.consider(regions.corner_three - two - distance[axes[2]], {axes[0], axes[1], axes[2]});
+}
+
+}
+
+std::uint64_t squared_distance(const TilePosition& a, const TilePosition& b, int dimension)
+{
+    std::uint64_t sum = 0;
+    for (int k = 0; k < dimension; ++k) {
+        const std::int64_t difference = shortest(a[k] - b[k]);
+        sum += static_cast<std::uint64_t>(difference * difference);
+    }
+    return sum;
+}
+
+unsigned cell_at(const TileRegions& regions, const TilePosition& position)
+{
+    const Folded folded = folded_at(position, regions.dimension);
+    const unsigned axes = regions.axes_at(folded.distance);
+    unsigned base = 0;
+    for (int k = 0; k < regions.dimension; ++k) {
+        const auto tile = static_cast<unsigned>(position[k] >> tile_bits);
+        const unsigned nearest = (tile + (folded.side[k] < 0)) & 1;
+        base |= (axes >> k & 1 ? tile : nearest) << k;
+    }
+    return cell_number(axes, base, regions.dimension);
+}
+
+TilePosition pushed_out(const TileRegions& regions, const TilePosition& position)
+{
+    const int dimension = regions.dimension;
+    const Folded folded = folded_at(position, dimension);
+    const unsigned axes = regions.axes_at(folded.distance);
+    if (axes == all_axes(dimension)) return position;
+    WayOut way;
+    const auto extent = std::popcount(axes);
+    if (dimension - extent == 1) {
+        const int across = std::countr_zero(all_axes(dimension) & ~axes);
+        way.consider(regions.width - folded.distance[across], {across});
+    } else if (dimension - extent == 2) {
+        const int along = dimension == 3 ? std::countr_zero(axes) : 2;
+        leave_pair(way, regions, folded.distance, (along + 1) % 3, (along + 2) % 3);
+    } else {
+        leave_corner_3d(way, regions, folded.distance);
+    }
+    TilePosition result = position;
+    for (int k = 0; k < dimension; ++k) result[k] = wrapped(position[k] + folded.side[k] * way.along[k]);
+    return result;
+}
+
+TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
+                         const TilePosition& movement, bool slides)
+{
+    const auto moved = [&](std::int32_t part) { // in 4,096ths
+        TilePosition end{};
+        for (int k = 0; k < regions.dimension; ++k) end[k] = wrapped(start[k] + (movement[k] * part >> 12));
+        return end;
+    };
+    TilePosition end = moved(4096);
+    if (is_allowed(regions, cells, end)) return end;
+    if (slides) {
+        for (int i = 0; i < 3; ++i) {
+            end = pushed_out(regions, end);
+            if (is_allowed(regions, cells, end)) return end;
+        }
+    }
+    std::int32_t part = 0;
+    for (std::int32_t step = 2048; step > 0; step >>= 1) {
+        if (is_allowed(regions, cells, moved(part + step))) part += step;
+    }
+    return moved(part);
+}
+
+}

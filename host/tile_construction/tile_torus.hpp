@@ -1,0 +1,57 @@
+// The torus of two tiles a side on which tiles are filled with points: its cells, and movement among them.
+//
+// Two tiles a side are enough that the points of a piece do not see themselves around the torus. Coordinates are whole
+// units, 65,536 to a tile's side. kernels/common/tile_torus.clh makes the same decisions.
+#pragma once
+
+#include "poisson_tiles/tile_regions.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace poissonlab {
+
+inline constexpr std::int32_t torus_units = 2 * tile_units;
+
+/// A position on the torus, or a movement. In 2D the last coordinate is 0.
+using TilePosition = std::array<std::int32_t, 3>;
+
+/// Coordinates on the torus, 0 to torus_units - 1.
+constexpr std::int32_t wrapped(std::int32_t coordinate) { return coordinate & (torus_units - 1); }
+
+/// The shortest difference that is a multiple of the torus away, -tile_units to tile_units - 1.
+constexpr std::int32_t shortest(std::int32_t difference)
+{
+    return wrapped(difference + tile_units) - tile_units;
+}
+
+/// Exact.
+std::uint64_t squared_distance(const TilePosition& a, const TilePosition& b, int dimension);
+
+/// The number of a cell of the torus' lattice: its axes, and above them the coordinates of its lowest corner, a bit an
+/// axis.
+constexpr unsigned cell_number(unsigned axes, unsigned base, int dimension) { return base << dimension | axes; }
+
+/// Cells as bits by their numbers.
+using CellSet = std::uint64_t;
+
+/// All cells: 16 or 64.
+constexpr CellSet all_cells(int dimension) { return dimension == 2 ? 0xffff : ~CellSet{0}; }
+
+/// The number of the cell whose region a position is in.
+unsigned cell_at(const TileRegions& regions, const TilePosition& position);
+
+inline bool is_allowed(const TileRegions& regions, CellSet cells, const TilePosition& position)
+{
+    return cells >> cell_at(regions, position) & 1;
+}
+
+/// A position out of the region of its corner, edge or face, by the shortest way; in an interior, the same position.
+TilePosition pushed_out(const TileRegions& regions, const TilePosition& position);
+
+/// Where a movement from an allowed position ends. What would end where it is not allowed slides out of regions by the
+/// shortest way, three times at most, or is shortened to the last position that is allowed.
+TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
+                         const TilePosition& movement, bool slides);
+
+}

@@ -1,0 +1,313 @@
+// Lloyd relaxation and repulsion of the free points of a batch of tiles at once.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: each work-group relaxes the points of one
+// torus of two tiles a side. Points come in three runs: held ones (of pieces that are there already), active ones, and
+// surroundings, which are held as well. Movements end where they would leave the allowed cells; with repulsion they
+// slide along them. The plain twin is host/tile_construction/reference/tile_relaxation.cpp.
+//
+// Coordinates are whole units, so that all tests are exact; a torus is small enough to look at all of its points.
+//
+// Needs DIMENSION (2 or 3).
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#if DIMENSION == 2
+#include "common/voronoi_2d.clh"
+#else
+#include "common/voronoi_3d_window.clh"
+#endif
+#include "common/tile_torus.clh"
+
+#define MAX_ITEMS 256 // of a work-group
+#define FAR 32767     // lengths above count as this: farther than any distance that is asked for
+#define UNIT_SHIFT 15 // units to 2^-32 of the torus
+#define UNIT_LENGTH 0x1p-17 // of the torus' side
+
+/// Where the points of a torus are: all images of a point one after the other, an array for each axis.
+typedef struct
+{
+    global int* c;
+    uint capacity;
+    uint count;  // with images
+    uint copies; // images of each point
+} TorusPoints;
+
+Position point_at(const TorusPoints* points, uint entry)
+{
+    Position position;
+    for (int k = 0; k < DIMENSION; ++k) position.c[k] = points->c[k * points->capacity + entry];
+    return position;
+}
+
+/// Replaces a point and all its images.
+void put_point(const TorusPoints* points, uint number, Position position)
+{
+    for (uint image = 0; image < points->copies; ++image) {
+        for (int k = 0; k < DIMENSION; ++k) {
+            points->c[k * points->capacity + number * points->copies + image] =
+                (position.c[k] + (int)(image >> k & 1) * TILE_UNITS) & TORUS_MASK;
+        }
+    }
+}
+
+/// The squared distances of eight points from a position, exact where they matter; most for lanes without a point.
+uint8 squared_distances(const TorusPoints* points, uint from, const Position* position)
+{
+    const uint8 far = FAR;
+    uint8 sum = 0;
+    FOR_EACH_AXIS(k)
+    {
+        const int8 difference = vload8(0, points->c + k * points->capacity + from) - position->c[k];
+        const uint8 length = min(abs((difference << 15) >> 15), far);
+        sum += length * length;
+    }
+    const uint8 entry = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + from;
+    return select((uint8)UINT_MAX, sum, entry < points->count);
+}
+
+uint smallest_lane(uint8 lanes)
+{
+    const uint4 four = min(lanes.lo, lanes.hi);
+    return min(min(four.x, four.y), min(four.z, four.w));
+}
+
+/// The smallest value of all work-items. Has a barrier on either side.
+uint smallest_of_group(uint value, local uint* values)
+{
+    values[get_local_id(0)] = value;
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    uint smallest = UINT_MAX;
+    for (uint i = 0; i < get_local_size(0); ++i) smallest = min(smallest, values[i]);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    return smallest;
+}
+
+/// Collects the points whose coordinates are all less than `reach` from a position; returns the squared distance of the nearest
+/// of them but the site itself.
+uint gather_box(Window* window, const TorusPoints* points, const Position* position, uint site, int reach)
+{
+    const uint8 far = FAR;
+    window->count = 0;
+    uint8 nearest = UINT_MAX;
+    for (uint v = 0; v < points->count; v += LANES) {
+        const int8 entry = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)v;
+        int8 is_inside = entry < (int8)(int)points->count;
+        uint8 sum = 0;
+        int8 coordinate[DIMENSION];
+        FOR_EACH_AXIS(k)
+        {
+            coordinate[k] = vload8(0, points->c + k * points->capacity + v);
+            const uint8 length = abs(((coordinate[k] - position->c[k]) << 15) >> 15);
+            is_inside &= length < (uint8)(uint)reach;
+            const uint8 bounded = min(length, far);
+            sum += bounded * bounded;
+        }
+        if (!any(is_inside)) continue;
+        nearest = min(nearest, select((uint8)UINT_MAX, sum, is_inside & (entry != (int8)(int)site)));
+        if (window->count > MAX_POINTS - LANES) {
+            window->count = MAX_POINTS + 1;
+            break;
+        }
+        int inside[LANES];
+        vstore8(is_inside, 0, inside);
+        for (uint i = 0; i < LANES; ++i) {
+            const uint at = window->count;
+            window->x[at] = points->c[v + i] << UNIT_SHIFT;
+            window->y[at] = points->c[points->capacity + v + i] << UNIT_SHIFT;
+#if DIMENSION == 3
+            window->z[at] = points->c[2 * points->capacity + v + i] << UNIT_SHIFT;
+#endif
+            window->index[at] = v + i;
+            window->count += inside[i] & 1;
+        }
+    }
+    return smallest_lane(nearest);
+}
+
+/// From the site to the centroid of its cell among the points of a window, in units; false where a larger window is needed.
+bool find_centroid(const Window* window, const Position* position, uint site, int reach, double spacing,
+                   global const double* doubles, double* displacement)
+{
+    VoronoiCell cell;
+#if DIMENSION == 2
+    const double2 at = (double2)(position->c[0], position->c[1]) * UNIT_LENGTH;
+    Differences differences;
+    Vertices vertices;
+    const uint vectors = subtract_site(window, site, position->c[0] << UNIT_SHIFT, position->c[1] << UNIT_SHIFT,
+                                       &differences);
+    if (!cell_among(&differences, vectors, window, at, (global const double2*)doubles, &cell, &vertices)) return false;
+    const float margin = (float)reach * (1 << UNIT_SHIFT) * (1 - 0x1p-16f);
+    const Margins margins = {margin, margin, margin, margin};
+    if (!is_complete(&vertices, margins) || !(cell.area > 0)) return false;
+    displacement[0] = cell.moment.x / cell.area / UNIT_LENGTH;
+    displacement[1] = cell.moment.y / cell.area / UNIT_LENGTH;
+#else
+    const double3 at = (double3)(position->c[0], position->c[1], position->c[2]) * UNIT_LENGTH;
+    const double3 margin = reach * (UNIT_LENGTH * (1 - 0x1p-16));
+    const double near_radius = min(1.8 * spacing, (double)reach) * UNIT_LENGTH * (1 - 0x1p-16);
+    if (cell_in_window(window, position->c[0] << UNIT_SHIFT, position->c[1] << UNIT_SHIFT, position->c[2] << UNIT_SHIFT,
+                       at, margin, margin, near_radius, doubles, &cell) != 0)
+        return false;
+    if (!(cell.volume > 0)) return false;
+    displacement[0] = cell.moment.x / cell.volume / UNIT_LENGTH;
+    displacement[1] = cell.moment.y / cell.volume / UNIT_LENGTH;
+    displacement[2] = cell.moment.z / cell.volume / UNIT_LENGTH;
+#endif
+    return true;
+}
+
+int rounded(double value) { return convert_int_rte(value); }
+
+void put_double(global double* doubles, const TorusPoints* points, uint number)
+{
+    for (uint entry = number * points->copies; entry < (number + 1) * points->copies; ++entry) {
+        for (int k = 0; k < DIMENSION; ++k) {
+            doubles[entry * DIMENSION + k] = points->c[k * points->capacity + entry] * UNIT_LENGTH;
+        }
+    }
+}
+
+/// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
+/// Keeps the last iterate whose active points have the wanted squared distance from all points or, where none has, the
+/// best one. `reaches`: half widths of the boxes that are looked into for Voronoi neighbours, one after the other;
+/// where none is enough, a point stays. Points themselves end as the last iterate.
+kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
+                        ulong cells, global const uint* counts, global const uint* held_counts,
+                        global const uint* active_counts, uint iterations, uint wanted, global const int* reaches,
+                        uint reach_count, double spacing, global int* all_points, global double* all_doubles,
+                        global int* all_moved, global int* all_kept, global uint* squared_kept)
+{
+    const uint item = get_local_id(0);
+    const uint items = get_local_size(0);
+    const uint problem = problems[get_group_id(0)];
+    const ulong from = (ulong)problem * DIMENSION * capacity;
+    const TorusPoints points = {all_points + from, capacity, counts[problem] * copies, copies};
+    const TorusPoints moved = {all_moved + from, capacity, 0, 1};
+    const TorusPoints kept = {all_kept + from, capacity, 0, 1};
+    global double* doubles = all_doubles + from;
+    const uint first = held_counts[problem];
+    const uint end = first + active_counts[problem];
+    const Regions regions = regions_at(region_values);
+    local uint values[MAX_ITEMS];
+
+    for (uint i = item; i < counts[problem]; i += items) put_double(doubles, &points, i);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    uint best = 0;
+    for (uint iteration = 0; iteration <= iterations; ++iteration) {
+        uint nearest = UINT_MAX;
+        for (uint i = first + item; i < end; i += items) {
+            const uint site = i * copies;
+            const Position position = point_at(&points, site);
+            Window window;
+            double displacement[3] = {0, 0, 0};
+            bool is_found = false;
+            for (uint r = 0; r < reach_count && !is_found; ++r) {
+                const uint near = gather_box(&window, &points, &position, site, reaches[r]);
+                if (r == 0) nearest = min(nearest, near);
+                if (iteration == iterations || window.count > MAX_POINTS) break;
+                if (window.count == 0) continue;
+                is_found = find_centroid(&window, &position, site, reaches[r], spacing, doubles, displacement);
+            }
+            Position movement;
+            for (int k = 0; k < DIMENSION; ++k) movement.c[k] = is_found ? rounded(displacement[k]) : 0;
+            put_point(&moved, i, allowed_end(&position, &movement, &regions, cells, false));
+        }
+        nearest = smallest_of_group(nearest, values);
+        if (nearest >= wanted || nearest > best || iteration == 0) {
+            best = min(nearest, wanted);
+            for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
+            if (item == 0) squared_kept[problem] = nearest;
+        }
+        if (iteration == iterations) break;
+        for (uint i = first + item; i < end; i += items) {
+            put_point(&points, i, point_at(&moved, i));
+            put_double(doubles, &points, i);
+        }
+        barrier(CLK_GLOBAL_MEM_FENCE);
+    }
+}
+
+/// The movement of a point by repulsion: away from all that are closer than `distance`, by what they lack of it, half of
+/// it where the other moves as well. Lowers `nearest` to the squared distance of the nearest point.
+Position repelled(const TorusPoints* points, const Position* position, uint site, uint first, uint end, double distance,
+                  uint* nearest)
+{
+    double sum[DIMENSION];
+    for (int k = 0; k < DIMENSION; ++k) sum[k] = 0;
+    const uint limit = (uint)(distance * distance);
+    uint8 nearest_of_lane = UINT_MAX;
+    for (uint v = 0; v < points->count; v += 8) {
+        const uint8 entry = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + v;
+        const uint8 squared = select(squared_distances(points, v, position), (uint8)UINT_MAX, entry == site);
+        nearest_of_lane = min(nearest_of_lane, squared);
+        if (!any(squared <= limit)) continue;
+        uint lanes[8];
+        vstore8(squared, 0, lanes);
+        for (uint i = 0; i < 8; ++i) {
+            const uint other = v + i;
+            if (lanes[i] > limit) continue;
+            const double length = sqrt((double)lanes[i]);
+            const uint number = other / points->copies;
+            const double part = number >= first && number < end ? 0.5 : 1;
+            const double push = part * (distance - length);
+            if (lanes[i] == 0) {
+                sum[0] += site < other ? -push : push;
+                continue;
+            }
+            for (int k = 0; k < DIMENSION; ++k) {
+                const int difference = torus_difference_of(points->c[k * points->capacity + other] - position->c[k]);
+                sum[k] -= difference / length * push;
+            }
+        }
+    }
+    *nearest = min(*nearest, smallest_lane(nearest_of_lane));
+    double squared = 0;
+    for (int k = 0; k < DIMENSION; ++k) squared += sum[k] * sum[k];
+    const double length = sqrt(squared);
+    const double scale = length > distance ? distance / length : 1;
+    Position movement;
+    for (int k = 0; k < DIMENSION; ++k) movement.c[k] = rounded(scale * sum[k]);
+    return movement;
+}
+
+/// Repulsion, from what relax_tiles kept: until the wanted squared distance is there, or for so many passes; then the
+/// best is kept.
+kernel void repel_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
+                        ulong cells, global const uint* counts, global const uint* held_counts,
+                        global const uint* active_counts, uint passes, uint wanted, double distance,
+                        global int* all_points, global int* all_moved, global int* all_kept, global uint* squared_kept)
+{
+    const uint item = get_local_id(0);
+    const uint items = get_local_size(0);
+    const uint problem = problems[get_group_id(0)];
+    const ulong from = (ulong)problem * DIMENSION * capacity;
+    const TorusPoints points = {all_points + from, capacity, counts[problem] * copies, copies};
+    const TorusPoints moved = {all_moved + from, capacity, 0, 1};
+    const TorusPoints kept = {all_kept + from, capacity, 0, 1};
+    const uint first = held_counts[problem];
+    const uint end = first + active_counts[problem];
+    const Regions regions = regions_at(region_values);
+    local uint values[MAX_ITEMS];
+
+    for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&kept, i));
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    uint best = 0;
+    for (uint pass = 0; pass <= passes; ++pass) {
+        uint nearest = UINT_MAX;
+        for (uint i = first + item; i < end; i += items) {
+            const Position position = point_at(&points, i * copies);
+            const Position movement =
+                repelled(&points, &position, i * copies, first, end, distance, &nearest);
+            put_point(&moved, i, allowed_end(&position, &movement, &regions, cells, true));
+        }
+        nearest = smallest_of_group(nearest, values);
+        if (pass == 0 || nearest > best) {
+            best = nearest;
+            for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
+            if (item == 0) squared_kept[problem] = nearest;
+        }
+        if (nearest >= wanted || pass == passes) break;
+        for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&moved, i));
+        barrier(CLK_GLOBAL_MEM_FENCE);
+    }
+}
