@@ -64,7 +64,7 @@ private:
                     std::vector<FilledTorus>& results)
     {
         upload(problems);
-        throw_darts(stage.active, problems.size(), attempt, 0, active_targets_);
+        throw_darts(stage.active, attempt, 2 * stage.number, active_targets_);
         const std::vector<std::uint32_t> active_ends = counts_.read(0, problems.size());
         const std::vector<std::int32_t> thrown = points_.read(0, problems.size() * axes() * capacity_);
 
@@ -76,7 +76,7 @@ private:
         }
         groups_ = filled.size();
         problem_numbers_.write(filled);
-        throw_darts(stage.surroundings, problems.size(), attempt, 1, all_targets_);
+        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, all_targets_);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
         download(problems, active_ends, thrown, filled, results);
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    void throw_darts(const DartZone& zone, std::size_t, std::uint32_t attempt, std::uint32_t zone_number,
+    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
                      const Buffer<std::uint32_t>& targets)
     {
         throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,

@@ -30,6 +30,7 @@ struct DartZone
 struct FillStage
 {
     TileRegions regions;
+    std::uint32_t number = 0; ///< stages have their own random numbers
     bool is_one_tile = false; ///< the torus has one tile a side; points are below tile_units
     DartZone active;          ///< points move in these cells as well
     DartZone surroundings;    ///< points that are held, so that active ones are not drawn into empty space

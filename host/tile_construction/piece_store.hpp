@@ -1,0 +1,50 @@
+// The points of the pieces of a tile set while it is constructed.
+#pragma once
+
+#include "poisson_tiles/tile_pieces.hpp"
+#include "tile_construction/tile_torus.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// Points relative to the lowest corner of their piece's cell; negative on its lower side.
+using PiecePoints = std::vector<TilePosition>;
+
+/// How many points of a piece lie in each of the tiles around its cell. Bit k of the index: in the tile at the upper
+/// side of axis k, for axes along which the cell does not extend; others are 0.
+using PartCounts = std::array<int, 8>;
+
+PartCounts part_counts(const PiecePoints& points, std::uint8_t axes, int dimension);
+
+class PieceStore
+{
+public:
+    explicit PieceStore(const PoissonTileParameters& parameters);
+
+    PiecePoints& at(std::uint8_t axes, std::uint32_t variant) { return pieces_[axes][variant]; }
+    const PiecePoints& at(std::uint8_t axes, std::uint32_t variant) const { return pieces_[axes][variant]; }
+
+    /// Appends the points of a piece where it is, on the torus.
+    void place(const PlacedPiece& piece, std::vector<TilePosition>& points) const;
+
+    /// The points of placed pieces, on the torus.
+    std::vector<TilePosition> placed(std::span<const PlacedPiece> pieces) const;
+
+private:
+    std::array<std::vector<PiecePoints>, 8> pieces_;
+};
+
+/// The points of a torus that are in the region of a cell, relative to its lowest corner. `base`: the cell's, 0 or 1 for
+/// each axis; on the torus of one tile, all cells with these axes are the same one.
+PiecePoints cut_out(std::span<const TilePosition> points, const TileRegions& regions, std::uint8_t axes,
+                    const std::array<std::int8_t, 3>& base, bool is_one_tile);
+
+/// The number of the cell of a placed piece on the torus.
+unsigned cell_number(const PlacedPiece& piece, int dimension);
+
+}

@@ -1,0 +1,60 @@
+// The construction of Poisson disk (sphere) tile sets, stage by stage.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007: edge-based tiles (section 4.3), template tiles (4.4),
+// corner-based tiles (4.5), sphere tiles (4.6). Where this departs from it: all tori have two tiles a side, so that held
+// pieces do not meet themselves; the wanted distance must be reached on all of a torus that corners and edges are cut
+// from (or edges come out 4 to 6 % too sparse); of several candidates for a piece, that is taken whose number of points
+// makes up best for what its neighbours have too much or too little, so that all tiles have as many points left for
+// their interiors; and a tile that cannot be filled gets a new edge (face, corner), together with all that have it.
+#pragma once
+
+#include "poisson_tiles/poisson_tile_set.hpp"
+#include "poisson_tiles/tile_pieces.hpp"
+#include "tile_construction/tile_filling.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A torus that was filled, for those who want to look.
+struct ConstructionRecord
+{
+    std::uint8_t axes = 0; ///< of the piece that was made; all: the interior of a tile
+    std::uint32_t variant = 0;
+    std::array<std::int8_t, 3> base{}; ///< of its cell on the torus
+    std::vector<PlacedPiece> held;
+    const FillProblem* problem = nullptr;
+    const FilledTorus* filled = nullptr;
+};
+
+struct ConstructionOptions
+{
+    /// Told how many of a stage's tori or tiles are done.
+    std::function<void(const std::string& stage, std::size_t done, std::size_t total)> progress;
+
+    /// Told of each torus that a piece, or a tile's interior, is taken from.
+    std::function<void(const ConstructionRecord&)> record;
+};
+
+struct ConstructionReport
+{
+    std::size_t tori = 0;    ///< that were filled
+    std::size_t failures = 0; ///< that did not reach the wanted distance
+    std::size_t remade = 0;  ///< pieces that had to be made again because of a tile that could not be filled
+};
+
+struct ConstructedTileSet
+{
+    PoissonTileSet set; ///< not certified
+    ConstructionReport report;
+};
+
+/// Throws InputError for parameters that check() refuses, and where a piece or a tile does not reach the wanted
+/// distance: which one, and what relative radius was reached.
+ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
+                                      const ConstructionOptions& options = {});
+
+}
