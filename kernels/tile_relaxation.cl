@@ -20,6 +20,9 @@
 
 #define MAX_ITEMS 256 // of a work-group
 #define FAR 32767     // lengths above count as this: farther than any distance that is asked for
+#define LIST_WORDS (DIMENSION == 2 ? 64 : 256) // of a point's list of points around it
+#define MAX_LISTED (LIST_WORDS - 1)
+#define NO_LIST 65535
 #define UNIT_SHIFT 15 // units to 2^-32 of the torus
 #define UNIT_LENGTH 0x1p-17 // of the torus' side
 
@@ -82,46 +85,105 @@ uint smallest_of_group(uint value, local uint* values)
     return smallest;
 }
 
-/// Collects the points whose coordinates are all less than `reach` from a position; returns the squared distance of the nearest
-/// of them but the site itself.
-uint gather_box(Window* window, const TorusPoints* points, const Position* position, uint site, int reach)
+/// Appends a point to a window if it is inside; there is room for one more that is not.
+ALWAYS_INLINE void append_if(Window* window, const TorusPoints* points, uint entry, int is_inside)
 {
-    const uint8 far = FAR;
+    const uint at = window->count;
+    window->x[at] = points->c[entry] << UNIT_SHIFT;
+    window->y[at] = points->c[points->capacity + entry] << UNIT_SHIFT;
+#if DIMENSION == 3
+    window->z[at] = points->c[2 * points->capacity + entry] << UNIT_SHIFT;
+#endif
+    window->index[at] = entry;
+    window->count += is_inside & 1;
+}
+
+/// Which of eight points have coordinates that are all less than `reach` from a position.
+ALWAYS_INLINE int8 are_inside(const TorusPoints* points, uint from, const Position* position, int reach)
+{
+    int8 is_inside = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)from < (int8)(int)points->count;
+    FOR_EACH_AXIS(k)
+    {
+        const int8 difference = vload8(0, points->c + k * points->capacity + from) - position->c[k];
+        is_inside &= abs((difference << 15) >> 15) < (uint8)(uint)reach;
+    }
+    return is_inside;
+}
+
+/// Collects the points whose coordinates are all less than `reach` from a position; count > MAX_POINTS: too many.
+void gather_box(Window* window, const TorusPoints* points, const Position* position, int reach)
+{
     window->count = 0;
-    uint8 nearest = UINT_MAX;
     for (uint v = 0; v < points->count; v += LANES) {
-        const int8 entry = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)v;
-        int8 is_inside = entry < (int8)(int)points->count;
-        uint8 sum = 0;
-        int8 coordinate[DIMENSION];
-        FOR_EACH_AXIS(k)
-        {
-            coordinate[k] = vload8(0, points->c + k * points->capacity + v);
-            const uint8 length = abs(((coordinate[k] - position->c[k]) << 15) >> 15);
-            is_inside &= length < (uint8)(uint)reach;
-            const uint8 bounded = min(length, far);
-            sum += bounded * bounded;
-        }
+        const int8 is_inside = are_inside(points, v, position, reach);
         if (!any(is_inside)) continue;
-        nearest = min(nearest, select((uint8)UINT_MAX, sum, is_inside & (entry != (int8)(int)site)));
         if (window->count > MAX_POINTS - LANES) {
             window->count = MAX_POINTS + 1;
-            break;
+            return;
+        }
+        int inside[LANES];
+        vstore8(is_inside, 0, inside);
+        for (uint i = 0; i < LANES; ++i) append_if(window, points, v + i, inside[i]);
+    }
+}
+
+/// The same from a list that has all of these points, in its order.
+void gather_listed(Window* window, const TorusPoints* points, const Position* position, int reach,
+                   global const ushort* list)
+{
+    window->count = 0;
+    const uint count = list[0];
+    for (uint i = 1; i <= count; ++i) {
+        const uint entry = list[i];
+        int is_inside = 1;
+        FOR_EACH_AXIS(k)
+        {
+            const int length = abs(torus_difference_of(points->c[k * points->capacity + entry] - position->c[k]));
+            is_inside &= length < reach;
+        }
+        append_if(window, points, entry, is_inside);
+    }
+}
+
+/// Lists the points in a box for gather_listed: their number, then the points. Too many: NO_LIST.
+void list_box(const TorusPoints* points, const Position* position, int reach, global ushort* list)
+{
+    uint count = 0;
+    for (uint v = 0; v < points->count; v += LANES) {
+        const int8 is_inside = are_inside(points, v, position, reach);
+        if (!any(is_inside)) continue;
+        if (count > MAX_LISTED - LANES) {
+            list[0] = NO_LIST;
+            return;
         }
         int inside[LANES];
         vstore8(is_inside, 0, inside);
         for (uint i = 0; i < LANES; ++i) {
-            const uint at = window->count;
-            window->x[at] = points->c[v + i] << UNIT_SHIFT;
-            window->y[at] = points->c[points->capacity + v + i] << UNIT_SHIFT;
-#if DIMENSION == 3
-            window->z[at] = points->c[2 * points->capacity + v + i] << UNIT_SHIFT;
-#endif
-            window->index[at] = v + i;
-            window->count += inside[i] & 1;
+            list[1 + count] = (ushort)(v + i);
+            count += inside[i] & 1;
         }
     }
-    return smallest_lane(nearest);
+    list[0] = (ushort)count;
+}
+
+/// The squared distance of the nearest point of a window but the site.
+uint nearest_of_window(const Window* window, const Position* position, uint site)
+{
+    uint nearest = UINT_MAX;
+    for (uint i = 0; i < window->count; ++i) {
+        const int x = torus_difference_of((window->x[i] >> UNIT_SHIFT) - position->c[0]);
+        const int y = torus_difference_of((window->y[i] >> UNIT_SHIFT) - position->c[1]);
+        const uint a = min(abs(x), (uint)FAR);
+        const uint b = min(abs(y), (uint)FAR);
+        uint squared = a * a + b * b;
+#if DIMENSION == 3
+        const int z = torus_difference_of((window->z[i] >> UNIT_SHIFT) - position->c[2]);
+        const uint c = min(abs(z), (uint)FAR);
+        squared += c * c;
+#endif
+        nearest = min(nearest, window->index[i] == site ? UINT_MAX : squared);
+    }
+    return nearest;
 }
 
 /// From the site to the centroid of its cell among the points of a window, in units; false where a larger window is needed.
@@ -170,11 +232,14 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate whose active points have the wanted squared distance from all points or, where none has, the
 /// best one. `reaches`: half widths of the boxes that are looked into for Voronoi neighbours, one after the other;
-/// where none is enough, a point stays. Points themselves end as the last iterate.
+/// where none is enough, a point stays. For the first box, each point has a list of LIST_WORDS of the points in a box
+/// that is `slack` larger, for as long as movements cannot have brought in others. Points themselves end as the last
+/// iterate.
 kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
                         ulong cells, global const uint* counts, global const uint* held_counts,
                         global const uint* active_counts, uint iterations, uint wanted, global const int* reaches,
-                        uint reach_count, double spacing, global int* all_points, global double* all_doubles,
+                        uint reach_count, int slack, double spacing, global ushort* all_lists,
+                        uint max_active, global int* all_points, global double* all_doubles,
                         global int* all_moved, global int* all_kept, global uint* squared_kept)
 {
     const uint item = get_local_id(0);
@@ -190,29 +255,50 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
     const Regions regions = regions_at(region_values);
     local uint values[MAX_ITEMS];
 
+    global ushort* lists = all_lists + (ulong)problem * max_active * LIST_WORDS;
+
     for (uint i = item; i < counts[problem]; i += items) put_double(doubles, &points, i);
     barrier(CLK_GLOBAL_MEM_FENCE);
     uint best = 0;
+    int moved_by = slack; // at most, along any axis, since points were listed
     for (uint iteration = 0; iteration <= iterations; ++iteration) {
+        if (2 * moved_by >= slack) {
+            for (uint i = first + item; i < end; i += items) {
+                const Position position = point_at(&points, i * copies);
+                list_box(&points, &position, reaches[0] + slack, lists + (i - first) * LIST_WORDS);
+            }
+            moved_by = 0;
+        }
         uint nearest = UINT_MAX;
+        uint longest = 0;
         for (uint i = first + item; i < end; i += items) {
             const uint site = i * copies;
             const Position position = point_at(&points, site);
+            global const ushort* list = lists + (i - first) * LIST_WORDS;
             Window window;
             double displacement[3] = {0, 0, 0};
             bool is_found = false;
             for (uint r = 0; r < reach_count && !is_found; ++r) {
-                const uint near = gather_box(&window, &points, &position, site, reaches[r]);
-                if (r == 0) nearest = min(nearest, near);
+                if (r == 0 && list[0] != NO_LIST) {
+                    gather_listed(&window, &points, &position, reaches[0], list);
+                } else {
+                    gather_box(&window, &points, &position, reaches[r]);
+                }
+                if (r == 0) nearest = min(nearest, nearest_of_window(&window, &position, site));
                 if (iteration == iterations || window.count > MAX_POINTS) break;
                 if (window.count == 0) continue;
                 is_found = find_centroid(&window, &position, site, reaches[r], spacing, doubles, displacement);
             }
             Position movement;
             for (int k = 0; k < DIMENSION; ++k) movement.c[k] = is_found ? rounded(displacement[k]) : 0;
-            put_point(&moved, i, allowed_end(&position, &movement, &regions, cells, false));
+            const Position target = allowed_end(&position, &movement, &regions, cells, false);
+            for (int k = 0; k < DIMENSION; ++k) {
+                longest = max(longest, abs(torus_difference_of(target.c[k] - position.c[k])));
+            }
+            put_point(&moved, i, target);
         }
         nearest = smallest_of_group(nearest, values);
+        moved_by += (int)(UINT_MAX - smallest_of_group(UINT_MAX - longest, values));
         if (nearest >= wanted || nearest > best || iteration == 0) {
             best = min(nearest, wanted);
             for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));

@@ -2,6 +2,7 @@
 #include "tile_construction/tile_filling.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -19,6 +20,26 @@ std::vector<std::int32_t> region_values(const TileRegions& r)
 {
     return {r.width, r.pair_one, r.pair_sum, r.corner_one, r.corner_two, r.corner_three};
 }
+
+/// Half widths of the boxes in which Voronoi neighbours are looked for, one after the other; units.
+std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
+{
+    const std::vector<double> spacings =
+        settings.dimension == 2 ? std::vector<double>{1.9, 3, 4.6} : std::vector<double>{2.1, 3.2};
+    std::vector<std::int32_t> reaches;
+    for (const double factor : spacings) {
+        // A box is less than half of the torus, whose points are then all different.
+        const double reach = std::min<double>(factor * settings.spacing, tile_units - 1);
+        reaches.push_back(static_cast<std::int32_t>(reach));
+    }
+    return reaches;
+}
+
+/// How much larger the box is whose points are listed once for several iterations; in spacings.
+constexpr double list_slack = 0.5;
+
+/// As in the kernel.
+std::size_t list_words(int dimension) { return dimension == 2 ? 64 : 256; }
 
 class DeviceFiller final : public TileFiller
 {
@@ -46,9 +67,14 @@ public:
         region_values_.write(region_values(stage.regions));
         copies_ = stage.is_one_tile ? 1u << settings_.dimension : 1u;
         std::size_t most = 0;
-        for (const FillProblem& p : problems) most = std::max(most, p.held.size() + p.active + p.surroundings);
+        max_active_ = 0;
+        for (const FillProblem& p : problems) {
+            most = std::max(most, p.held.size() + p.active + p.surroundings);
+            max_active_ = std::max<std::size_t>(max_active_, p.active);
+        }
         capacity_ = (most * copies_ + lanes - 1) / lanes * lanes;
-        const std::size_t bytes = capacity_ * axes() * (3 * sizeof(std::int32_t) + sizeof(double));
+        const std::size_t bytes = capacity_ * axes() * (3 * sizeof(std::int32_t) + sizeof(double)) +
+                                  max_active_ * list_words(settings_.dimension) * sizeof(std::uint16_t);
         const std::size_t batch = std::max<std::size_t>(1, max_batch_bytes / std::max<std::size_t>(1, bytes));
         std::vector<FilledTorus> results;
         for (std::size_t i = 0; i < problems.size(); i += batch) {
@@ -64,7 +90,7 @@ private:
                     std::vector<FilledTorus>& results)
     {
         upload(problems);
-        throw_darts(stage.active, attempt, 2 * stage.number, active_targets_);
+        throw_darts(stage.active, attempt, 2 * stage.number, settings_.attempts, active_targets_);
         const std::vector<std::uint32_t> active_ends = counts_.read(0, problems.size());
         const std::vector<std::int32_t> thrown = points_.read(0, problems.size() * axes() * capacity_);
 
@@ -76,7 +102,7 @@ private:
         }
         groups_ = filled.size();
         problem_numbers_.write(filled);
-        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, all_targets_);
+        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts, all_targets_);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
         download(problems, active_ends, thrown, filled, results);
@@ -102,6 +128,7 @@ private:
         reserve(device_, moved_, n * per_problem);
         reserve(device_, kept_, n * per_problem);
         reserve(device_, doubles_, n * per_problem);
+        reserve(device_, lists_, std::max<std::size_t>(1, n * max_active_ * list_words(settings_.dimension)));
         for (Buffer<std::uint32_t>* buffer : {&problem_numbers_, &streams_, &held_, &active_, &active_targets_,
                                               &all_targets_, &counts_, &levels_, &squared_kept_})
             reserve(device_, *buffer, n);
@@ -128,13 +155,13 @@ private:
         }
     }
 
-    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
+    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number, std::uint32_t attempts,
                      const Buffer<std::uint32_t>& targets)
     {
         throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,
                    settings_.stream[0], settings_.stream[1], static_cast<std::uint32_t>(capacity_),
                    static_cast<std::uint32_t>(copies_), region_values_, zone.cells, zone.low, zone.extent,
-                   distances_, static_cast<std::uint32_t>(settings_.squared_distances.size()), settings_.attempts,
+                   distances_, static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts,
                    targets, points_, counts_, levels_);
     }
 
@@ -143,8 +170,9 @@ private:
         relax_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
                    static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
                    stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations, settings_.wanted,
-                   reach_values_, static_cast<std::uint32_t>(reaches_.size()), settings_.spacing, points_, doubles_,
-                   moved_, kept_, squared_kept_);
+                   reach_values_, static_cast<std::uint32_t>(reaches_.size()),
+                   static_cast<std::int32_t>(list_slack * settings_.spacing), settings_.spacing, lists_,
+                   static_cast<std::uint32_t>(max_active_), points_, doubles_, moved_, kept_, squared_kept_);
     }
 
     void repel(const FillStage& stage)
@@ -197,6 +225,7 @@ private:
     std::vector<std::int32_t> reaches_;
     std::size_t work_group_size_;
     std::size_t capacity_ = 0;
+    std::size_t max_active_ = 0;
     std::size_t copies_ = 1;
     std::size_t groups_ = 0;
     Kernel throw_, relax_, repel_;
@@ -204,6 +233,7 @@ private:
     Buffer<std::int32_t> reach_values_, region_values_;
     Buffer<std::int32_t> points_, moved_, kept_;
     Buffer<double> doubles_;
+    Buffer<std::uint16_t> lists_;
     Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_, levels_,
         squared_kept_;
 };

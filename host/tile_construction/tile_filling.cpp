@@ -9,6 +9,9 @@ namespace {
 /// Relaxation dart throwing is given up below this part of the radius that it starts from.
 constexpr double least_radius = 0.2;
 
+/// Surroundings of a tile are filled with this part of the attempts.
+constexpr std::uint32_t surroundings_share = 4;
+
 /// Passes of repulsion; those that succeed take 5 to 100.
 constexpr std::uint32_t max_repulsion_passes = 400;
 
@@ -31,25 +34,13 @@ FillSettings fill_settings(const PoissonTileParameters& p)
         settings.squared_distances.push_back(static_cast<std::uint32_t>(std::ceil(reduced * reduced)));
     }
     settings.attempts = p.attempts;
+    settings.surrounding_attempts = std::max<std::uint32_t>(1, p.attempts / surroundings_share);
     settings.lloyd_iterations = p.lloyd_iterations;
     settings.repulsion_passes = p.repulsion ? max_repulsion_passes : 0;
     settings.repulsion_distance = std::max(distance * repulsion_margin, distance + rounding_margin);
     settings.spacing = tile_units / std::pow(p.points_per_tile, 1.0 / p.dimension);
     settings.stream = stream_key(p.seed, Purpose::tile_filling, 0);
     return settings;
-}
-
-std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
-{
-    const std::vector<double> spacings =
-        settings.dimension == 2 ? std::vector<double>{1.9, 3, 4.6} : std::vector<double>{2.1, 3.2};
-    std::vector<std::int32_t> reaches;
-    for (const double factor : spacings) {
-        // A box is less than half of the torus, whose points are then all different.
-        const double reach = std::min<double>(factor * settings.spacing, tile_units - 1);
-        reaches.push_back(static_cast<std::int32_t>(reach));
-    }
-    return reaches;
 }
 
 }

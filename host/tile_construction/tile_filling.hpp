@@ -60,6 +60,7 @@ struct FillSettings
     int dimension = 2;
     std::vector<std::uint32_t> squared_distances; ///< that darts keep, one after the other
     std::uint32_t attempts = 0;                   ///< failed darts in a row before the next
+    std::uint32_t surrounding_attempts = 0;       ///< the same for surroundings, which need not be as good
     std::uint32_t lloyd_iterations = 0;
     std::uint32_t wanted = 0;                     ///< squared minimum distance
     std::uint32_t repulsion_passes = 0;           ///< at most
@@ -69,9 +70,6 @@ struct FillSettings
 };
 
 FillSettings fill_settings(const PoissonTileParameters& parameters);
-
-/// Half widths of the boxes in which Voronoi neighbours are looked for, one after the other; units.
-std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings);
 
 class TileFiller
 {

@@ -26,8 +26,8 @@ public:
     {}
 
     /// Throws darts until there are `count` more points; false when they do not fit.
-    bool throw_darts(const DartZone& zone, std::size_t count, std::uint32_t stream, std::uint32_t attempt,
-                     std::uint32_t zone_number)
+    bool throw_darts(const DartZone& zone, std::size_t count, std::uint32_t attempts, std::uint32_t stream,
+                     std::uint32_t attempt, std::uint32_t zone_number)
     {
         const std::size_t target = points_.size() + count;
         std::size_t level = 0;
@@ -38,7 +38,7 @@ public:
             if (squared_nearest(position, points_.size()) >= settings_.squared_distances[level]) {
                 points_.push_back(position);
                 failures = 0;
-            } else if (++failures == settings_.attempts) {
+            } else if (++failures == attempts) {
                 failures = 0;
                 if (++level == settings_.squared_distances.size()) break;
             }
@@ -241,11 +241,12 @@ private:
         Filling filling(settings_, stage, problem);
         FilledTorus result;
         const bool is_filled =
-            filling.throw_darts(stage.active, problem.active, problem.stream, attempt, 2 * stage.number);
+            filling.throw_darts(stage.active, problem.active, settings_.attempts, problem.stream, attempt, 2 * stage.number);
         filling.mark_active_end();
         result.thrown = filling.active();
         if (!is_filled) return result;
-        filling.throw_darts(stage.surroundings, problem.surroundings, problem.stream, attempt, 2 * stage.number + 1);
+        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts, problem.stream,
+                            attempt, 2 * stage.number + 1);
         filling.relax();
         if (settings_.repulsion_passes > 0) filling.repel();
         result.active = filling.active();
