@@ -7,13 +7,17 @@
 namespace poissonlab {
 namespace {
 
-struct Bounds
+/// The sum of f(distance along an axis) squared over the axes.
+template <unsigned Dimension, class Change>
+double squared(const std::array<double, 3>& a, const std::array<double, 3>& b, const Change& change)
 {
-    double centre;   ///< squared distance from the centre to the nearest point
-    double farthest; ///< squared: no place in the square is farther from its nearest point
-};
-
-double square_of(double value) { return value * value; }
+    double sum = 0;
+    for (std::size_t k = 0; k < Dimension; ++k) {
+        const double along = change(std::abs(a[k] - b[k]));
+        sum += along * along;
+    }
+    return sum;
+}
 
 }
 
@@ -25,43 +29,42 @@ double EmptyBallSearch::radius(std::span<const UnitPosition> points, double know
         candidates_.push_back(
             {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     constexpr double half = tile_units / 2.0;
-    search({{half, half, dimension_ == 3 ? half : 0}, half}, 0, candidates_.size());
+    if (dimension_ == 2)
+        search<2>({{half, half, 0}, half}, 0, candidates_.size());
+    else
+        search<3>({{half, half, half}, half}, 0, candidates_.size());
     return best_;
 }
 
 /// The candidates of the square are those from `first` to `last`.
+template <unsigned Dimension>
 void EmptyBallSearch::search(const Square& square, std::size_t first, std::size_t last)
 {
-    const double half_z = dimension_ == 3 ? square.half : 0;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Bounds bounds{infinity, infinity};
+    double nearest = std::numeric_limits<double>::infinity(); // from the centre, squared
+    double farthest =
+        std::numeric_limits<double>::infinity(); // any place of the square from its nearest point
     for (std::size_t i = first; i < last; ++i) {
-        const double x = std::abs(candidates_[i][0] - square.centre[0]);
-        const double y = std::abs(candidates_[i][1] - square.centre[1]);
-        const double z = std::abs(candidates_[i][2] - square.centre[2]);
-        bounds.centre = std::min(bounds.centre, x * x + y * y + z * z);
-        bounds.farthest = std::min(bounds.farthest, square_of(x + square.half) + square_of(y + square.half) +
-                                                        square_of(z + half_z));
+        const auto& point = candidates_[i];
+        nearest = std::min(nearest, squared<Dimension>(point, square.centre, [](double x) { return x; }));
+        farthest = std::min(
+            farthest, squared<Dimension>(point, square.centre, [&](double x) { return x + square.half; }));
     }
-    best_ = std::max(best_, std::sqrt(bounds.centre));
-    if (bounds.farthest <= square_of((1 + tolerance) * best_)) return;
+    best_ = std::max(best_, std::sqrt(nearest));
+    if (farthest <= (1 + tolerance) * best_ * ((1 + tolerance) * best_)) return;
 
-    // Points that are farther from all of the square than the farthest place from its nearest are nowhere
+    // Points that are farther from all of the square than any place in it from its nearest are nowhere
     // nearest.
     for (std::size_t i = first; i < last; ++i) {
-        const std::array<double, 3> point = candidates_[i];
-        const double x = std::max(std::abs(point[0] - square.centre[0]) - square.half, 0.0);
-        const double y = std::max(std::abs(point[1] - square.centre[1]) - square.half, 0.0);
-        const double z = std::max(std::abs(point[2] - square.centre[2]) - half_z, 0.0);
-        if (x * x + y * y + z * z <= bounds.farthest) candidates_.push_back(point);
+        const auto point = candidates_[i];
+        const auto outside = [&](double x) { return std::max(x - square.half, 0.0); };
+        if (squared<Dimension>(point, square.centre, outside) <= farthest) candidates_.push_back(point);
     }
     const std::size_t end = candidates_.size();
     const double half = square.half / 2;
-    for (unsigned child = 0; child < 1u << dimension_; ++child) {
+    for (unsigned child = 0; child < 1u << Dimension; ++child) {
         Square part{square.centre, half};
-        for (unsigned k = 0; k < static_cast<unsigned>(dimension_); ++k)
-            part.centre[k] += child >> k & 1 ? half : -half;
-        search(part, last, end);
+        for (std::size_t k = 0; k < Dimension; ++k) part.centre[k] += child >> k & 1 ? half : -half;
+        search<Dimension>(part, last, end);
         candidates_.resize(end);
     }
     candidates_.resize(last);

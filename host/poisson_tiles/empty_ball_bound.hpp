@@ -22,7 +22,8 @@ public:
     explicit EmptyBallSearch(int dimension) : dimension_(dimension) {}
 
     /// A radius in units, at least `known`, such that no circle around a centre in the tile has a larger one
-    /// than (1 + tolerance) times it. Some circle has it, unless it is `known`. There must be points.
+    /// than (1 + tolerance) times it. Some circle has it, up to rounding, unless it is
+    /// `known`. There must be points.
     double radius(std::span<const UnitPosition> points, double known);
 
 private:
@@ -32,6 +33,7 @@ private:
         double half;
     };
 
+    template <unsigned Dimension>
     void search(const Square& square, std::size_t first, std::size_t last);
 
     int dimension_;

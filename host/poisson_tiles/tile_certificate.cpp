@@ -66,7 +66,7 @@ struct Measures
 /// Goes along x: points that are farther apart along it than the smallest distance are not compared.
 std::uint64_t squared_min_distance(std::vector<UnitPosition>& points)
 {
-    std::ranges::sort(points);
+    std::ranges::sort(points, {}, [](const UnitPosition& position) { return position[0]; });
     std::int64_t smallest = INT64_MAX;
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = i + 1; j < points.size(); ++j) {
