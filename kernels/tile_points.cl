@@ -21,7 +21,7 @@
 #endif
 
 /// The place in the block of the tile `n` tiles after (x0, y0, z0).
-uint3 place_in_block(uint n, uint width, uint height, uint x0, uint y0, uint z0)
+PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint height, uint x0, uint y0, uint z0)
 {
     const uint row = (x0 + n) / width;
     const uint x = x0 + n - row * width;

@@ -10,6 +10,11 @@
 
 #ifdef __OPENCL_VERSION__
 #pragma OPENCL FP_CONTRACT OFF
+#ifdef __clang__ // without it PoCL calls functions, and runs one work-item at a time
+#define PTILES_FUNCTION static inline __attribute__((always_inline))
+#else
+#define PTILES_FUNCTION static inline
+#endif
 #define PTILES_STRUCT(name) struct name
 #define PTILES_BUFFER global const uint *ptiles_words,
 #define PTILES_WORDS ptiles_words,
@@ -20,6 +25,7 @@
 #define ptiles_int3 int3
 #define ptiles_float3 float3
 #else
+#define PTILES_FUNCTION
 #define PTILES_STRUCT(name) name
 #define PTILES_BUFFER
 #define PTILES_WORDS
@@ -49,35 +55,35 @@ struct ptiles_nearest {
     uint id;          ///< random bits that stay with the point
 };
 
-uint ptiles_mix(uint v)
+PTILES_FUNCTION uint ptiles_mix(uint v)
 {
     v = (v ^ (v >> 16)) * 0x21f0aaadu;
     v = (v ^ (v >> 15)) * 0xd35a2d97u;
     return v ^ (v >> 15);
 }
 
-uint ptiles_hash(uint seed, uint x, uint y, uint z)
+PTILES_FUNCTION uint ptiles_hash(uint seed, uint x, uint y, uint z)
 {
     return ptiles_mix(ptiles_mix(ptiles_mix(ptiles_mix(seed) + x) + y) + z);
 }
 
-uint ptiles_color(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y, uint z)
+PTILES_FUNCTION uint ptiles_color(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y, uint z)
 {
     return ptiles_hash(t.seed, x, y, z) % t.colors;
 }
 
 /// A place as the hash function takes it, and those after and before it, on the circle of a period or of 2^32.
-uint ptiles_place(int i, int period)
+PTILES_FUNCTION uint ptiles_place(int i, int period)
 {
     if (period == 0) return PTILES_UINT(i);
     // GLSL leaves the remainder of negative numbers undefined: -1 - i is not negative.
     return PTILES_UINT(i < 0 ? period - 1 - (-1 - i) % period : i % period);
 }
-uint ptiles_after(uint x, int period) { return x + 1u == PTILES_UINT(period) ? 0u : x + 1u; }
-uint ptiles_before(uint x, int period) { return (x == 0u ? PTILES_UINT(period) : x) - 1u; }
+PTILES_FUNCTION uint ptiles_after(uint x, int period) { return x + 1u == PTILES_UINT(period) ? 0u : x + 1u; }
+PTILES_FUNCTION uint ptiles_before(uint x, int period) { return (x == 0u ? PTILES_UINT(period) : x) - 1u; }
 
 /// The digits of a corner tile at the height z.
-uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y, uint z)
+PTILES_FUNCTION uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y, uint z)
 {
     uint east = ptiles_after(x, t.period);
     uint north = ptiles_after(y, t.period);
@@ -86,13 +92,13 @@ uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y, uint z)
 }
 
 /// Two more digits: the edges that go east from (x0, y0) and north from (x1, y1).
-uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1, uint y1)
+PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1, uint y1)
 {
     return (tile * t.colors + ptiles_color(t, x0, y0, 0u)) * t.colors + ptiles_color(t, x1, y1, 1u);
 }
 
 /// The number of the tile at (i, j, k); k is 0 in 2D.
-uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
+PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
 {
     uint x = ptiles_place(at.x, t.period);
     uint y = ptiles_place(at.y, t.period);
@@ -116,10 +122,10 @@ uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
 }
 
 /// The coordinate of this number among all of the buffer, in units of 1/65536.
-uint ptiles_units(PTILES_BUFFER uint n) { return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu; }
+PTILES_FUNCTION uint ptiles_units(PTILES_BUFFER uint n) { return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu; }
 
 /// The point of this index of a tile: from the tile's lowest corner, without rounding. In 2D z is 0.
-ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile, uint index)
+PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile, uint index)
 {
     uint n = (tile * t.points_per_tile + index) * t.dimension;
     ptiles_float3 p;
@@ -130,7 +136,7 @@ ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint ti
 }
 
 /// The squared distance along an axis of a position in the tile 0 from the tile `offset` tiles away.
-float ptiles_gap(float f, int offset)
+PTILES_FUNCTION float ptiles_gap(float f, int offset)
 {
     float gap = offset > 0 ? PTILES_FLOAT(offset) - f : offset < 0 ? f - PTILES_FLOAT(offset + 1) : 0.0f;
     return gap * gap;
@@ -138,7 +144,7 @@ float ptiles_gap(float f, int offset)
 
 /// The point nearest to a position in the tile at `home`, which is `f` from that tile's lowest corner; 0 <= f < 1, in
 /// 2D f.z = 0. Rings of tiles around that tile are visited as long as they can have a nearer point.
-PTILES_STRUCT(ptiles_nearest)
+PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
 ptiles_nearest_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 home, ptiles_float3 f)
 {
     bool is_3d = t.dimension == 3u;
