@@ -10,14 +10,23 @@
 #define VECTOR_OF(type, n) JOINED(type, n)
 #define VALUE16 VECTOR_OF(VALUE, 16)
 
-/// Past the caches, where the compiler can and vectors are aligned: what is written is not read again soon.
+// Vectors of 16 values at any value. Clang has types for that; it warns of functions that take or return such vectors
+// where the processor has none as long.
+#ifdef __clang__
+typedef VALUE16 LooseVector __attribute__((aligned(4)));
+#define LOAD(n, source) ((global const LooseVector*)(source))[n]
+#define STORE(vector, n, target) ((global LooseVector*)(target))[n] = (vector)
+#else
+#define LOAD(n, source) vload16(n, source)
+#define STORE(vector, n, target) vstore16(vector, n, target)
+#endif
+
+// Past the caches, where the compiler can and vectors are aligned: what is written is not read again soon.
 #if defined(__has_builtin)
 #if __has_builtin(__builtin_nontemporal_store) && VALUES % 16 == 0
+#undef STORE
 #define STORE(vector, n, target) __builtin_nontemporal_store(vector, (global VALUE16*)(target) + (n))
 #endif
-#endif
-#ifndef STORE
-#define STORE(vector, n, target) vstore16(vector, n, target)
 #endif
 
 /// The place in the block of the tile `n` tiles after (x0, y0, z0).
@@ -82,12 +91,12 @@ kernel void place_points(global const uint* tiles, global const VALUE* table, ui
     global VALUE* target = points + (size_t)id * VALUES;
     uint n = 0;
     for (; n + 3 <= VALUES / 16; n += 3) {
-        STORE(vload16(n, source) + a, n, target);
-        STORE(vload16(n + 1, source) + b, n + 1, target);
-        STORE(vload16(n + 2, source) + c, n + 2, target);
+        STORE(LOAD(n, source) + a, n, target);
+        STORE(LOAD(n + 1, source) + b, n + 1, target);
+        STORE(LOAD(n + 2, source) + c, n + 2, target);
     }
-    if (VALUES / 16 % 3 > 0) STORE(vload16(n, source) + a, n, target);
-    if (VALUES / 16 % 3 > 1) STORE(vload16(n + 1, source) + b, n + 1, target);
+    if (VALUES / 16 % 3 > 0) STORE(LOAD(n, source) + a, n, target);
+    if (VALUES / 16 % 3 > 1) STORE(LOAD(n + 1, source) + b, n + 1, target);
     for (n = VALUES / 16 * 16; n < VALUES; ++n) {
         const uint axis = n % DIMENSION;
         target[n] = source[n] + (axis == 0 ? x : axis == 1 ? y : FROM_PLACE(place.z));
