@@ -29,6 +29,8 @@ void check_numbers(const PoissonTileParameters& p)
     if (p.colors < 1 || tile_count(p.kind, p.dimension, p.colors) == 0)
         throw InputError(fmt::format("colors = {}: must be at least 1, and not too many to count {} tiles", p.colors,
                                      kind_name(p)));
+    if (p.kind == PoissonTileKind::frame && p.colors != 1)
+        throw InputError(fmt::format("colors = {}: must be 1, as template tiles have none", p.colors));
     if (p.points_per_tile < 4 || p.points_per_tile > 65536)
         throw InputError(fmt::format("points_per_tile = {}: must be an integer from 4 to 65536", p.points_per_tile));
     if (!(p.relative_radius > 0 && p.relative_radius < 1))
