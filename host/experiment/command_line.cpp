@@ -66,6 +66,14 @@ Scanline tilings start at their north-west tile; the window must be at 0 0.
 with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
+constexpr auto tiles_points_footer =
+    R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers from
+the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
+The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
+window, so that poissonlab analyze takes the points of a square one; for .npy, --domain N. Edges of the window are not
+those of a torus.
+  poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy)";
+
 /// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
 template <class Integer>
 CLI::Validator integer()
@@ -94,6 +102,7 @@ public:
         add_analyze();
         add_report();
         add_tiling();
+        add_tiles();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
         samplers_ =
             app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
@@ -110,6 +119,8 @@ private:
     void add_analyze();
     void add_report();
     void add_tiling();
+    void add_tiles();
+    void add_tiles_points();
     void explain();
     std::vector<std::string> command_names() const;
 
@@ -120,12 +131,15 @@ private:
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
     TilingOptions tiling_options_;
+    TilePointsOptions tiles_points_options_;
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* tiling_ = nullptr;
+    CLI::App* tiles_ = nullptr;
+    CLI::App* tiles_points_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
     CLI::App* help_ = nullptr;
@@ -211,6 +225,32 @@ void CommandLine::add_tiling()
     tiling_->footer(tiling_footer);
 }
 
+void CommandLine::add_tiles()
+{
+    tiles_ = app_.add_subcommand("tiles", "Poisson disk tile sets");
+    tiles_->require_subcommand(1);
+    add_tiles_points();
+}
+
+void CommandLine::add_tiles_points()
+{
+    TilePointsOptions& o = tiles_points_options_;
+    tiles_points_ = tiles_->add_subcommand("points", "Write the points of a window of a tiling to a file");
+    tiles_points_->add_option("FILE", o.file, "The tile set (.ptiles, .json)")->required();
+    tiles_points_->add_option("--window", o.window, "The tiles: lowest one, and how many along each axis")
+        ->option_text("X Y W H (3D: X Y Z W H D)")
+        ->expected(1, 6)
+        ->check(integer<std::int64_t>())
+        ->required();
+    tiles_points_->add_option("--out", o.out, "The point file")->option_text("FILE")->required();
+    tiles_points_->add_option("--seed", o.seed, "Which tiling; default: 1")
+        ->option_text("S")
+        ->check(integer<std::uint32_t>());
+    tiles_points_->add_option("--device", o.device, "The OpenCL device: part of its name, or its number")
+        ->option_text("NAME");
+    tiles_points_->footer(tiles_points_footer);
+}
+
 std::vector<std::string> CommandLine::command_names() const
 {
     std::vector<std::string> names;
@@ -276,6 +316,7 @@ void CommandLine::execute()
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
     if (*tiling_) tiling_command(tiling_options_);
+    if (*tiles_points_) tiles_points_command(tiles_points_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();

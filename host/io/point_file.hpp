@@ -3,8 +3,11 @@
 
 #include "geometry/point_set.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,5 +43,13 @@ std::vector<PointSet> read_points(const std::filesystem::path& path, std::option
 /// dimension), anything else text with 17 significant digits, so that reading back gives the same doubles.
 /// `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws StorageError.
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment = {});
+
+/// Takes whole points, coordinate after coordinate.
+using PointSink = std::function<void(std::span<const double> coordinates)>;
+
+/// The same for points that need not be in memory together, in any range of coordinates: calls `write` with what takes
+/// them, `points` points in all. `comment` may declare the range, as for read_points().
+void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
+                            const std::string& comment, const std::function<void(const PointSink& sink)>& write);
 
 }

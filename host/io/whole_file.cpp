@@ -50,14 +50,16 @@ private:
 
 /// Throws StorageError. Names `target`, the file that the user knows of, not `file`.
 void write_content(const std::filesystem::path& file, const std::filesystem::path& target,
-                   std::string_view content)
+                   const std::function<void(const FileSink& sink)>& write)
 {
     const auto fail = [&target] {
         throw StorageError(fmt::format("{}: cannot be written: {}", target.string(), last_system_error()));
     };
     FileHandle handle(std::fopen(file.c_str(), "wb"), &std::fclose);
     if (!handle) fail();
-    if (std::fwrite(content.data(), 1, content.size(), handle.get()) != content.size()) fail();
+    write([&](std::string_view bytes) {
+        if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) fail();
+    });
     // What is still buffered is written here, so a full disk may show up only now.
     if (std::fclose(handle.release()) != 0) fail();
 }
@@ -66,8 +68,14 @@ void write_content(const std::filesystem::path& file, const std::filesystem::pat
 
 void write_whole_file(const std::filesystem::path& path, std::string_view content)
 {
-    write_whole_file(
-        path, [&](const std::filesystem::path& temporary) { write_content(temporary, path, content); });
+    write_whole_file_in_pieces(path, [&](const FileSink& sink) { sink(content); });
+}
+
+void write_whole_file_in_pieces(const std::filesystem::path& path,
+                                const std::function<void(const FileSink& sink)>& write)
+{
+    write_whole_file(path,
+                     [&](const std::filesystem::path& temporary) { write_content(temporary, path, write); });
 }
 
 void write_whole_file(const std::filesystem::path& path,

@@ -12,6 +12,13 @@ namespace poissonlab {
 /// failure.
 void write_whole_file(const std::filesystem::path& path, std::string_view content);
 
+/// Puts bytes at the end of a file.
+using FileSink = std::function<void(std::string_view bytes)>;
+
+/// The same for content that comes in pieces: calls `write` with what takes them.
+void write_whole_file_in_pieces(const std::filesystem::path& path,
+                                const std::function<void(const FileSink& sink)>& write);
+
 /// For libraries that write files themselves: calls `write` with a temporary path that has the extension of
 /// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
 void write_whole_file(const std::filesystem::path& path,

@@ -52,6 +52,15 @@ struct TilingOptions
     std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
 };
 
+struct TilePointsOptions
+{
+    std::filesystem::path file; ///< the tile set
+    std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
+    std::uint32_t seed = 1;
+    std::filesystem::path out;
+    std::string device;
+};
+
 void run_command(const RunOptions& options, const ReportWriter& write_report);
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
 void report_command(const ReportOptions& options, const ReportWriter& write_report);
@@ -64,6 +73,9 @@ void samplers_command();
 
 /// Prints the tile indices of a window of a stochastic tiling, a row of tiles a line.
 void tiling_command(const TilingOptions& options);
+
+/// Writes the points of a window of a Poisson disk tiling to a file.
+void tiles_points_command(const TilePointsOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,

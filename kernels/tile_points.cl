@@ -1,0 +1,104 @@
+// The points of a block of tiles: see host/tile_points/tile_points.hpp.
+//
+// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of positions: float,
+// in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at (x0, y0, z0), and goes on
+// along x, then y, then z.
+#include "../runtime/poisson_tiles_gpu.h"
+
+#define VALUES (POINTS * DIMENSION) // of a tile
+#define JOINED(a, b) a##b
+#define VECTOR_OF(type, n) JOINED(type, n)
+#define VALUE16 VECTOR_OF(VALUE, 16)
+
+// Vectors of 16 values at any value. Clang has types for that; it warns of functions that take or return such vectors
+// where the processor has none as long.
+#ifdef __clang__
+typedef VALUE16 LooseVector __attribute__((aligned(4)));
+#define LOAD(n, source) ((global const LooseVector*)(source))[n]
+#define STORE(vector, n, target) ((global LooseVector*)(target))[n] = (vector)
+#else
+#define LOAD(n, source) vload16(n, source)
+#define STORE(vector, n, target) vstore16(vector, n, target)
+#endif
+
+// Past the caches, where the compiler can and vectors are aligned: what is written is not read again soon.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_nontemporal_store) && VALUES % 16 == 0
+#undef STORE
+#define STORE(vector, n, target) __builtin_nontemporal_store(vector, (global VALUE16*)(target) + (n))
+#endif
+#endif
+
+/// The place in the block of the tile `n` tiles after (x0, y0, z0).
+PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint height, uint x0, uint y0, uint z0)
+{
+    const uint row = (x0 + n) / width;
+    const uint x = x0 + n - row * width;
+    if (DIMENSION == 2) return (uint3)(x, y0 + row, 0);
+    return (uint3)(x, (y0 + row) % height, z0 + (y0 + row) / height);
+}
+
+/// One work-item finds the number of one tile.
+kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint height, uint x0,
+                          uint y0, uint z0, uint count, global uint* tiles)
+{
+    const uint id = get_global_id(0);
+    if (id >= count) return;
+    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, seed, period};
+    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    tiles[id] = ptiles_tile(tiling, (int3)(west + (int)place.x, south + (int)place.y, bottom + (int)place.z));
+}
+
+/// Units within a tile, and places of tiles, as positions.
+#define IS_float 1
+#define IS_uint 0
+#if VECTOR_OF(IS_, VALUE)
+#define FROM_UNITS(units) ((float)(units) / 65536)
+#define FROM_PLACE(place) ((float)(place))
+#else
+#define FROM_UNITS(units) ((uint)(units))
+#define FROM_PLACE(place) ((place) << 16)
+#endif
+
+/// One work-item converts one coordinate.
+kernel void convert_units(global const ushort* units, uint count, global VALUE* values)
+{
+    const uint id = get_global_id(0);
+    if (id < count) values[id] = FROM_UNITS(units[id]);
+}
+
+/// One work-item places one tile: its points from the table, and the tile's place added to each.
+kernel void place_points(global const uint* tiles, global const VALUE* table, uint width, uint height, uint x0, uint y0,
+                         uint z0, uint count, global VALUE* points)
+{
+    const uint id = get_global_id(0);
+    if (id >= count) return;
+    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    const VALUE x = FROM_PLACE(place.x);
+    const VALUE y = FROM_PLACE(place.y);
+#if DIMENSION == 2
+    const VALUE16 a = (VALUE16)(x, y, x, y, x, y, x, y, x, y, x, y, x, y, x, y);
+    const VALUE16 b = a;
+    const VALUE16 c = a;
+#else
+    // What is added to coordinates repeats after three vectors.
+    const VALUE z = FROM_PLACE(place.z);
+    const VALUE16 a = (VALUE16)(x, y, z, x, y, z, x, y, z, x, y, z, x, y, z, x);
+    const VALUE16 b = (VALUE16)(y, z, x, y, z, x, y, z, x, y, z, x, y, z, x, y);
+    const VALUE16 c = (VALUE16)(z, x, y, z, x, y, z, x, y, z, x, y, z, x, y, z);
+#endif
+    global const VALUE* source = table + (size_t)tiles[id] * VALUES;
+    global VALUE* target = points + (size_t)id * VALUES;
+    uint n = 0;
+    for (; n + 3 <= VALUES / 16; n += 3) {
+        STORE(LOAD(n, source) + a, n, target);
+        STORE(LOAD(n + 1, source) + b, n + 1, target);
+        STORE(LOAD(n + 2, source) + c, n + 2, target);
+    }
+    if (VALUES / 16 % 3 > 0) STORE(LOAD(n, source) + a, n, target);
+    if (VALUES / 16 % 3 > 1) STORE(LOAD(n + 1, source) + b, n + 1, target);
+    for (n = VALUES / 16 * 16; n < VALUES; ++n) {
+        const uint axis = n % DIMENSION;
+        target[n] = source[n] + (axis == 0 ? x : axis == 1 ? y : FROM_PLACE(place.z));
+    }
+}

@@ -1,0 +1,247 @@
+/* Poisson disk (sphere) distributions without end, from a tile set file: for renderers, games and tools.
+ *
+ * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 3 to 5: a hash function says which tile is where, so
+ * that points anywhere are found in constant time and nothing is stored but the tiles. docs/tile-set-file.md describes
+ * the file. C99 or C++, this header alone; it allocates nothing and calls no library. Tiles have side 1, the tile
+ * (i, j, k) has its lowest corner there; positions are from -2^31 + 2 to 2^31 - 3 along each axis. */
+#ifndef POISSON_TILES_H
+#define POISSON_TILES_H
+
+#include <stdint.h>
+
+/* The tiles: what a file says, and where its points are. Nothing is copied. */
+typedef struct ptiles_set {
+    uint32_t kind; /* 0: by colours of corners, 1: by colours of edges, 2: template tiles */
+    uint32_t dimension, colors, tiles, points_per_tile;
+    const uint16_t* points; /* in units of 1/65536, tile after tile, point after point, x before y before z */
+} ptiles_set;
+
+/* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0: never. */
+typedef struct ptiles_tiling {
+    ptiles_set set;
+    uint32_t seed;
+    int32_t period;
+} ptiles_tiling;
+
+typedef struct ptiles_point {
+    double position[3];
+    int32_t tile[3]; /* the place of its tile; 0 along z in 2D */
+    uint32_t index;  /* in its tile */
+    uint32_t id;     /* random bits that stay with the point (and its repetitions), such as for its looks */
+} ptiles_point;
+
+static inline uint32_t ptiles_word(const unsigned char* bytes)
+{
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+/* How many tiles a set has that knows so many colours; 0: more than there can be. Template tiles: any number. */
+static inline uint32_t ptiles_tile_count(uint32_t kind, uint32_t dimension, uint32_t colors)
+{
+    uint64_t count = 1;
+    const uint32_t digits = kind == 1 ? 12 : 1u << dimension;
+    for (uint32_t digit = 0; digit < digits; ++digit) {
+        count *= colors;
+        if (count > 0xffffffffu) return 0;
+    }
+    return (uint32_t)count;
+}
+
+/* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be used;
+ * otherwise what is wrong. Checks all numbers that are used here, not the checksum. */
+static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_t size)
+{
+    const unsigned char* bytes = (const unsigned char*)file;
+    const char* magic = "PTILES\r\n";
+    const uint16_t one = 1;
+    if (size < 128) return "shorter than the header of a tile set file";
+    for (int i = 0; i < 8; ++i)
+        if (bytes[i] != (unsigned char)magic[i]) return "not a tile set file";
+    if (ptiles_word(bytes + 8) != 1 || ptiles_word(bytes + 12) != 128) return "an unknown version of the file format";
+    set->kind = ptiles_word(bytes + 16);
+    set->dimension = ptiles_word(bytes + 20);
+    set->colors = ptiles_word(bytes + 24);
+    set->tiles = ptiles_word(bytes + 28);
+    set->points_per_tile = ptiles_word(bytes + 32);
+    set->points = (const uint16_t*)(const void*)(bytes + 128);
+    if (set->kind > 2 || (set->dimension != 2 && (set->dimension != 3 || set->kind != 0)))
+        return "an unknown kind of tiles";
+    if (set->colors == 0 || set->tiles == 0 || set->points_per_tile == 0 || set->points_per_tile > 65536 ||
+        (set->kind != 2 && set->tiles != ptiles_tile_count(set->kind, set->dimension, set->colors)))
+        return "numbers of colours, tiles and points that do not fit together";
+    if (size != 128 + (uint64_t)2 * set->tiles * set->points_per_tile * set->dimension)
+        return "too short or too long for its points";
+    if (*(const unsigned char*)&one != 1) return "files are little-endian, this machine is not";
+    if ((uintptr_t)file % 2 != 0) return "bytes must be at an even address";
+    return 0;
+}
+
+static inline uint32_t ptiles_mix(uint32_t v)
+{
+    v = (v ^ v >> 16) * 0x21f0aaadu;
+    v = (v ^ v >> 15) * 0xd35a2d97u;
+    return v ^ v >> 15;
+}
+
+static inline uint32_t ptiles_hash(uint32_t seed, uint32_t x, uint32_t y, uint32_t z)
+{
+    return ptiles_mix(ptiles_mix(ptiles_mix(ptiles_mix(seed) + x) + y) + z);
+}
+
+static inline uint32_t ptiles_color(const ptiles_tiling* t, uint32_t x, uint32_t y, uint32_t z)
+{
+    return ptiles_hash(t->seed, x, y, z) % t->set.colors;
+}
+
+/* A place as the hash function takes it, and those after and before it, on the circle of a period or of 2^32. */
+static inline uint32_t ptiles_place(int32_t i, int32_t period)
+{
+    if (period != 0) i = i % period < 0 ? i % period + period : i % period;
+    return (uint32_t)i;
+}
+static inline uint32_t ptiles_after(uint32_t x, int32_t period) { return x + 1 == (uint32_t)period ? 0 : x + 1; }
+static inline uint32_t ptiles_before(uint32_t x, int32_t period) { return (x == 0 ? (uint32_t)period : x) - 1; }
+
+/* The digits of a corner tile: NE, SE, SW, NW at the height z. */
+static inline uint32_t ptiles_corners(const ptiles_tiling* t, uint32_t x, uint32_t y, uint32_t z)
+{
+    const uint32_t c = t->set.colors, east = ptiles_after(x, t->period), north = ptiles_after(y, t->period);
+    const uint32_t ne = ptiles_color(t, east, north, z), se = ptiles_color(t, east, y, z);
+    return ((ne * c + se) * c + ptiles_color(t, x, y, z)) * c + ptiles_color(t, x, north, z);
+}
+
+/* The digits of an edge tile: N, E, S, W; then, two at each corner, NE, SE, SW, NW, what leaves the tile there. */
+static inline uint32_t ptiles_edges(const ptiles_tiling* t, uint32_t x, uint32_t y)
+{
+    const uint32_t east = ptiles_after(x, t->period), west = ptiles_before(x, t->period);
+    const uint32_t north = ptiles_after(y, t->period), south = ptiles_before(y, t->period);
+    /* Each edge by the lattice point from which it goes east (0) or north (1). */
+    const uint32_t edges[12][3] = {{x, north, 0},    {east, y, 1},     {x, y, 0},    {x, y, 1},
+                                   {east, north, 0}, {east, north, 1}, {east, y, 0}, {east, south, 1},
+                                   {west, y, 0},     {x, south, 1},    {west, north, 0}, {x, north, 1}};
+    uint32_t tile = 0;
+    for (int e = 0; e < 12; ++e)
+        tile = tile * t->set.colors + ptiles_color(t, edges[e][0], edges[e][1], edges[e][2]);
+    return tile;
+}
+
+/* The number of the tile at a place; k: 0 in 2D. */
+static inline uint32_t ptiles_tile(const ptiles_tiling* t, int32_t i, int32_t j, int32_t k)
+{
+    const uint32_t x = ptiles_place(i, t->period), y = ptiles_place(j, t->period), z = ptiles_place(k, t->period);
+    const uint32_t c = t->set.colors;
+    if (t->set.kind == 2) return ptiles_hash(t->seed, x, y, 0) % t->set.tiles;
+    if (t->set.kind == 1) return ptiles_edges(t, x, y);
+    if (t->set.dimension == 2) return ptiles_corners(t, x, y, 0);
+    return ptiles_corners(t, x, y, ptiles_after(z, t->period)) * (c * c * c * c) + ptiles_corners(t, x, y, z);
+}
+
+/* The coordinates of a tile's points: points_per_tile times `dimension` numbers. */
+static inline const uint16_t* ptiles_points(const ptiles_set* set, uint32_t tile)
+{
+    return set->points + (uint64_t)tile * set->points_per_tile * set->dimension;
+}
+
+/* The point of the tile at this place whose coordinates are `units`. */
+static inline ptiles_point ptiles_point_at(const ptiles_tiling* t, const int32_t tile[3], uint32_t index,
+                                           const uint16_t* units)
+{
+    ptiles_point p = {{0, 0, 0}, {tile[0], tile[1], tile[2]}, index, 0};
+    uint32_t place[3];
+    for (uint32_t a = 0; a < 3; ++a) {
+        place[a] = ptiles_place(tile[a], t->period);
+        if (a < t->set.dimension) p.position[a] = tile[a] + units[a] / 65536.0;
+    }
+    p.id = ptiles_mix(ptiles_hash(t->seed, place[0], place[1], place[2]) + 1 + index);
+    return p;
+}
+
+static inline int32_t ptiles_floor(double x) { return (int32_t)x - (x < (int32_t)x); }
+
+/* All points p with low <= p < high along each axis: how many there are, the first `capacity` of them in `points`.
+ * Rows of tiles from south to north (3D: layers from the bottom), in each from west to east. */
+static inline uint64_t ptiles_in_window(const ptiles_tiling* t, const double* low, const double* high,
+                                        ptiles_point* points, uint64_t capacity)
+{
+    const uint32_t d = t->set.dimension;
+    int32_t at[3], first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+    uint64_t found = 0;
+    for (uint32_t a = 0; a < d; ++a) {
+        first[a] = ptiles_floor(low[a]);
+        last[a] = ptiles_floor(high[a]);
+    }
+    for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+        for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+            for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
+                const uint16_t* units = ptiles_points(&t->set, ptiles_tile(t, at[0], at[1], at[2]));
+                for (uint32_t n = 0; n < t->set.points_per_tile; ++n, units += d) {
+                    int inside = 1;
+                    for (uint32_t a = 0; a < d; ++a) {
+                        const double x = at[a] + units[a] / 65536.0;
+                        inside = inside && x >= low[a] && x < high[a];
+                    }
+                    if (!inside) continue;
+                    if (found < capacity) points[found] = ptiles_point_at(t, at, n, units);
+                    ++found;
+                }
+            }
+    return found;
+}
+
+/* The squared distance of x, in the tile 0 at `f`, from the tile `offset` tiles away along this axis. */
+static inline double ptiles_gap(double f, int32_t offset)
+{
+    const double gap = offset > 0 ? offset - f : offset < 0 ? f - (offset + 1) : 0;
+    return gap * gap;
+}
+
+/* If one of a tile's points is nearer than `squared`, the nearest of them, and its squared distance. `f` is the
+ * position relative to the lowest corner of the tile `home`. */
+static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], const double f[3],
+                                const int32_t offset[3], double* squared, ptiles_point* nearest)
+{
+    const int32_t tile[3] = {home[0] + offset[0], home[1] + offset[1], home[2] + offset[2]};
+    const uint32_t d = t->set.dimension;
+    const uint16_t* units = ptiles_points(&t->set, ptiles_tile(t, tile[0], tile[1], tile[2]));
+    uint32_t best = t->set.points_per_tile; /* none */
+    for (uint32_t n = 0; n < t->set.points_per_tile; ++n) {
+        double sum = 0;
+        for (uint32_t a = 0; a < d; ++a) {
+            const double difference = offset[a] + units[n * d + a] / 65536.0 - f[a];
+            sum += difference * difference;
+        }
+        if (sum >= *squared) continue;
+        *squared = sum;
+        best = n;
+    }
+    if (best < t->set.points_per_tile) *nearest = ptiles_point_at(t, tile, best, units + best * d);
+}
+
+/* The point that is nearest to a position, of several the one in the tile that is visited first: rings of tiles around
+ * that of the position, as long as they can have a nearer point. Returns the squared distance. */
+static inline double ptiles_nearest(const ptiles_tiling* t, const double* position, ptiles_point* nearest)
+{
+    const int32_t d = (int32_t)t->set.dimension;
+    int32_t home[3] = {0, 0, 0}, o[3];
+    double f[3] = {0, 0, 0}, squared = 1e300, border = 1; /* of the home tile */
+    for (int32_t a = 0; a < d; ++a) {
+        home[a] = ptiles_floor(position[a]);
+        f[a] = position[a] - home[a];
+        if (f[a] < border) border = f[a];
+        if (1 - f[a] < border) border = 1 - f[a];
+    }
+    for (int32_t ring = 0; ring == 0 || (border + ring - 1) * (border + ring - 1) < squared; ++ring) {
+        const int32_t layers = d == 3 ? ring : 0;
+        for (o[2] = -layers; o[2] <= layers; ++o[2])
+            for (o[1] = -ring; o[1] <= ring; ++o[1]) {
+                /* Of rows inside the ring, only the ends. */
+                const int outer = o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
+                for (o[0] = -ring; o[0] <= ring; o[0] += outer || ring == 0 ? 1 : 2 * ring)
+                    if (ptiles_gap(f[0], o[0]) + ptiles_gap(f[1], o[1]) + ptiles_gap(f[2], o[2]) < squared)
+                        ptiles_visit(t, home, f, o, &squared, nearest);
+            }
+    }
+    return squared;
+}
+
+#endif

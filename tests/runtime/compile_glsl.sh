@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# runtime/poisson_tiles_gpu.h in a GLSL 4.3 shader: compiled where glslangValidator is there, otherwise only preprocessed,
+# with a look that nothing of OpenCL C is left.
+#
+# Usage: compile_glsl.sh HEADER
+set -euo pipefail
+
+shader=$(mktemp --suffix=.comp)
+trap 'rm -f "$shader" "$shader.out"' EXIT
+{
+    echo 'layout(local_size_x = 64) in;'
+    echo 'layout(std430, binding = 0) readonly buffer PoissonTiles { uint ptiles_words[]; };'
+    echo 'layout(std430, binding = 1) writeonly buffer Result { uint ids[]; };'
+    echo 'layout(std140, binding = 2) uniform TileSet { uvec4 numbers; };'
+    cat "$1"
+    cat <<'END'
+void main()
+{
+    ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0);
+    ivec3 home = ivec3(gl_GlobalInvocationID);
+    ids[home.x] = ptiles_nearest_point(t, home, vec3(0.5, 0.5, 0.0)).id;
+}
+END
+} >"$shader"
+
+if command -v glslangValidator >/dev/null; then
+    sed -i '1i #version 430' "$shader"
+    glslangValidator -S comp "$shader"
+    glslangValidator --target-env vulkan1.0 -S comp "$shader"
+else
+    echo 'no glslangValidator: preprocessed only'
+    cpp -undef -P "$shader" "$shader.out"
+    grep -q 'ivec3 place = home + ivec3(i, j, k);' "$shader.out"
+    ! grep -E '\(int3\)|\bglobal\b|\bstruct ptiles_tiling t\b|PTILES_' "$shader.out"
+fi

@@ -1,0 +1,57 @@
+// Tile sets of any kind with arbitrary points, and their files: for tests of look-ups, to which distances do not matter.
+#pragma once
+
+#include "poisson_tiles/poisson_tile_set.hpp"
+
+#include <bit>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+
+namespace poissonlab {
+
+/// `tiles`: of template tiles; other kinds have as many as their colours give.
+inline PoissonTileSet random_tile_set(PoissonTileKind kind, int dimension, std::uint32_t colors,
+                                      std::uint32_t points_per_tile, std::uint32_t tiles = 1)
+{
+    PoissonTileSet set;
+    PoissonTileParameters& p = set.parameters;
+    p.kind = kind;
+    p.dimension = dimension;
+    p.colors = colors;
+    p.tiles = kind == PoissonTileKind::frame ? tiles : tile_count(kind, dimension, colors);
+    p.points_per_tile = points_per_tile;
+    p.relative_radius = 0.5;
+    std::mt19937_64 random(colors * 1000 + points_per_tile);
+    set.points.resize(std::size_t{p.tiles} * points_per_tile * static_cast<std::size_t>(dimension));
+    for (std::uint16_t& coordinate : set.points) coordinate = static_cast<std::uint16_t>(random());
+    return set;
+}
+
+/// What docs/tile-set-file.md says, but for the checksum and parameters that nothing depends on, which are 0.
+inline std::string tile_set_file_bytes(const PoissonTileSet& set)
+{
+    std::string bytes = "PTILES\r\n";
+    const auto put = [&](std::uint64_t value, int size) {
+        for (int byte = 0; byte < size; ++byte) bytes.push_back(static_cast<char>(value >> 8 * byte));
+    };
+    const PoissonTileParameters& p = set.parameters;
+    for (const std::uint32_t word : {1u, 128u, static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension),
+                                     p.colors, p.tiles, p.points_per_tile, 0u})
+        put(word, 4);
+    put(set.squared_min_distance, 8);
+    put(std::bit_cast<std::uint64_t>(p.relative_radius), 8);
+    put(p.seed, 8);
+    bytes.resize(128);
+    for (const std::uint16_t coordinate : set.points) put(coordinate, 2);
+    return bytes;
+}
+
+inline void write_tile_set_file(const std::filesystem::path& path, const PoissonTileSet& set)
+{
+    const std::string bytes = tile_set_file_bytes(set);
+    std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+}
