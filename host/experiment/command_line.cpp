@@ -66,6 +66,12 @@ Scanline tilings start at their north-west tile; the window must be at 0 0.
 with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
+constexpr auto tiles_build_footer =
+    R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good for
+relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
+  poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
+  poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
+
 constexpr auto tiles_points_footer =
     R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers from
 the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
@@ -120,6 +126,7 @@ private:
     void add_report();
     void add_tiling();
     void add_tiles();
+    void add_tiles_build();
     void add_tiles_points();
     void explain();
     std::vector<std::string> command_names() const;
@@ -131,6 +138,7 @@ private:
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
     TilingOptions tiling_options_;
+    TileBuildOptions tiles_build_options_;
     TilePointsOptions tiles_points_options_;
     std::string topic_;
     bool help_wanted_ = false;
@@ -139,6 +147,7 @@ private:
     CLI::App* report_ = nullptr;
     CLI::App* tiling_ = nullptr;
     CLI::App* tiles_ = nullptr;
+    CLI::App* tiles_build_ = nullptr;
     CLI::App* tiles_points_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
@@ -229,7 +238,42 @@ void CommandLine::add_tiles()
 {
     tiles_ = app_.add_subcommand("tiles", "Poisson disk tile sets");
     tiles_->require_subcommand(1);
+    add_tiles_build();
     add_tiles_points();
+}
+
+void CommandLine::add_tiles_build()
+{
+    TileBuildOptions& o = tiles_build_options_;
+    tiles_build_ = tiles_->add_subcommand("build", "Build a tile set and prove the minimum distance of its tilings");
+    tiles_build_->add_option("KIND", o.kind, "corner, edge, template or sphere")->required();
+    tiles_build_->add_option("--colors", o.colors, "Number of colours; not for template tiles")
+        ->option_text("C")
+        ->check(integer<std::uint32_t>());
+    tiles_build_->add_option("--tiles", o.tiles, "Number of template tiles")
+        ->option_text("T")
+        ->check(integer<std::uint32_t>());
+    tiles_build_->add_option("--points", o.points, "Points of each tile")
+        ->option_text("N")
+        ->check(integer<std::uint32_t>())
+        ->required();
+    tiles_build_->add_option("--relative-radius", o.relative_radius, "That every tiling has at least; default: 0.75")
+        ->option_text("RHO");
+    tiles_build_->add_option("--filling", o.filling, "dart-throwing or relaxation-dart-throwing (the default)")
+        ->option_text("NAME");
+    tiles_build_->add_option("--lloyd", o.lloyd_iterations, "Lloyd iterations of each piece; default: 20")
+        ->option_text("I")
+        ->check(integer<std::uint32_t>());
+    tiles_build_->add_flag("--repulsion", o.repulsion, "Push apart what Lloyd relaxation leaves too close");
+    tiles_build_->add_option("--seed", o.seed, "Everything random follows from it; default: 1")
+        ->option_text("S")
+        ->check(integer<std::uint64_t>());
+    tiles_build_->add_option("--out", o.out, "The file: .ptiles, or .json for people")->option_text("FILE")->required();
+    tiles_build_->add_option("--engine", o.engine, "opencl (the default), or reference")->option_text("NAME");
+    tiles_build_->add_option("--device", o.device, "The OpenCL device: part of its name, or its number")
+        ->option_text("NAME");
+    tiles_build_->add_flag("--quiet", o.quiet, "Print nothing but errors");
+    tiles_build_->footer(tiles_build_footer);
 }
 
 void CommandLine::add_tiles_points()
@@ -316,6 +360,7 @@ void CommandLine::execute()
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
     if (*tiling_) tiling_command(tiling_options_);
+    if (*tiles_build_) tiles_build_command(tiles_build_options_);
     if (*tiles_points_) tiles_points_command(tiles_points_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();

@@ -4,7 +4,7 @@
 #include "experiment/analysis_options.hpp"
 #include "experiment/sampler_table.hpp"
 #include "experiment/tiling_table.hpp"
-#include "sampling/sampler.hpp"
+#include "experiment/sampler_registry.hpp"
 
 #include <cstdint>
 #include <filesystem>

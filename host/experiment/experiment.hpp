@@ -104,6 +104,7 @@ struct SeriesResult
     std::vector<std::string> point_files;                 ///< relative to the output folder
     std::vector<double> sample_seconds;
     double build_seconds = 0;
+    double preparation_seconds = 0;
     double analysis_seconds = 0;
 };
 

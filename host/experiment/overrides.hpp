@@ -2,7 +2,7 @@
 #pragma once
 
 #include "experiment/config_tree.hpp"
-#include "sampling/sampler.hpp"
+#include "experiment/sampler_registry.hpp"
 
 #include <string>
 #include <vector>

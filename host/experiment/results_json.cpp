@@ -162,6 +162,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     json["point_files"] = result.point_files;
     json["timing"] = {{"sample_seconds", result.sample_seconds},
                       {"build_seconds", result.build_seconds},
+                      {"preparation_seconds", result.preparation_seconds},
                       {"analysis_seconds", result.analysis_seconds}};
     return json;
 }

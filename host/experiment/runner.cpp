@@ -100,13 +100,20 @@ void store_zone_plate(const ZonePlateAnalysis& zone_plate, const std::map<std::s
     result.analysis_seconds += zone_plate.seconds();
 }
 
+/// Methods that tile know their lattice.
+AnalysisOptions analysis_of(const Sampler& sampler, AnalysisOptions options)
+{
+    if (options.tiles == 0) options.tiles = static_cast<int>(sampler.tiles_along_axis());
+    return options;
+}
+
 /// Makes, analyses and stores one series in `folder`.
 SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
                         const std::filesystem::path& folder, Progress& progress)
 {
     const auto begin = Clock::now();
     const auto sampler = task.create();
-    SeriesAnalysis analysis(task.label, sampler->sizes_vary(), experiment.analysis);
+    SeriesAnalysis analysis(task.label, sampler->sizes_vary(), analysis_of(*sampler, experiment.analysis));
     ZonePlateAnalysis zone_plate;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds;
@@ -146,6 +153,7 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
     // Reading a file is not sampling: imported sets have no times.
     if (!experiment.engine.empty()) result.sample_seconds = std::move(sample_seconds);
     result.build_seconds = sampler->build_seconds();
+    result.preparation_seconds = sampler->preparation_seconds();
     result.analysis_seconds += seconds_since(averaging);
     progress.finish_series(summary(task, result, seconds_since(begin)));
     return result;

@@ -43,6 +43,13 @@ void check_numbers(const PoissonTileParameters& p)
 
 }
 
+void set_dart_throwing(PoissonTileParameters& parameters)
+{
+    parameters.filling = TileFilling::dart_throwing;
+    parameters.attempts = 10'000;
+    parameters.factor = 1;
+}
+
 std::string kind_name(const PoissonTileParameters& parameters)
 {
     switch (parameters.kind) {

@@ -46,6 +46,9 @@ struct PoissonTileParameters
     bool operator==(const PoissonTileParameters&) const = default;
 };
 
+/// Plain dart throwing, given up after ten thousand failures in a row.
+void set_dart_throwing(PoissonTileParameters& parameters);
+
 /// "corner", "edge", "template" or "sphere".
 std::string kind_name(const PoissonTileParameters& parameters);
 

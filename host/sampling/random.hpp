@@ -19,6 +19,7 @@ enum class Purpose : std::uint32_t
     tile_filling = 5,
     tiling_colors = 16,
     scanline_tiling = 17,
+    tile_choice = 18,
 };
 
 /// The 64-bit key of one independent stream.

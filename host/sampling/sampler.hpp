@@ -56,6 +56,12 @@ public:
 
     /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.
     virtual double build_seconds() const { return 0; }
+
+    /// Seconds spent on what all realizations have in common, such as a tile set, without building kernels.
+    virtual double preparation_seconds() const { return 0; }
+
+    /// Of how many tiles along each axis the sets are made; 0: of none.
+    virtual std::uint32_t tiles_along_axis() const { return 0; }
 };
 
 /// Gives the OpenCL device, opened at the first call. Throws DeviceError when there is none.
@@ -97,11 +103,11 @@ struct SamplerSpec
 /// Samplers in the order in which help and errors list them.
 using SamplerRegistry = std::vector<SamplerSpec>;
 
-/// All samplers.
-const SamplerRegistry& sampler_registry();
+/// The samplers of this folder.
+const SamplerRegistry& basic_samplers();
 
 /// The sampler of that name, or null.
 const SamplerSpec* find_sampler(const std::string& name,
-                                const SamplerRegistry& registry = sampler_registry());
+                                const SamplerRegistry& registry = basic_samplers());
 
 }

@@ -1,4 +1,5 @@
 // One test for each kind of mistake in a config, on the whole message.
+#include "experiment/sampler_registry.hpp"
 #include "experiment/config.hpp"
 #include "experiment/message_of.hpp"
 #include "experiment/plan.hpp"

@@ -1,6 +1,7 @@
 // A registry with a sampler that starts from another one, as iterative methods do, made for the tests.
 #pragma once
 
+#include "experiment/sampler_registry.hpp"
 #include "sampling/sampler.hpp"
 
 namespace poissonlab {

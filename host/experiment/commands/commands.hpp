@@ -52,6 +52,23 @@ struct TilingOptions
     std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
 };
 
+struct TileBuildOptions
+{
+    std::string kind; ///< "corner", "edge", "template" or "sphere"
+    std::uint32_t colors = 0;
+    std::uint32_t tiles = 0; ///< of template tiles
+    std::uint32_t points = 0;
+    double relative_radius = 0.75;
+    std::string filling = "relaxation-dart-throwing";
+    std::uint32_t lloyd_iterations = 20;
+    bool repulsion = false;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+    std::string engine = "opencl";
+    std::string device;
+    bool quiet = false;
+};
+
 struct TilePointsOptions
 {
     std::filesystem::path file; ///< the tile set
@@ -73,6 +90,9 @@ void samplers_command();
 
 /// Prints the tile indices of a window of a stochastic tiling, a row of tiles a line.
 void tiling_command(const TilingOptions& options);
+
+/// Builds a tile set, proves its minimum distance, and writes it.
+void tiles_build_command(const TileBuildOptions& options);
 
 /// Writes the points of a window of a Poisson disk tiling to a file.
 void tiles_points_command(const TilePointsOptions& options);

@@ -1,7 +1,7 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
 #include "experiment/commands/commands.hpp"
 #include "experiment/sampler_table.hpp"
-#include "sampling/sampler.hpp"
+#include "experiment/sampler_registry.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,6 @@
-// The list of all samplers. To add one, describe it and put it here.
+// The samplers that use no tiles. To add one, describe it and put it here.
 #include "sampling/baselines.hpp"
 #include "sampling/dart_throwing.hpp"
-#include "sampling/file_sampler.hpp"
 #include "sampling/lloyd_relaxation.hpp"
 #include "sampling/relaxation_dart_throwing.hpp"
 #include "sampling/sampler.hpp"
@@ -10,7 +9,7 @@
 
 namespace poissonlab {
 
-const SamplerRegistry& sampler_registry()
+const SamplerRegistry& basic_samplers()
 {
     static const SamplerRegistry registry = {
         random_sampler(),
@@ -19,7 +18,6 @@ const SamplerRegistry& sampler_registry()
         dart_throwing_sampler(),
         relaxation_dart_throwing_sampler(),
         lloyd_sampler(),
-        file_sampler(),
     };
     return registry;
 }

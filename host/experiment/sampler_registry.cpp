@@ -1,0 +1,19 @@
+#include "experiment/sampler_registry.hpp"
+
+#include "sampling/file_sampler.hpp"
+#include "tile_sampling/tile_samplers.hpp"
+
+namespace poissonlab {
+
+const SamplerRegistry& sampler_registry()
+{
+    static const SamplerRegistry registry = [] {
+        SamplerRegistry all = basic_samplers();
+        for (SamplerSpec& spec : tile_samplers()) all.push_back(std::move(spec));
+        all.push_back(file_sampler());
+        return all;
+    }();
+    return registry;
+}
+
+}

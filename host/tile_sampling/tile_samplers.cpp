@@ -1,0 +1,200 @@
+#include "tile_sampling/tile_samplers.hpp"
+
+#include "poisson_tiles/poisson_tile_set.hpp"
+#include "sampling/random.hpp"
+#include "tile_points/tile_points.hpp"
+#include "tile_sampling/tile_set_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace poissonlab {
+namespace {
+
+constexpr double max_tiles = 1'048'576;
+
+/// What a sampler's name says.
+struct TileMethod
+{
+    PoissonTileKind kind;
+    int dimension;
+};
+
+PoissonTileParameters tile_parameters(const TileMethod& method, const Parameters& given, std::uint64_t seed)
+{
+    const auto integer = [&](const char* key, std::int64_t otherwise) {
+        return static_cast<std::uint32_t>(given.has(key) ? given.integer(key) : otherwise);
+    };
+    PoissonTileParameters p;
+    p.kind = method.kind;
+    p.dimension = method.dimension;
+    p.colors = integer("colors", 1);
+    p.tiles = method.kind == PoissonTileKind::frame ? integer("tiles", 1)
+                                                    : tile_count(method.kind, method.dimension, p.colors);
+    p.points_per_tile = integer("points_per_tile", 64);
+    p.relative_radius = given.has("relative_radius") ? given.number("relative_radius") : 0.75;
+    if (given.has("filling") && given.text("filling") == "dart-throwing") set_dart_throwing(p);
+    p.lloyd_iterations = integer("lloyd_iterations", 20);
+    p.repulsion = given.has("repulsion") && given.flag("repulsion");
+    p.seed = seed;
+    return p;
+}
+
+class TileSampler final : public Sampler
+{
+public:
+    TileSampler(const PoissonTileParameters& parameters, const SampleRequest& request, Engine engine,
+                const DeviceProvider& device)
+        : seed_(request.seed),
+          side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
+    {
+        if (engine == Engine::opencl) {
+            device_ = &device();
+            built_before_ = device_->build_seconds();
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        tiles_ = cached_tile_set(parameters, engine, device, tile_cache_folder());
+        if (device_) generator_.emplace(*device_, tiles_);
+        preparation_seconds_ =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - build_seconds();
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
+        return generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
+    }
+
+    std::uint32_t tiles_along_axis() const override { return side_; }
+    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
+    double preparation_seconds() const override { return preparation_seconds_; }
+
+private:
+    std::uint64_t seed_;
+    std::uint32_t side_;
+    Device* device_ = nullptr;
+    double built_before_ = 0; ///< by earlier users of the device
+    double preparation_seconds_ = 0;
+    PoissonTileSet tiles_;
+    std::optional<TilePointGenerator> generator_;
+};
+
+ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum, std::string symbol)
+{
+    ParameterSpec spec;
+    spec.key = std::move(key);
+    spec.kind = ParameterSpec::Kind::integer;
+    spec.help = std::move(help);
+    spec.minimum = minimum;
+    spec.maximum = maximum;
+    spec.symbol = std::move(symbol);
+    return spec;
+}
+
+std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
+{
+    std::vector<ParameterSpec> specs;
+    if (method.kind == PoissonTileKind::frame) {
+        specs.push_back(integer_spec("tiles", "T, tiles of the set", 1, max_tiles, "T"));
+    } else {
+        const char* what = method.kind == PoissonTileKind::edge ? "C, colours of edges; the set has C^12 tiles"
+                           : method.dimension == 3              ? "C, colours of corners; the set has C^8 tiles"
+                                                                : "C, colours of corners; the set has C^4 tiles";
+        const double most = method.kind == PoissonTileKind::edge ? 3 : method.dimension == 3 ? 4 : 32;
+        specs.push_back(integer_spec("colors", what, 1, most, "C"));
+    }
+    specs.push_back(integer_spec("points_per_tile", "N, points of each tile; default 64", 4, 4096, "N"));
+
+    ParameterSpec radius;
+    radius.key = "relative_radius";
+    radius.help = "rho that every tiling has at least; default 0.75";
+    radius.maximum = 1;
+    radius.exclusive_minimum = true;
+    radius.exclusive_maximum = true;
+    radius.symbol = "rho";
+    specs.push_back(radius);
+
+    ParameterSpec filling;
+    filling.key = "filling";
+    filling.kind = ParameterSpec::Kind::choice;
+    filling.help = "how tiles are filled before relaxation; default relaxation-dart-throwing";
+    filling.choices = {"dart-throwing", "relaxation-dart-throwing"};
+    specs.push_back(filling);
+
+    specs.push_back(integer_spec("lloyd_iterations", "Lloyd iterations of each piece; default 20", 0, 100'000, "lloyd"));
+
+    ParameterSpec repulsion;
+    repulsion.key = "repulsion";
+    repulsion.kind = ParameterSpec::Kind::boolean;
+    repulsion.help = "push apart what Lloyd relaxation left too close: needed above 0.75 or 0.8";
+    specs.push_back(repulsion);
+    return specs;
+}
+
+void check_parameters(const TileMethod& method, const std::string& sampler, const Parameters& parameters,
+                      const SampleRequest& request, const SourceLocation& where)
+{
+    const char* size = method.kind == PoissonTileKind::frame ? "tiles" : "colors";
+    if (!parameters.has(size))
+        throw InputError(fmt::format("{}: sampler = \"{}\": needs {}", to_string(where), sampler, size));
+    const PoissonTileParameters tiles = tile_parameters(method, parameters, request.seed);
+    try {
+        check(tiles);
+    } catch (const InputError& error) {
+        // The message begins with the parameter's name.
+        const std::string message = error.what();
+        const std::string key = message.substr(0, message.find(' '));
+        throw InputError(to_string(parameters.has(key) ? parameters.location(key) : where) + ": " + message);
+    }
+    if (tiling_side(request.points, tiles.points_per_tile, method.dimension) > 65'536)
+        throw InputError(fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
+                                     to_string(where), sampler, request.points));
+}
+
+SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string title, std::string summary)
+{
+    SamplerSpec spec;
+    spec.name = name;
+    spec.title = std::move(title);
+    spec.summary = std::move(summary);
+    spec.dimensions = {method.dimension};
+    spec.parameters = parameter_specs(method);
+    spec.check = [method, name](const Parameters& parameters, const SampleRequest& request,
+                                const SourceLocation& where) {
+        check_parameters(method, name, parameters, request, where);
+    };
+    spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
+                           const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request, engine,
+                                             device);
+    };
+    return spec;
+}
+
+}
+
+std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int dimension)
+{
+    const auto wanted = static_cast<double>(points) / points_per_tile;
+    const double root = std::floor(dimension == 2 ? std::sqrt(wanted) : std::cbrt(wanted));
+    const double below = std::max(1.0, root);
+    const bool above_is_nearer = std::pow(below + 1, dimension) - wanted < wanted - std::pow(below, dimension);
+    return static_cast<std::uint32_t>(above_is_nearer ? below + 1 : below);
+}
+
+std::vector<SamplerSpec> tile_samplers()
+{
+    return {tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
+                         "a tiling with Poisson disk tiles by the colours of their corners"),
+            tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
+                         "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
+            tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
+                         "a tiling with tiles that have the same points near their borders"),
+            tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
+                         "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
+}
+
+}

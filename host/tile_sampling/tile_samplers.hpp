@@ -1,0 +1,22 @@
+// The samplers "corner-tiles", "edge-tiles", "template-tiles" and "sphere-tiles": toroidal tilings with Poisson disk
+// (sphere) tiles.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6 and 6.9 to 6.11, 6.15. All realizations are
+// tilings with one tile set, which is built once and kept, see tile_set_cache.hpp.
+#pragma once
+
+#include "sampling/sampler.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// In the order in which help lists them.
+std::vector<SamplerSpec> tile_samplers();
+
+/// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1.
+std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int dimension);
+
+}
