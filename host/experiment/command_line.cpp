@@ -66,6 +66,12 @@ Scanline tilings start at their north-west tile; the window must be at 0 0.
 with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
+constexpr auto tiles_verify_footer =
+    R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
+for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
+damaged, tiles do not fit together, or it promises more than is proven.
+Density: points in the regions over those of as many points spread evenly.)";
+
 /// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
 template <class Integer>
 CLI::Validator integer()
@@ -94,6 +100,7 @@ public:
         add_analyze();
         add_report();
         add_tiling();
+        add_tiles();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
         samplers_ =
             app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
@@ -110,6 +117,7 @@ private:
     void add_analyze();
     void add_report();
     void add_tiling();
+    void add_tiles();
     void explain();
     std::vector<std::string> command_names() const;
 
@@ -120,12 +128,14 @@ private:
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
     TilingOptions tiling_options_;
+    TilesVerifyOptions tiles_verify_options_;
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* tiling_ = nullptr;
+    CLI::App* tiles_verify_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
     CLI::App* help_ = nullptr;
@@ -211,6 +221,18 @@ void CommandLine::add_tiling()
     tiling_->footer(tiling_footer);
 }
 
+void CommandLine::add_tiles()
+{
+    CLI::App* tiles = app_.add_subcommand("tiles", "Poisson disk (sphere) tile sets");
+    tiles->require_subcommand(1);
+
+    TilesVerifyOptions& o = tiles_verify_options_;
+    tiles_verify_ = tiles->add_subcommand("verify", "Check a tile set's file and prove its minimum distance");
+    tiles_verify_->add_option("FILE", o.file, "The tile set (.ptiles, .json)")->required();
+    tiles_verify_->add_flag("--json", o.json, "Print JSON");
+    tiles_verify_->footer(tiles_verify_footer);
+}
+
 std::vector<std::string> CommandLine::command_names() const
 {
     std::vector<std::string> names;
@@ -276,6 +298,7 @@ void CommandLine::execute()
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
     if (*tiling_) tiling_command(tiling_options_);
+    if (*tiles_verify_) tiles_verify_command(tiles_verify_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();

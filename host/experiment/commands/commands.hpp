@@ -52,6 +52,12 @@ struct TilingOptions
     std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
 };
 
+struct TilesVerifyOptions
+{
+    std::filesystem::path file;
+    bool json = false;
+};
+
 void run_command(const RunOptions& options, const ReportWriter& write_report);
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
 void report_command(const ReportOptions& options, const ReportWriter& write_report);
@@ -64,6 +70,10 @@ void samplers_command();
 
 /// Prints the tile indices of a window of a stochastic tiling, a row of tiles a line.
 void tiling_command(const TilingOptions& options);
+
+/// Prints what a file of a Poisson disk (sphere) tile set holds and what is proven of it. Throws InputError for files
+/// that are none, are damaged, or promise more than is proven, the last after printing.
+void tiles_verify_command(const TilesVerifyOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
