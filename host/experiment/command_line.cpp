@@ -80,6 +80,12 @@ window, so that poissonlab analyze takes the points of a square one; for .npy, -
 those of a torus.
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy)";
 
+constexpr auto tiles_verify_footer =
+    R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
+for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
+damaged, tiles do not fit together, or it promises more than is proven.
+Density: points in the regions over those of as many points spread evenly.)";
+
 /// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
 template <class Integer>
 CLI::Validator integer()
@@ -128,6 +134,7 @@ private:
     void add_tiles();
     void add_tiles_build();
     void add_tiles_points();
+    void add_tiles_verify();
     void explain();
     std::vector<std::string> command_names() const;
 
@@ -138,8 +145,9 @@ private:
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
     TilingOptions tiling_options_;
-    TileBuildOptions tiles_build_options_;
-    TilePointsOptions tiles_points_options_;
+    TilesBuildOptions tiles_build_options_;
+    TilesPointsOptions tiles_points_options_;
+    TilesVerifyOptions tiles_verify_options_;
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
@@ -149,6 +157,7 @@ private:
     CLI::App* tiles_ = nullptr;
     CLI::App* tiles_build_ = nullptr;
     CLI::App* tiles_points_ = nullptr;
+    CLI::App* tiles_verify_ = nullptr;
     CLI::App* devices_ = nullptr;
     CLI::App* samplers_ = nullptr;
     CLI::App* help_ = nullptr;
@@ -240,11 +249,12 @@ void CommandLine::add_tiles()
     tiles_->require_subcommand(1);
     add_tiles_build();
     add_tiles_points();
+    add_tiles_verify();
 }
 
 void CommandLine::add_tiles_build()
 {
-    TileBuildOptions& o = tiles_build_options_;
+    TilesBuildOptions& o = tiles_build_options_;
     tiles_build_ = tiles_->add_subcommand("build", "Build a tile set and prove the minimum distance of its tilings");
     tiles_build_->add_option("KIND", o.kind, "corner, edge, template or sphere")->required();
     tiles_build_->add_option("--colors", o.colors, "Number of colours; not for template tiles")
@@ -278,7 +288,7 @@ void CommandLine::add_tiles_build()
 
 void CommandLine::add_tiles_points()
 {
-    TilePointsOptions& o = tiles_points_options_;
+    TilesPointsOptions& o = tiles_points_options_;
     tiles_points_ = tiles_->add_subcommand("points", "Write the points of a window of a tiling to a file");
     tiles_points_->add_option("FILE", o.file, "The tile set (.ptiles, .json)")->required();
     tiles_points_->add_option("--window", o.window, "The tiles: lowest one, and how many along each axis")
@@ -293,6 +303,15 @@ void CommandLine::add_tiles_points()
     tiles_points_->add_option("--device", o.device, "The OpenCL device: part of its name, or its number")
         ->option_text("NAME");
     tiles_points_->footer(tiles_points_footer);
+}
+
+void CommandLine::add_tiles_verify()
+{
+    TilesVerifyOptions& o = tiles_verify_options_;
+    tiles_verify_ = tiles_->add_subcommand("verify", "Check a tile set's file and prove its minimum distance");
+    tiles_verify_->add_option("FILE", o.file, "The tile set (.ptiles, .json)")->required();
+    tiles_verify_->add_flag("--json", o.json, "Print JSON");
+    tiles_verify_->footer(tiles_verify_footer);
 }
 
 std::vector<std::string> CommandLine::command_names() const
@@ -362,6 +381,7 @@ void CommandLine::execute()
     if (*tiling_) tiling_command(tiling_options_);
     if (*tiles_build_) tiles_build_command(tiles_build_options_);
     if (*tiles_points_) tiles_points_command(tiles_points_options_);
+    if (*tiles_verify_) tiles_verify_command(tiles_verify_options_);
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();

@@ -64,9 +64,10 @@ std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters);
 /// The regions that these tiles have: the radius, rounded up to whole units, is their width.
 TileRegions regions_of(const PoissonTileParameters& parameters);
 
-/// Throws InputError, a sentence that starts with the parameter's name, for parameters that no tile set can have: numbers out of range, sets that
-/// are too large, radii whose regions do not fit into a tile, and radii at which the regions of neighbouring corners
-/// come closer than the minimum distance, so that corners would have to suit each other.
+/// Throws InputError, a sentence that starts with the parameter's name, for parameters that no tile set can have:
+/// numbers out of range, sets that are too large, radii whose regions do not fit into a tile, and radii at which the
+/// regions of neighbouring corners come closer than the minimum distance, so that corners would have to suit each
+/// other.
 void check(const PoissonTileParameters& parameters);
 
 struct PoissonTileSet

@@ -52,7 +52,7 @@ struct TilingOptions
     std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
 };
 
-struct TileBuildOptions
+struct TilesBuildOptions
 {
     std::string kind; ///< "corner", "edge", "template" or "sphere"
     std::uint32_t colors = 0;
@@ -69,13 +69,19 @@ struct TileBuildOptions
     bool quiet = false;
 };
 
-struct TilePointsOptions
+struct TilesPointsOptions
 {
     std::filesystem::path file; ///< the tile set
     std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
     std::uint32_t seed = 1;
     std::filesystem::path out;
     std::string device;
+};
+
+struct TilesVerifyOptions
+{
+    std::filesystem::path file;
+    bool json = false;
 };
 
 void run_command(const RunOptions& options, const ReportWriter& write_report);
@@ -92,10 +98,14 @@ void samplers_command();
 void tiling_command(const TilingOptions& options);
 
 /// Builds a tile set, proves its minimum distance, and writes it.
-void tiles_build_command(const TileBuildOptions& options);
+void tiles_build_command(const TilesBuildOptions& options);
 
 /// Writes the points of a window of a Poisson disk tiling to a file.
-void tiles_points_command(const TilePointsOptions& options);
+void tiles_points_command(const TilesPointsOptions& options);
+
+/// Prints what a file of a Poisson disk (sphere) tile set holds and what is proven of it. Throws InputError for files
+/// that are none, are damaged, or promise more than is proven, the last after printing.
+void tiles_verify_command(const TilesVerifyOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,

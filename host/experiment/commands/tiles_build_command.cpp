@@ -24,7 +24,7 @@ void check_word(const std::string& what, const std::string& word, const std::vec
                                      did_you_mean(word, known), fmt::join(known, ", ")));
 }
 
-PoissonTileParameters checked_parameters(const TileBuildOptions& o)
+PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
 {
     check_word("kind", o.kind, kinds);
     check_word("--filling", o.filling, {"dart-throwing", "relaxation-dart-throwing"});
@@ -56,7 +56,7 @@ PoissonTileParameters checked_parameters(const TileBuildOptions& o)
 
 }
 
-void tiles_build_command(const TileBuildOptions& options)
+void tiles_build_command(const TilesBuildOptions& options)
 {
     const PoissonTileParameters parameters = checked_parameters(options);
     Progress progress(Progress::detect(options.quiet));

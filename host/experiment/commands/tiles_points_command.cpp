@@ -33,7 +33,7 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
 }
 
 /// What the file says of itself; the domain is the square (cube) that the window fits into.
-std::string comment_of(const TilePointsOptions& options, const TileBlock& block)
+std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
 {
     return fmt::format("domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
                        "lowest corner of the window",
@@ -43,7 +43,7 @@ std::string comment_of(const TilePointsOptions& options, const TileBlock& block)
 
 }
 
-void tiles_points_command(const TilePointsOptions& options)
+void tiles_points_command(const TilesPointsOptions& options)
 {
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
