@@ -222,8 +222,10 @@ static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], c
 static inline double ptiles_nearest(const ptiles_tiling* t, const double* position, ptiles_point* nearest)
 {
     const int32_t d = (int32_t)t->set.dimension;
+    const ptiles_point none = {{0, 0, 0}, {0, 0, 0}, 0, 0};
     int32_t home[3] = {0, 0, 0}, o[3];
     double f[3] = {0, 0, 0}, squared = 1e300, border = 1; /* of the home tile */
+    *nearest = none;
     for (int32_t a = 0; a < d; ++a) {
         home[a] = ptiles_floor(position[a]);
         f[a] = position[a] - home[a];

@@ -1,6 +1,7 @@
 // runtime/poisson_tiles.h against docs/tile-set-file.md: files, and which tile is where.
 #include "poisson_tiles/tile_lookup.hpp"
 #include "poisson_tiles/tile_pieces.hpp"
+#include "poisson_tiles/tile_set_file.hpp"
 #include "runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -123,6 +124,17 @@ TEST(TileSetBytes, AreOpenedWithoutCopies)
         EXPECT_EQ(std::memcmp(opened.points, set.points.data(), set.points.size() * 2), 0);
         const std::uint32_t last = set.parameters.tiles - 1;
         EXPECT_EQ(*ptiles_points(&opened, last), set.tile(last).front());
+    }
+}
+
+TEST(TileSetBytes, AreThoseOfTheLaboratory)
+{
+    for (const PoissonTileSet& set : tile_sets_of_every_kind()) {
+        const std::string bytes = encode_tile_set(set);
+        ptiles_set opened;
+        ASSERT_EQ(ptiles_open(&opened, bytes.data(), bytes.size()), nullptr) << name_of(set);
+        EXPECT_EQ(opened.points_per_tile, set.parameters.points_per_tile);
+        EXPECT_EQ(bytes.substr(128), tile_set_file_bytes(set).substr(128));
     }
 }
 

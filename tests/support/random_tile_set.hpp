@@ -22,7 +22,7 @@ inline PoissonTileSet random_tile_set(PoissonTileKind kind, int dimension, std::
     p.colors = colors;
     p.tiles = kind == PoissonTileKind::frame ? tiles : tile_count(kind, dimension, colors);
     p.points_per_tile = points_per_tile;
-    p.relative_radius = 0.5;
+    p.relative_radius = 0.3;
     std::mt19937_64 random(colors * 1000 + points_per_tile);
     set.points.resize(std::size_t{p.tiles} * points_per_tile * static_cast<std::size_t>(dimension));
     for (std::uint16_t& coordinate : set.points) coordinate = static_cast<std::uint16_t>(random());
