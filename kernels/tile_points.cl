@@ -29,23 +29,25 @@ typedef VALUE16 LooseVector __attribute__((aligned(4)));
 #endif
 #endif
 
-/// The place in the block of the tile `n` tiles after (x0, y0, z0).
-PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint height, uint x0, uint y0, uint z0)
+/// The place in the block of the tile `n` tiles after (x0, y0, z0). n + x0 is below 2^31, so that the quotient by the
+/// width is that of a product, which processors have for vectors, unlike division: see reciprocal_of() on the host.
+PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint reciprocal, uint shift, uint height, uint x0, uint y0,
+                                     uint z0)
 {
-    const uint row = (x0 + n) / width;
+    const uint row = (uint)((ulong)(x0 + n) * reciprocal >> shift);
     const uint x = x0 + n - row * width;
     if (DIMENSION == 2) return (uint3)(x, y0 + row, 0);
     return (uint3)(x, (y0 + row) % height, z0 + (y0 + row) / height);
 }
 
 /// One work-item finds the number of one tile.
-kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint height, uint x0,
-                          uint y0, uint z0, uint count, global uint* tiles)
+kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint reciprocal,
+                          uint shift, uint height, uint x0, uint y0, uint z0, uint count, global uint* tiles)
 {
     const uint id = get_global_id(0);
     if (id >= count) return;
     const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, seed, period};
-    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
     tiles[id] = ptiles_tile(tiling, (int3)(west + (int)place.x, south + (int)place.y, bottom + (int)place.z));
 }
 
@@ -68,12 +70,12 @@ kernel void convert_units(global const ushort* units, uint count, global VALUE* 
 }
 
 /// One work-item places one tile: its points from the table, and the tile's place added to each.
-kernel void place_points(global const uint* tiles, global const VALUE* table, uint width, uint height, uint x0, uint y0,
-                         uint z0, uint count, global VALUE* points)
+kernel void place_points(global const uint* tiles, global const VALUE* table, uint width, uint reciprocal,
+                         uint shift, uint height, uint x0, uint y0, uint z0, uint count, global VALUE* points)
 {
     const uint id = get_global_id(0);
     if (id >= count) return;
-    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
     const VALUE x = FROM_PLACE(place.x);
     const VALUE y = FROM_PLACE(place.y);
 #if DIMENSION == 2

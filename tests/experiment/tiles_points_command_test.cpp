@@ -38,7 +38,8 @@ protected:
 };
 
 /// The points as read from a file whose range of coordinates is [0, size).
-PointSet expected_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block, double size)
+PointSet expected_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
+                         double size)
 {
     PointSet points{tiles.parameters.dimension, {}};
     for (const std::uint32_t unit : reference::exact_tile_points(tiles, tiling, block))
@@ -57,7 +58,8 @@ TEST_F(TilesPointsCommand, WritesAWindowInEveryFormat)
         const auto range = name == "points.npy" ? std::optional(CoordinateRange{0, 8}) : std::nullopt;
         EXPECT_EQ(read_points(folder_.path() / name, range).at(0), expected) << name;
     }
-    EXPECT_THAT(content_of(folder_.path() / "points.txt"), StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
+    EXPECT_THAT(content_of(folder_.path() / "points.txt"),
+                StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
 }
 
 TEST_F(TilesPointsCommand, WritesSpheres)
@@ -77,7 +79,8 @@ TEST_F(TilesPointsCommand, SaysWhatIsWrong)
     expect_error("tiles.ptiles --window 0 0 0 1 --out points.npy", "sizes are at least 1");
     expect_error("tiles.ptiles --window 0 0 70000 1 --out points.npy", "must be 1 to 65536");
     expect_error("tiles.ptiles --window 3000000000 0 1 1 --out points.npy", "32 bits");
-    expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy", "must be an integer from 0 to 4294967295");
+    expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy",
+                 "must be an integer from 0 to 4294967295");
     expect_error("tiles.ptiles --window 0 0 1 1", "--out is required");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "points.npy"));
 }
