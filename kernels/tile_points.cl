@@ -1,8 +1,8 @@
 // The points of a block of tiles: see host/tile_points/tile_points.hpp.
 //
-// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of positions: float,
-// in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at (x0, y0, z0), and goes on
-// along x, then y, then z.
+// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of
+// positions: float, in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at
+// (x0, y0, z0), and goes on along x, then y, then z.
 #include "../runtime/poisson_tiles_gpu.h"
 
 #define VALUES (POINTS * DIMENSION) // of a tile
