@@ -72,7 +72,9 @@ TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tile
       values_per_tile_(std::size_t{parameters_.points_per_tile} *
                        static_cast<std::size_t>(parameters_.dimension)),
       units_(device_.buffer<std::uint16_t>(tiles.points.size())),
-      look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float")))
+      look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float"))),
+      place_floats_(device_.kernel("tile_points.cl", "place_points", options("float"))),
+      place_integers_(device_.kernel("tile_points.cl", "place_points", options("uint")))
 {
     units_.write(tiles.points);
 }
@@ -96,18 +98,8 @@ void TilePointGenerator::look_up(const PoissonTiling& tiling, const TileBlock& b
 }
 
 template <class Value>
-void TilePointGenerator::prepare(Placement<Value>& placement, const char* value)
-{
-    const auto count = static_cast<std::uint32_t>(units_.size());
-    placement.table = device_.buffer<Value>(count);
-    placement.place = device_.kernel("tile_points.cl", "place_points", options(value));
-    device_.kernel("tile_points.cl", "convert_units", options(value))
-        .run(count, work_group_size_, units_, count, placement.table);
-}
-
-template <class Value>
-void TilePointGenerator::place_values(Placement<Value>& placement, const PoissonTiling& tiling,
-                                      const TileBlock& block, const TileRun& run, Buffer<Value>& points)
+void TilePointGenerator::place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block,
+                                      const TileRun& run, Buffer<Value>& points)
 {
     check(block, parameters_.dimension);
     if (run.count > max_run)
@@ -115,22 +107,20 @@ void TilePointGenerator::place_values(Placement<Value>& placement, const Poisson
     look_up(tiling, block, run);
     const auto [x, y, z] = first_place(block, run);
     const auto [factor, shift] = reciprocal_of(block.size[0]);
-    placement.place.run(run.count, work_group_size_, tiles_, placement.table, block.size[0], factor, shift,
-                        block.size[1], x, y, z, run.count, points);
+    place.run(run.count, work_group_size_, tiles_, units_, block.size[0], factor, shift, block.size[1], x, y,
+              z, run.count, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
                                Buffer<float>& points)
 {
-    if (floats_.table.size() == 0) prepare(floats_, "float");
-    place_values(floats_, tiling, block, run, points);
+    place_values(place_floats_, tiling, block, run, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
                                Buffer<std::uint32_t>& points)
 {
-    if (integers_.table.size() == 0) prepare(integers_, "uint");
-    place_values(integers_, tiling, block, run, points);
+    place_values(place_integers_, tiling, block, run, points);
 }
 
 void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block,

@@ -79,21 +79,11 @@ public:
     PointSet generate_torus(std::uint32_t seed, std::uint32_t period);
 
 private:
-    /// What there is for each type of positions; made when it is first needed.
-    template <class Value>
-    struct Placement
-    {
-        Buffer<Value> table; ///< the tiles' points
-        Kernel place;
-    };
-
     std::string options(const char* value) const;
     void look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run);
     template <class Value>
-    void prepare(Placement<Value>& placement, const char* value);
-    template <class Value>
-    void place_values(Placement<Value>& placement, const PoissonTiling& tiling, const TileBlock& block,
-                      const TileRun& run, Buffer<Value>& points);
+    void place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
+                      Buffer<Value>& points);
 
     Device device_;
     PoissonTileParameters parameters_;
@@ -102,8 +92,8 @@ private:
     Buffer<std::uint16_t> units_;
     Kernel look_up_;
     Buffer<std::uint32_t> tiles_; ///< the numbers of a run's tiles
-    Placement<float> floats_;
-    Placement<std::uint32_t> integers_;
+    Kernel place_floats_;
+    Kernel place_integers_;
 };
 
 }
