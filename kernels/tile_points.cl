@@ -1,8 +1,8 @@
 // The points of a block of tiles: see host/tile_points/tile_points.hpp.
 //
-// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of positions: float,
-// in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at (x0, y0, z0), and goes on
-// along x, then y, then z.
+// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of
+// positions: float, in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at
+// (x0, y0, z0), and goes on along x, then y, then z.
 #include "../runtime/poisson_tiles_gpu.h"
 
 #define VALUES (POINTS * DIMENSION) // of a tile
@@ -14,10 +14,11 @@
 // where the processor has none as long.
 #ifdef __clang__
 typedef VALUE16 LooseVector __attribute__((aligned(4)));
-#define LOAD(n, source) ((global const LooseVector*)(source))[n]
+typedef ushort16 LooseUnits __attribute__((aligned(2)));
+#define LOAD(n, source) (__builtin_convertvector(((global const LooseUnits*)(source))[n], VALUE16) SCALE)
 #define STORE(vector, n, target) ((global LooseVector*)(target))[n] = (vector)
 #else
-#define LOAD(n, source) vload16(n, source)
+#define LOAD(n, source) (VECTOR_OF(convert_, VALUE16)(vload16(n, source)) SCALE)
 #define STORE(vector, n, target) vstore16(vector, n, target)
 #endif
 
@@ -29,23 +30,25 @@ typedef VALUE16 LooseVector __attribute__((aligned(4)));
 #endif
 #endif
 
-/// The place in the block of the tile `n` tiles after (x0, y0, z0).
-PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint height, uint x0, uint y0, uint z0)
+/// The place in the block of the tile `n` tiles after (x0, y0, z0). n + x0 is below 2^31, so that the quotient by the
+/// width is that of a product, which processors have for vectors, unlike division: see reciprocal_of() on the host.
+PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint reciprocal, uint shift, uint height, uint x0, uint y0,
+                                     uint z0)
 {
-    const uint row = (x0 + n) / width;
+    const uint row = (uint)((ulong)(x0 + n) * reciprocal >> shift);
     const uint x = x0 + n - row * width;
     if (DIMENSION == 2) return (uint3)(x, y0 + row, 0);
     return (uint3)(x, (y0 + row) % height, z0 + (y0 + row) / height);
 }
 
 /// One work-item finds the number of one tile.
-kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint height, uint x0,
-                          uint y0, uint z0, uint count, global uint* tiles)
+kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint reciprocal,
+                          uint shift, uint height, uint x0, uint y0, uint z0, uint count, global uint* tiles)
 {
     const uint id = get_global_id(0);
     if (id >= count) return;
     const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, seed, period};
-    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
     tiles[id] = ptiles_tile(tiling, (int3)(west + (int)place.x, south + (int)place.y, bottom + (int)place.z));
 }
 
@@ -53,27 +56,21 @@ kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom
 #define IS_float 1
 #define IS_uint 0
 #if VECTOR_OF(IS_, VALUE)
-#define FROM_UNITS(units) ((float)(units) / 65536)
+#define SCALE *(1 / 65536.0f)
 #define FROM_PLACE(place) ((float)(place))
 #else
-#define FROM_UNITS(units) ((uint)(units))
+#define SCALE
 #define FROM_PLACE(place) ((place) << 16)
 #endif
 
-/// One work-item converts one coordinate.
-kernel void convert_units(global const ushort* units, uint count, global VALUE* values)
-{
-    const uint id = get_global_id(0);
-    if (id < count) values[id] = FROM_UNITS(units[id]);
-}
-
-/// One work-item places one tile: its points from the table, and the tile's place added to each.
-kernel void place_points(global const uint* tiles, global const VALUE* table, uint width, uint height, uint x0, uint y0,
-                         uint z0, uint count, global VALUE* points)
+/// One work-item places one tile: its points, with the tile's place added to each. Points stay the 16-bit units of the
+/// tile set: what has to be read fits into caches better, and that matters more than conversions.
+kernel void place_points(global const uint* tiles, global const ushort* units, uint width, uint reciprocal,
+                         uint shift, uint height, uint x0, uint y0, uint z0, uint count, global VALUE* points)
 {
     const uint id = get_global_id(0);
     if (id >= count) return;
-    const uint3 place = place_in_block(id, width, height, x0, y0, z0);
+    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
     const VALUE x = FROM_PLACE(place.x);
     const VALUE y = FROM_PLACE(place.y);
 #if DIMENSION == 2
@@ -87,7 +84,7 @@ kernel void place_points(global const uint* tiles, global const VALUE* table, ui
     const VALUE16 b = (VALUE16)(y, z, x, y, z, x, y, z, x, y, z, x, y, z, x, y);
     const VALUE16 c = (VALUE16)(z, x, y, z, x, y, z, x, y, z, x, y, z, x, y, z);
 #endif
-    global const VALUE* source = table + (size_t)tiles[id] * VALUES;
+    global const ushort* source = units + (size_t)tiles[id] * VALUES;
     global VALUE* target = points + (size_t)id * VALUES;
     uint n = 0;
     for (; n + 3 <= VALUES / 16; n += 3) {
@@ -99,6 +96,6 @@ kernel void place_points(global const uint* tiles, global const VALUE* table, ui
     if (VALUES / 16 % 3 > 1) STORE(LOAD(n + 1, source) + b, n + 1, target);
     for (n = VALUES / 16 * 16; n < VALUES; ++n) {
         const uint axis = n % DIMENSION;
-        target[n] = source[n] + (axis == 0 ? x : axis == 1 ? y : FROM_PLACE(place.z));
+        target[n] = (VALUE)source[n] SCALE + (axis == 0 ? x : axis == 1 ? y : FROM_PLACE(place.z));
     }
 }

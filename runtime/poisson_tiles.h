@@ -1,29 +1,34 @@
 /* Poisson disk (sphere) distributions without end, from a tile set file: for renderers, games and tools.
  *
- * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 3 to 5: a hash function says which tile is where, so
- * that points anywhere are found in constant time and nothing is stored but the tiles. docs/tile-set-file.md describes
- * the file. C99 or C++, this header alone; it allocates nothing and calls no library. Tiles have side 1, the tile
- * (i, j, k) has its lowest corner there; positions are from -2^31 + 2 to 2^31 - 3 along each axis. */
+ * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 3 to 5: a hash function says which tile is
+ * where, so that points anywhere are found in constant time and nothing is stored but the tiles.
+ * docs/tile-set-file.md describes the file. C99 or C++, this header alone; it allocates nothing and calls no
+ * library. Tiles have side 1, the tile (i, j, k) has its lowest corner there; positions are from -2^31 + 2 to
+ * 2^31 - 3 along each axis. */
 #ifndef POISSON_TILES_H
 #define POISSON_TILES_H
 
 #include <stdint.h>
 
 /* The tiles: what a file says, and where its points are. Nothing is copied. */
-typedef struct ptiles_set {
+typedef struct ptiles_set
+{
     uint32_t kind; /* 0: by colours of corners, 1: by colours of edges, 2: template tiles */
     uint32_t dimension, colors, tiles, points_per_tile;
     const uint16_t* points; /* in units of 1/65536, tile after tile, point after point, x before y before z */
 } ptiles_set;
 
-/* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0: never. */
-typedef struct ptiles_tiling {
+/* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0:
+ * never. */
+typedef struct ptiles_tiling
+{
     ptiles_set set;
     uint32_t seed;
     int32_t period;
 } ptiles_tiling;
 
-typedef struct ptiles_point {
+typedef struct ptiles_point
+{
     double position[3];
     int32_t tile[3]; /* the place of its tile; 0 along z in 2D */
     uint32_t index;  /* in its tile */
@@ -35,7 +40,8 @@ static inline uint32_t ptiles_word(const unsigned char* bytes)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-/* How many tiles a set has that knows so many colours; 0: more than there can be. Template tiles: any number. */
+/* How many tiles a set has that knows so many colours; 0: more than there can be. Template tiles: any number.
+ */
 static inline uint32_t ptiles_tile_count(uint32_t kind, uint32_t dimension, uint32_t colors)
 {
     uint64_t count = 1;
@@ -47,8 +53,8 @@ static inline uint32_t ptiles_tile_count(uint32_t kind, uint32_t dimension, uint
     return (uint32_t)count;
 }
 
-/* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be used;
- * otherwise what is wrong. Checks all numbers that are used here, not the checksum. */
+/* Looks at the `size` bytes of a file, which must stay where they are, at an even address. 0: `set` can be
+ * used; otherwise what is wrong. Checks all numbers that are used here, not the checksum. */
 static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_t size)
 {
     const unsigned char* bytes = (const unsigned char*)file;
@@ -57,7 +63,8 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     if (size < 128) return "shorter than the header of a tile set file";
     for (int i = 0; i < 8; ++i)
         if (bytes[i] != (unsigned char)magic[i]) return "not a tile set file";
-    if (ptiles_word(bytes + 8) != 1 || ptiles_word(bytes + 12) != 128) return "an unknown version of the file format";
+    if (ptiles_word(bytes + 8) != 1 || ptiles_word(bytes + 12) != 128)
+        return "an unknown version of the file format";
     set->kind = ptiles_word(bytes + 16);
     set->dimension = ptiles_word(bytes + 20);
     set->colors = ptiles_word(bytes + 24);
@@ -93,14 +100,21 @@ static inline uint32_t ptiles_color(const ptiles_tiling* t, uint32_t x, uint32_t
     return ptiles_hash(t->seed, x, y, z) % t->set.colors;
 }
 
-/* A place as the hash function takes it, and those after and before it, on the circle of a period or of 2^32. */
+/* A place as the hash function takes it, and those after and before it, on the circle of a period or of 2^32.
+ */
 static inline uint32_t ptiles_place(int32_t i, int32_t period)
 {
     if (period != 0) i = i % period < 0 ? i % period + period : i % period;
     return (uint32_t)i;
 }
-static inline uint32_t ptiles_after(uint32_t x, int32_t period) { return x + 1 == (uint32_t)period ? 0 : x + 1; }
-static inline uint32_t ptiles_before(uint32_t x, int32_t period) { return (x == 0 ? (uint32_t)period : x) - 1; }
+static inline uint32_t ptiles_after(uint32_t x, int32_t period)
+{
+    return x + 1 == (uint32_t)period ? 0 : x + 1;
+}
+static inline uint32_t ptiles_before(uint32_t x, int32_t period)
+{
+    return (x == 0 ? (uint32_t)period : x) - 1;
+}
 
 /* The digits of a corner tile: NE, SE, SW, NW at the height z. */
 static inline uint32_t ptiles_corners(const ptiles_tiling* t, uint32_t x, uint32_t y, uint32_t z)
@@ -110,14 +124,15 @@ static inline uint32_t ptiles_corners(const ptiles_tiling* t, uint32_t x, uint32
     return ((ne * c + se) * c + ptiles_color(t, x, y, z)) * c + ptiles_color(t, x, north, z);
 }
 
-/* The digits of an edge tile: N, E, S, W; then, two at each corner, NE, SE, SW, NW, what leaves the tile there. */
+/* The digits of an edge tile: N, E, S, W; then, two at each corner, NE, SE, SW, NW, what leaves the tile
+ * there. */
 static inline uint32_t ptiles_edges(const ptiles_tiling* t, uint32_t x, uint32_t y)
 {
     const uint32_t east = ptiles_after(x, t->period), west = ptiles_before(x, t->period);
     const uint32_t north = ptiles_after(y, t->period), south = ptiles_before(y, t->period);
     /* Each edge by the lattice point from which it goes east (0) or north (1). */
-    const uint32_t edges[12][3] = {{x, north, 0},    {east, y, 1},     {x, y, 0},    {x, y, 1},
-                                   {east, north, 0}, {east, north, 1}, {east, y, 0}, {east, south, 1},
+    const uint32_t edges[12][3] = {{x, north, 0},    {east, y, 1},     {x, y, 0},        {x, y, 1},
+                                   {east, north, 0}, {east, north, 1}, {east, y, 0},     {east, south, 1},
                                    {west, y, 0},     {x, south, 1},    {west, north, 0}, {x, north, 1}};
     uint32_t tile = 0;
     for (int e = 0; e < 12; ++e)
@@ -128,7 +143,8 @@ static inline uint32_t ptiles_edges(const ptiles_tiling* t, uint32_t x, uint32_t
 /* The number of the tile at a place; k: 0 in 2D. */
 static inline uint32_t ptiles_tile(const ptiles_tiling* t, int32_t i, int32_t j, int32_t k)
 {
-    const uint32_t x = ptiles_place(i, t->period), y = ptiles_place(j, t->period), z = ptiles_place(k, t->period);
+    const uint32_t x = ptiles_place(i, t->period), y = ptiles_place(j, t->period),
+                   z = ptiles_place(k, t->period);
     const uint32_t c = t->set.colors;
     if (t->set.kind == 2) return ptiles_hash(t->seed, x, y, 0) % t->set.tiles;
     if (t->set.kind == 1) return ptiles_edges(t, x, y);
@@ -158,8 +174,8 @@ static inline ptiles_point ptiles_point_at(const ptiles_tiling* t, const int32_t
 
 static inline int32_t ptiles_floor(double x) { return (int32_t)x - (x < (int32_t)x); }
 
-/* All points p with low <= p < high along each axis: how many there are, the first `capacity` of them in `points`.
- * Rows of tiles from south to north (3D: layers from the bottom), in each from west to east. */
+/* All points p with low <= p < high along each axis: how many there are, the first `capacity` of them in
+ * `points`. Rows of tiles from south to north (3D: layers from the bottom), in each from west to east. */
 static inline uint64_t ptiles_in_window(const ptiles_tiling* t, const double* low, const double* high,
                                         ptiles_point* points, uint64_t capacity)
 {
@@ -195,8 +211,8 @@ static inline double ptiles_gap(double f, int32_t offset)
     return gap * gap;
 }
 
-/* If one of a tile's points is nearer than `squared`, the nearest of them, and its squared distance. `f` is the
- * position relative to the lowest corner of the tile `home`. */
+/* If one of a tile's points is nearer than `squared`, the nearest of them, and its squared distance. `f` is
+ * the position relative to the lowest corner of the tile `home`. */
 static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], const double f[3],
                                 const int32_t offset[3], double* squared, ptiles_point* nearest)
 {
@@ -217,13 +233,16 @@ static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], c
     if (best < t->set.points_per_tile) *nearest = ptiles_point_at(t, tile, best, units + best * d);
 }
 
-/* The point that is nearest to a position, of several the one in the tile that is visited first: rings of tiles around
- * that of the position, as long as they can have a nearer point. Returns the squared distance. */
+/* The point that is nearest to a position, of several the one in the tile that is visited first: rings of
+ * tiles around that of the position, as long as they can have a nearer point. Returns the squared distance.
+ */
 static inline double ptiles_nearest(const ptiles_tiling* t, const double* position, ptiles_point* nearest)
 {
     const int32_t d = (int32_t)t->set.dimension;
+    const ptiles_point none = {{0, 0, 0}, {0, 0, 0}, 0, 0};
     int32_t home[3] = {0, 0, 0}, o[3];
     double f[3] = {0, 0, 0}, squared = 1e300, border = 1; /* of the home tile */
+    *nearest = none;
     for (int32_t a = 0; a < d; ++a) {
         home[a] = ptiles_floor(position[a]);
         f[a] = position[a] - home[a];
@@ -235,7 +254,8 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
         for (o[2] = -layers; o[2] <= layers; ++o[2])
             for (o[1] = -ring; o[1] <= ring; ++o[1]) {
                 /* Of rows inside the ring, only the ends. */
-                const int outer = o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
+                const int outer =
+                    o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
                 for (o[0] = -ring; o[0] <= ring; o[0] += outer || ring == 0 ? 1 : 2 * ring)
                     if (ptiles_gap(f[0], o[0]) + ptiles_gap(f[1], o[1]) + ptiles_gap(f[2], o[2]) < squared)
                         ptiles_visit(t, home, f, o, &squared, nearest);

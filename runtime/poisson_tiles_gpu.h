@@ -1,7 +1,8 @@
-// Poisson disk (sphere) distributions on GPUs: the look-ups of poisson_tiles.h as OpenCL C 1.2 and as GLSL 4.3.
+// Poisson disk (sphere) distributions on GPUs: the look-ups of poisson_tiles.h as OpenCL C 1.2 and as
+// GLSL 4.3.
 //
-// The points of a tile set file (docs/tile-set-file.md), its bytes from 128 on, are a buffer of 32-bit words, the last
-// one filled up with zeros. In OpenCL functions take it as their first argument:
+// The points of a tile set file (docs/tile-set-file.md), its bytes from 128 on, are a buffer of 32-bit words,
+// the last one filled up with zeros. In OpenCL functions take it as their first argument:
 //     const struct ptiles_nearest n = ptiles_nearest_point(points, t, tile, f);
 // In GLSL it is declared before this file is included, and there is no such argument:
 //     layout(std430, binding = 0) readonly buffer PoissonTiles { uint ptiles_words[]; };
@@ -37,8 +38,10 @@
 #define ptiles_float3 vec3
 #endif
 
-/// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in poisson_tiles.h.
-struct ptiles_tiling {
+/// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in
+/// poisson_tiles.h.
+struct ptiles_tiling
+{
     uint kind;
     uint dimension;
     uint colors;
@@ -48,7 +51,8 @@ struct ptiles_tiling {
     int period;
 };
 
-struct ptiles_nearest {
+struct ptiles_nearest
+{
     float distance;
     ptiles_int3 tile; ///< the place of the point's tile
     uint index;       ///< in its tile
@@ -72,7 +76,8 @@ PTILES_FUNCTION uint ptiles_color(PTILES_STRUCT(ptiles_tiling) t, uint x, uint y
     return ptiles_hash(t.seed, x, y, z) % t.colors;
 }
 
-/// A place as the hash function takes it, and those after and before it, on the circle of a period or of 2^32.
+/// A place as the hash function takes it, and those after and before it, on the circle of a period or of
+/// 2^32.
 PTILES_FUNCTION uint ptiles_place(int i, int period)
 {
     if (period == 0) return PTILES_UINT(i);
@@ -92,7 +97,8 @@ PTILES_FUNCTION uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint
 }
 
 /// Two more digits: the edges that go east from (x0, y0) and north from (x1, y1).
-PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1, uint y1)
+PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1,
+                                      uint y1)
 {
     return (tile * t.colors + ptiles_color(t, x0, y0, 0u)) * t.colors + ptiles_color(t, x1, y1, 1u);
 }
@@ -106,7 +112,8 @@ PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
     if (t.kind == 0u && t.dimension == 2u) return ptiles_corners(t, x, y, 0u);
     if (t.kind == 0u) {
         uint z = ptiles_place(at.z, t.period);
-        return ptiles_corners(t, x, y, ptiles_after(z, t.period)) * (t.colors * t.colors * t.colors * t.colors) +
+        return ptiles_corners(t, x, y, ptiles_after(z, t.period)) *
+                   (t.colors * t.colors * t.colors * t.colors) +
                ptiles_corners(t, x, y, z);
     }
     uint east = ptiles_after(x, t.period);
@@ -122,10 +129,14 @@ PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
 }
 
 /// The coordinate of this number among all of the buffer, in units of 1/65536.
-PTILES_FUNCTION uint ptiles_units(PTILES_BUFFER uint n) { return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu; }
+PTILES_FUNCTION uint ptiles_units(PTILES_BUFFER uint n)
+{
+    return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu;
+}
 
 /// The point of this index of a tile: from the tile's lowest corner, without rounding. In 2D z is 0.
-PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile, uint index)
+PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile,
+                                           uint index)
 {
     uint n = (tile * t.points_per_tile + index) * t.dimension;
     ptiles_float3 p;
@@ -142,17 +153,18 @@ PTILES_FUNCTION float ptiles_gap(float f, int offset)
     return gap * gap;
 }
 
-/// The point nearest to a position in the tile at `home`, which is `f` from that tile's lowest corner; 0 <= f < 1, in
-/// 2D f.z = 0. Rings of tiles around that tile are visited as long as they can have a nearer point.
+/// The point nearest to a position in the tile at `home`, which is `f` from that tile's lowest corner; 0 <= f
+/// < 1, in 2D f.z = 0. Rings of tiles around that tile are visited as long as they can have a nearer point.
 PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
-ptiles_nearest_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 home, ptiles_float3 f)
+    ptiles_nearest_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 home, ptiles_float3 f)
 {
     bool is_3d = t.dimension == 3u;
     float border = min(min(f.x, 1.0f - f.x), min(f.y, 1.0f - f.y));
     if (is_3d) border = min(border, min(f.z, 1.0f - f.z));
     PTILES_STRUCT(ptiles_nearest) nearest;
     float squared = 1e30f;
-    for (int ring = 0; ring == 0 || (border + PTILES_FLOAT(ring - 1)) * (border + PTILES_FLOAT(ring - 1)) < squared;
+    for (int ring = 0;
+         ring == 0 || (border + PTILES_FLOAT(ring - 1)) * (border + PTILES_FLOAT(ring - 1)) < squared;
          ++ring) {
         int layers = is_3d ? ring : 0;
         for (int k = -layers; k <= layers; ++k) {
@@ -181,7 +193,8 @@ ptiles_nearest_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 h
     nearest.distance = sqrt(squared);
     uint z = ptiles_place(nearest.tile.z, t.period);
     nearest.id = ptiles_mix(ptiles_hash(t.seed, ptiles_place(nearest.tile.x, t.period),
-                                        ptiles_place(nearest.tile.y, t.period), z) + 1u + nearest.index);
+                                        ptiles_place(nearest.tile.y, t.period), z) +
+                            1u + nearest.index);
     return nearest;
 }
 

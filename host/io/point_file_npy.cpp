@@ -157,7 +157,8 @@ std::vector<PointSet> read_npy_points(const PointFileContent& file)
         sets[k].coordinates.reserve(layout.points * layout.dimension);
         for (std::size_t n = 0; n < layout.points; ++n) {
             for (std::size_t axis = 0; axis < layout.dimension; ++axis) {
-                sets[k].coordinates.push_back(value_at(file, layout, layout.index(k, n, axis)));
+                const double value = value_at(file, layout, layout.index(k, n, axis));
+                sets[k].coordinates.push_back(to_unit(value, file.range));
             }
         }
     }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace poissonlab {
 namespace {
@@ -14,12 +15,30 @@ constexpr std::uint32_t max_block_size = 65536;
 /// Numbers that stream() hands over at once, unless a tile has more: 16 MiB.
 constexpr std::size_t values_per_piece = std::size_t{1} << 22;
 
+/// Longer runs are refused: kernels divide the numbers of tiles below 2^31.
+constexpr std::uint32_t max_run = std::uint32_t{1} << 30;
+
+/// n / width = n * factor >> shift for all n below 2^31, where width is at most 2^16: with 2^b the power of
+/// two that is not below the width, shift = 31 + b and factor = 2^shift / width rounded up, which makes the
+/// product too large by less than n < 2^shift / width.
+struct Reciprocal
+{
+    std::uint32_t factor;
+    std::uint32_t shift;
+};
+
+Reciprocal reciprocal_of(std::uint32_t width)
+{
+    const auto shift = 31 + static_cast<std::uint32_t>(std::bit_width(width - 1));
+    return {static_cast<std::uint32_t>(((std::uint64_t{1} << shift) + width - 1) / width), shift};
+}
+
 /// Where in the block a run starts.
 std::array<std::uint32_t, 3> first_place(const TileBlock& block, const TileRun& run)
 {
     const std::uint64_t row = run.first / block.size[0];
-    return {static_cast<std::uint32_t>(run.first % block.size[0]), static_cast<std::uint32_t>(row % block.size[1]),
-            static_cast<std::uint32_t>(row / block.size[1])};
+    return {static_cast<std::uint32_t>(run.first % block.size[0]),
+            static_cast<std::uint32_t>(row % block.size[1]), static_cast<std::uint32_t>(row / block.size[1])};
 }
 
 }
@@ -29,79 +48,79 @@ void check(const TileBlock& block, int dimension)
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t size = block.size[axis];
         if (size < 1 || size > max_block_size)
-            throw InputError(fmt::format("a window of {} tiles along an axis: must be 1 to {}", size, max_block_size));
+            throw InputError(
+                fmt::format("a window of {} tiles along an axis: must be 1 to {}", size, max_block_size));
         if (std::int64_t{block.lowest[axis]} + size > INT32_MAX)
-            throw InputError(fmt::format("a window from {} on: places of tiles have 32 bits", block.lowest[axis]));
+            throw InputError(
+                fmt::format("a window from {} on: places of tiles have 32 bits", block.lowest[axis]));
     }
     if (dimension == 2 && (block.lowest[2] != 0 || block.size[2] != 1))
         throw InputError("a window with layers: the tiles are two-dimensional");
 }
 
-void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates)
+void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period,
+                         std::vector<double>& coordinates)
 {
     const double side = 65536.0 * period;
     for (const std::uint32_t unit : units) coordinates.push_back(unit / side);
 }
 
-TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles, std::size_t work_group_size)
+TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles,
+                                       std::size_t work_group_size)
     : device_(std::move(device)), parameters_(tiles.parameters),
       work_group_size_(work_group_size == 0 ? 256 : work_group_size),
-      values_per_tile_(std::size_t{parameters_.points_per_tile} * static_cast<std::size_t>(parameters_.dimension)),
+      values_per_tile_(std::size_t{parameters_.points_per_tile} *
+                       static_cast<std::size_t>(parameters_.dimension)),
       units_(device_.buffer<std::uint16_t>(tiles.points.size())),
-      look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float")))
+      look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float"))),
+      place_floats_(device_.kernel("tile_points.cl", "place_points", options("float"))),
+      place_integers_(device_.kernel("tile_points.cl", "place_points", options("uint")))
 {
     units_.write(tiles.points);
 }
 
-/// Constants for the compiler: loops over a tile's points are unrolled, remainders by the colours are products.
+/// Constants for the compiler: loops over a tile's points are unrolled, remainders by the colours are
+/// products.
 std::string TilePointGenerator::options(const char* value) const
 {
     return fmt::format("-D KIND={} -D DIMENSION={} -D COLORS={}u -D TILES={}u -D POINTS={}u -D VALUE={}",
-                       static_cast<std::uint32_t>(parameters_.kind), parameters_.dimension, parameters_.colors,
-                       parameters_.tiles, parameters_.points_per_tile, value);
+                       static_cast<std::uint32_t>(parameters_.kind), parameters_.dimension,
+                       parameters_.colors, parameters_.tiles, parameters_.points_per_tile, value);
 }
 
 void TilePointGenerator::look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run)
 {
     const auto [x, y, z] = first_place(block, run);
+    const auto [factor, shift] = reciprocal_of(block.size[0]);
     reserve(device_, tiles_, run.count);
     look_up_.run(run.count, work_group_size_, tiling.seed, tiling.period, block.lowest[0], block.lowest[1],
-                 block.lowest[2], block.size[0], block.size[1], x, y, z, run.count, tiles_);
+                 block.lowest[2], block.size[0], factor, shift, block.size[1], x, y, z, run.count, tiles_);
 }
 
 template <class Value>
-void TilePointGenerator::prepare(Placement<Value>& placement, const char* value)
-{
-    const auto count = static_cast<std::uint32_t>(units_.size());
-    placement.table = device_.buffer<Value>(count);
-    placement.place = device_.kernel("tile_points.cl", "place_points", options(value));
-    device_.kernel("tile_points.cl", "convert_units", options(value))
-        .run(count, work_group_size_, units_, count, placement.table);
-}
-
-template <class Value>
-void TilePointGenerator::place_values(Placement<Value>& placement, const PoissonTiling& tiling, const TileBlock& block,
+void TilePointGenerator::place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block,
                                       const TileRun& run, Buffer<Value>& points)
 {
     check(block, parameters_.dimension);
+    if (run.count > max_run)
+        throw InputError(fmt::format("a run of {} tiles: must be at most {}", run.count, max_run));
     look_up(tiling, block, run);
     const auto [x, y, z] = first_place(block, run);
-    placement.place.run(run.count, work_group_size_, tiles_, placement.table, block.size[0], block.size[1], x, y, z,
-                        run.count, points);
+    const auto [factor, shift] = reciprocal_of(block.size[0]);
+    place.run(run.count, work_group_size_, tiles_, units_, block.size[0], factor, shift, block.size[1], x, y,
+              z, run.count, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
                                Buffer<float>& points)
 {
-    if (floats_.table.size() == 0) prepare(floats_, "float");
-    place_values(floats_, tiling, block, run, points);
+    place_values(place_floats_, tiling, block, run, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
                                Buffer<std::uint32_t>& points)
 {
-    if (integers_.table.size() == 0) prepare(integers_, "uint");
-    place_values(integers_, tiling, block, run, points);
+    place_values(place_integers_, tiling, block, run, points);
 }
 
 void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block,
@@ -110,7 +129,8 @@ void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& bl
     const std::size_t most = std::max<std::size_t>(1, values_per_piece / values_per_tile_);
     const std::uint64_t tiles = block.tiles();
     std::vector<std::uint32_t> values;
-    Buffer<std::uint32_t> points = device_.buffer<std::uint32_t>(std::min<std::uint64_t>(most, tiles) * values_per_tile_);
+    Buffer<std::uint32_t> points =
+        device_.buffer<std::uint32_t>(std::min<std::uint64_t>(most, tiles) * values_per_tile_);
     for (std::uint64_t first = 0; first < tiles; first += most) {
         const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, tiles - first));
         place(tiling, block, {first, count}, points);

@@ -1,9 +1,9 @@
 // The points of a block of tiles, made on a device: a copy of each tile's points and an addition.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 5. Order: rows of tiles from south to north (3D: layers
-// from the bottom), in each from west to east, the points of a tile as they are stored. Positions are relative to the
-// lowest corner of the block, as floats in tiles, which round where the block is wide, or as 32-bit integers in units of
-// 1/65,536 of a tile, which do not.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 5. Order: rows of tiles from south to north
+// (3D: layers from the bottom), in each from west to east, the points of a tile as they are stored. Positions
+// are relative to the lowest corner of the block, as floats in tiles, which round where the block is wide, or
+// as 32-bit integers in units of 1/65,536 of a tile, which do not.
 #pragma once
 
 #include "device/device.hpp"
@@ -28,8 +28,8 @@ struct TileBlock
     std::uint64_t tiles() const { return std::uint64_t{size[0]} * size[1] * size[2]; }
 };
 
-/// Throws InputError for sizes below 1 or above 65,536, for blocks that are not at places of 32 bits, and in 2D for
-/// layers.
+/// Throws InputError for sizes below 1 or above 65,536, for blocks that are not at places of 32 bits, and in
+/// 2D for layers.
 void check(const TileBlock& block, int dimension);
 
 /// A part of a block in its order of tiles.
@@ -40,11 +40,13 @@ struct TileRun
 };
 
 /// Integer positions of a torus of `period` tiles as coordinates in [0, 1): each divided by 65,536 period.
-void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates);
+void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period,
+                         std::vector<double>& coordinates);
 
 namespace reference {
 /// All points of a block, coordinate after coordinate.
-std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block);
+std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling,
+                               const TileBlock& block);
 std::vector<std::uint32_t> exact_tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling,
                                              const TileBlock& block);
 /// All points of the toroidal tiling with this period.
@@ -61,12 +63,15 @@ public:
     /// How many numbers a tile's points are.
     std::size_t values_per_tile() const { return values_per_tile_; }
 
-    /// Enqueues the positions of a part of a block; `points` has room for them and may be reused, which is much faster
-    /// than memory that nothing was written to before. The block is checked.
-    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<float>& points);
-    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<std::uint32_t>& points);
+    /// Enqueues the positions of a part of a block; `points` has room for them and may be reused, which is
+    /// much faster than memory that nothing was written to before. The block is checked.
+    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
+               Buffer<float>& points);
+    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
+               Buffer<std::uint32_t>& points);
 
-    /// Hands all exact positions of a block to `sink`, in pieces of whole tiles: memory does not depend on the block.
+    /// Hands all exact positions of a block to `sink`, in pieces of whole tiles: memory does not depend on
+    /// the block.
     void stream(const PoissonTiling& tiling, const TileBlock& block,
                 const std::function<void(std::span<const std::uint32_t> units)>& sink);
 
@@ -74,21 +79,11 @@ public:
     PointSet generate_torus(std::uint32_t seed, std::uint32_t period);
 
 private:
-    /// What there is for each type of positions; made when it is first needed.
-    template <class Value>
-    struct Placement
-    {
-        Buffer<Value> table; ///< the tiles' points
-        Kernel place;
-    };
-
     std::string options(const char* value) const;
     void look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run);
     template <class Value>
-    void prepare(Placement<Value>& placement, const char* value);
-    template <class Value>
-    void place_values(Placement<Value>& placement, const PoissonTiling& tiling, const TileBlock& block,
-                      const TileRun& run, Buffer<Value>& points);
+    void place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
+                      Buffer<Value>& points);
 
     Device device_;
     PoissonTileParameters parameters_;
@@ -97,8 +92,8 @@ private:
     Buffer<std::uint16_t> units_;
     Kernel look_up_;
     Buffer<std::uint32_t> tiles_; ///< the numbers of a run's tiles
-    Placement<float> floats_;
-    Placement<std::uint32_t> integers_;
+    Kernel place_floats_;
+    Kernel place_integers_;
 };
 
 }

@@ -1,7 +1,8 @@
-// 100 million points from a tile set, compared with filling the same buffer with a constant; and 16,384 points by the
-// header for engines, with the file's reading.
+// 100 million points from a tile set, compared with filling the same buffer with a constant; and 16,384
+// points by the header for engines, with the file's reading.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.2.1, measures points a second; memory sets the limit.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.2.1, measures points a second; memory sets
+// the limit.
 #include "bench/ratio_reporter.hpp"
 #include "support/random_tile_set.hpp"
 #include "support/temporary_folder.hpp"
@@ -83,7 +84,8 @@ void load_and_place_16384(benchmark::State& state)
         std::vector<char> bytes(std::filesystem::file_size(path));
         file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         ptiles_tiling tiling{{}, 1, 0};
-        if (const char* problem = ptiles_open(&tiling.set, bytes.data(), bytes.size())) state.SkipWithError(problem);
+        if (const char* problem = ptiles_open(&tiling.set, bytes.data(), bytes.size()))
+            state.SkipWithError(problem);
         const double low[] = {0, 0};
         const double high[] = {16, 16};
         benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size()));
@@ -113,7 +115,8 @@ BENCHMARK(nearest_point)->Repetitions(5);
 
 int main(int argc, char** argv)
 {
-    return poissonlab::bench::run_benchmarks(argc, argv,
-                                             {{"speed over that of filling, 4 colours", "fill/", "tile_points/colors_4/", 0.8},
-                                              {"speed over that of filling, 8 colours", "fill/", "tile_points/colors_8/", 0}});
+    return poissonlab::bench::run_benchmarks(
+        argc, argv,
+        {{"speed over that of filling, 4 colours", "fill/", "tile_points/colors_4/", 0.8},
+         {"speed over that of filling, 8 colours", "fill/", "tile_points/colors_8/", 0}});
 }

@@ -37,6 +37,15 @@ TEST(PointFileDomain, CoordinatesAreMappedToTheUnitTorus)
     EXPECT_LT(read("0.29999999999999993 0.1\n", CoordinateRange{0.1, 0.3})[0].coordinates[0], 1);
 }
 
+TEST(PointFileDomain, IsThatOfBinaryFilesToo)
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "points.npy";
+    const std::vector<double> coordinates{0, 256, 384, 511.5};
+    write_points_in_pieces(path, 2, 2, "", [&](const PointSink& sink) { sink(coordinates); });
+    EXPECT_THAT(read_points(path, CoordinateRange{0, 512}), ElementsAre(plane({0, 0.5, 0.75, 511.5 / 512})));
+}
+
 TEST(PointFileDomain, IsTakenFromTheFile)
 {
     EXPECT_THAT(read("# made by hand\n# domain 0:4\n1 2\n"), ElementsAre(plane({0.25, 0.5})));

@@ -149,5 +149,23 @@ TEST(PointFileRoundTrip, DoesNotDependOnTheLocale)
     }
 }
 
+TEST(PointFileInPieces, IsThatOfTheWhole)
+{
+    PointSet set{2, {}};
+    for (int i = 0; i < 20'000; ++i) set.coordinates.push_back(i / 20'000.0);
+    const TemporaryFolder folder;
+    for (const std::string extension : {".dat", ".ply", ".npy"}) {
+        write_points(folder.path() / ("whole" + extension), set, "a comment");
+        write_points_in_pieces(folder.path() / ("pieces" + extension), 2, set.size(), "a comment",
+                               [&](const PointSink& sink) {
+                                   for (std::size_t first = 0; first < set.size(); first += 3333)
+                                       sink(std::span(set.coordinates)
+                                                .subspan(2 * first, 2 * std::min<std::size_t>(3333, set.size() - first)));
+                               });
+        EXPECT_EQ(read_whole_file(folder.path() / ("pieces" + extension)),
+                  read_whole_file(folder.path() / ("whole" + extension)));
+    }
+}
+
 }
 }

@@ -12,7 +12,8 @@
 namespace poissonlab {
 namespace {
 
-/// One work-item looks at one place: a tile's number, all of its coordinates, the nearest point to a position in it.
+/// One work-item looks at one place: a tile's number, all of its coordinates, the nearest point to a position
+/// in it.
 constexpr auto kernels = R"(
     kernel void query(global const uint* words, uint kind, uint dimension, uint colors, uint tiles, uint points_per_tile,
                       uint seed, int period, global const int* places, global const float* positions, uint count,
@@ -84,9 +85,11 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     auto distances = device_.buffer<float>(count);
     auto coordinates = device_.buffer<float>(3 * count);
     device_
-        .kernel_from_text(kernel_source("../runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
+        .kernel_from_text(kernel_source("../runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl",
+                          "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
-             tiling.period, copied(queries.places), copied(queries.positions), count, results, distances, coordinates);
+             tiling.period, copied(queries.places), copied(queries.positions), count, results, distances,
+             coordinates);
     const auto found = results.read(0, results.size());
     const auto squared_of = distances.read(0, count);
     const auto points = coordinates.read(0, coordinates.size());
@@ -94,7 +97,8 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     std::size_t ties = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::int32_t* const place = &queries.places[3 * i];
-        ASSERT_EQ(found[6 * i], ptiles_tile(&tiling, place[0], place[1], place[2])) << name_of(set) << " " << i;
+        ASSERT_EQ(found[6 * i], ptiles_tile(&tiling, place[0], place[1], place[2]))
+            << name_of(set) << " " << i;
         const std::uint16_t* units = ptiles_points(&s, found[6 * i]) + i % s.points_per_tile * s.dimension;
         double position[3];
         for (std::size_t axis = 0; axis < s.dimension; ++axis) {
@@ -105,9 +109,10 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
         const double distance = std::sqrt(ptiles_nearest(&tiling, position, &nearest));
         ASSERT_NEAR(squared_of[i], distance, 1e-6);
         const std::uint32_t* const f = &found[6 * i];
-        const bool same = std::equal(nearest.tile, nearest.tile + 3, f + 1,
-                                     [](std::int32_t a, std::uint32_t b) { return static_cast<std::uint32_t>(a) == b; }) &&
-                          nearest.index == f[4];
+        const bool same =
+            std::equal(nearest.tile, nearest.tile + 3, f + 1,
+                       [](std::int32_t a, std::uint32_t b) { return static_cast<std::uint32_t>(a) == b; }) &&
+            nearest.index == f[4];
         ASSERT_TRUE(!same || nearest.id == f[5]);
         ties += !same; // equal distances as floats
     }
@@ -117,7 +122,8 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
 TEST_F(GpuHeader, FindsWhatTheHeaderForEnginesFinds)
 {
     for (const PoissonTileSet& set : tile_sets_of_every_kind())
-        for (const PoissonTiling& tiling : {PoissonTiling{1, 0}, PoissonTiling{0x89abcdef, 6}, PoissonTiling{3, 1}})
+        for (const PoissonTiling& tiling :
+             {PoissonTiling{1, 0}, PoissonTiling{0x89abcdef, 6}, PoissonTiling{3, 1}})
             expect_same(set, tiling);
 }
 

@@ -1,6 +1,7 @@
 // runtime/poisson_tiles.h against docs/tile-set-file.md: files, and which tile is where.
 #include "poisson_tiles/tile_lookup.hpp"
 #include "poisson_tiles/tile_pieces.hpp"
+#include "poisson_tiles/tile_set_file.hpp"
 #include "runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,8 @@
 #include <cstring>
 #include <random>
 
-extern "C" std::uint32_t tile_in_c99(const ptiles_tiling* tiling, std::int32_t i, std::int32_t j, std::int32_t k);
+extern "C" std::uint32_t tile_in_c99(const ptiles_tiling* tiling, std::int32_t i, std::int32_t j,
+                                     std::int32_t k);
 
 namespace poissonlab {
 namespace {
@@ -17,7 +19,9 @@ namespace {
 class ByTheDocument
 {
 public:
-    ByTheDocument(const PoissonTileParameters& tiles, const PoissonTiling& tiling) : tiles_(tiles), tiling_(tiling) {}
+    ByTheDocument(const PoissonTileParameters& tiles, const PoissonTiling& tiling)
+        : tiles_(tiles), tiling_(tiling)
+    {}
 
     std::uint32_t tile(std::int64_t i, std::int64_t j, std::int64_t k) const
     {
@@ -25,7 +29,8 @@ public:
         if (tiles_.kind == PoissonTileKind::edge) return edge_tile(i, j);
         std::array<std::uint32_t, 8> corners{};
         for (unsigned corner = 0; corner < 1u << tiles_.dimension; ++corner)
-            corners[corner] = color(i + (corner & 1), j + (corner >> 1 & 1), tiles_.dimension == 3 ? k + (corner >> 2) : 0);
+            corners[corner] =
+                color(i + (corner & 1), j + (corner >> 1 & 1), tiles_.dimension == 3 ? k + (corner >> 2) : 0);
         return corner_tile_of(corners, tiles_.dimension, tiles_.colors);
     }
 
@@ -52,8 +57,14 @@ private:
     {
         return hash(place(x), place(y), place(z)) % tiles_.colors;
     }
-    std::uint32_t eastwards(std::int64_t x, std::int64_t y) const { return hash(place(x), place(y), 0) % tiles_.colors; }
-    std::uint32_t northwards(std::int64_t x, std::int64_t y) const { return hash(place(x), place(y), 1) % tiles_.colors; }
+    std::uint32_t eastwards(std::int64_t x, std::int64_t y) const
+    {
+        return hash(place(x), place(y), 0) % tiles_.colors;
+    }
+    std::uint32_t northwards(std::int64_t x, std::int64_t y) const
+    {
+        return hash(place(x), place(y), 1) % tiles_.colors;
+    }
     std::uint32_t edge_tile(std::int64_t i, std::int64_t j) const
     {
         return edge_tile_of({eastwards(i, j + 1), northwards(i + 1, j), eastwards(i, j), northwards(i, j),
@@ -67,7 +78,8 @@ private:
     PoissonTiling tiling_;
 };
 
-constexpr PoissonTiling tilings[] = {{1, 0}, {0xfedcba98, 0}, {7, 1}, {7, 2}, {7, 5}, {7, 1000}, {7, INT32_MAX}};
+constexpr PoissonTiling tilings[] = {{1, 0}, {0xfedcba98, 0}, {7, 1},        {7, 2},
+                                     {7, 5}, {7, 1000},       {7, INT32_MAX}};
 
 TEST(TileLookUp, IsThatOfTheDocument)
 {
@@ -88,7 +100,8 @@ TEST(TileLookUp, IsThatOfTheDocument)
                 for (std::int32_t j = -7; j < 7; ++j) check_at(i, j, p.dimension == 3 ? i + 2 * j : 0);
             for (int n = 0; n < 200; ++n) {
                 const std::int32_t k = static_cast<std::int32_t>(random());
-                check_at(static_cast<std::int32_t>(random()), static_cast<std::int32_t>(random()), p.dimension == 3 ? k : 0);
+                check_at(static_cast<std::int32_t>(random()), static_cast<std::int32_t>(random()),
+                         p.dimension == 3 ? k : 0);
             }
             for (const std::int32_t end : {INT32_MIN, INT32_MAX})
                 for (const std::int32_t other : {INT32_MIN, -1, 0, INT32_MAX})
@@ -126,6 +139,17 @@ TEST(TileSetBytes, AreOpenedWithoutCopies)
     }
 }
 
+TEST(TileSetBytes, AreThoseOfTheLaboratory)
+{
+    for (const PoissonTileSet& set : tile_sets_of_every_kind()) {
+        const std::string bytes = encode_tile_set(set);
+        ptiles_set opened;
+        ASSERT_EQ(ptiles_open(&opened, bytes.data(), bytes.size()), nullptr) << name_of(set);
+        EXPECT_EQ(opened.points_per_tile, set.parameters.points_per_tile);
+        EXPECT_EQ(bytes.substr(128), tile_set_file_bytes(set).substr(128));
+    }
+}
+
 TEST(TileSetBytes, AreRefusedWhereTheyAreWrong)
 {
     const std::string good = tile_set_file_bytes(random_tile_set(PoissonTileKind::corner, 2, 3, 7));
@@ -146,7 +170,8 @@ TEST(TileSetBytes, AreRefusedWhereTheyAreWrong)
     EXPECT_EQ(problem(with(16, 3)), "an unknown kind of tiles");
     EXPECT_EQ(problem(with(20, 4)), "an unknown kind of tiles");
     for (const std::size_t number : {24u, 27u, 28u, 35u})
-        EXPECT_EQ(problem(with(number, 100)), "numbers of colours, tiles and points that do not fit together");
+        EXPECT_EQ(problem(with(number, 100)),
+                  "numbers of colours, tiles and points that do not fit together");
     EXPECT_EQ(problem(with(32, 8)), "too short or too long for its points");
     EXPECT_EQ(problem(good.substr(0, good.size() - 1)), "too short or too long for its points");
     EXPECT_EQ(problem(good + "x"), "too short or too long for its points");

@@ -31,7 +31,8 @@ std::vector<ptiles_point> points_of(const ptiles_tiling& tiling, std::array<std:
     return points;
 }
 
-std::array<std::int32_t, 3> tiles_around(const Position& position, std::int32_t reach, std::uint32_t dimension)
+std::array<std::int32_t, 3> tiles_around(const Position& position, std::int32_t reach,
+                                         std::uint32_t dimension)
 {
     std::array<std::int32_t, 3> tile{};
     for (std::size_t axis = 0; axis < dimension; ++axis)
@@ -68,7 +69,8 @@ TEST(Window, HasThePointsInIt)
             const std::uint32_t dimension = tiling.set.dimension;
             const Position from{low(random), low(random), low(random)};
             const Position to{from[0] + size(random), from[1] + size(random), from[2] + size(random)};
-            auto expected = points_of(tiling, tiles_around(from, -1, dimension), tiles_around(to, 1, dimension));
+            auto expected =
+                points_of(tiling, tiles_around(from, -1, dimension), tiles_around(to, 1, dimension));
             std::erase_if(expected, [&](const ptiles_point& point) {
                 bool inside = true;
                 for (std::size_t axis = 0; axis < dimension; ++axis)
@@ -76,7 +78,8 @@ TEST(Window, HasThePointsInIt)
                 return !inside;
             });
             std::vector<ptiles_point> found(expected.size() + 1);
-            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size()), expected.size());
+            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size()),
+                      expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) expect_same(found[i], expected[i]);
             // Points that there is no room for are counted.
             ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), nullptr, 0), expected.size());
@@ -108,7 +111,8 @@ TEST(NearestPoint, IsThatOfAllAround)
             const ptiles_tiling tiling = runtime_tiling(set, tilings[n % 3]);
             const std::uint32_t dimension = tiling.set.dimension;
             Position position{somewhere(random), somewhere(random), somewhere(random)};
-            if (n % 10 == 0) position = {std::floor(position[0]), std::floor(position[1]), std::floor(position[2])};
+            if (n % 10 == 0)
+                position = {std::floor(position[0]), std::floor(position[1]), std::floor(position[2])};
             constexpr std::int32_t reach = 2;
             double expected = reach;
             for (const ptiles_point& point : points_of(tiling, tiles_around(position, -reach, dimension),
@@ -118,7 +122,8 @@ TEST(NearestPoint, IsThatOfAllAround)
             const double squared = ptiles_nearest(&tiling, position.data(), &nearest);
             EXPECT_NEAR(squared, expected, 1e-13) << name_of(set);
             EXPECT_NEAR(squared_distance(nearest, position, dimension), expected, 1e-13);
-            expect_same(nearest, points_of(tiling, std::to_array(nearest.tile), std::to_array(nearest.tile))[nearest.index]);
+            expect_same(nearest, points_of(tiling, std::to_array(nearest.tile),
+                                           std::to_array(nearest.tile))[nearest.index]);
         }
     }
 }

@@ -9,17 +9,22 @@ namespace poissonlab {
 
 inline std::vector<PoissonTileSet> tile_sets_of_every_kind()
 {
-    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),   random_tile_set(PoissonTileKind::corner, 2, 4, 64),
-            random_tile_set(PoissonTileKind::corner, 2, 8, 16),  random_tile_set(PoissonTileKind::corner, 3, 2, 11),
-            random_tile_set(PoissonTileKind::corner, 3, 3, 16),  random_tile_set(PoissonTileKind::edge, 2, 2, 5),
-            random_tile_set(PoissonTileKind::edge, 2, 1, 40),    random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
+    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),
+            random_tile_set(PoissonTileKind::corner, 2, 4, 64),
+            random_tile_set(PoissonTileKind::corner, 2, 8, 16),
+            random_tile_set(PoissonTileKind::corner, 3, 2, 11),
+            random_tile_set(PoissonTileKind::corner, 3, 3, 16),
+            random_tile_set(PoissonTileKind::edge, 2, 2, 5),
+            random_tile_set(PoissonTileKind::edge, 2, 1, 40),
+            random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
             random_tile_set(PoissonTileKind::frame, 2, 1, 32, 1)};
 }
 
 inline std::string name_of(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
-    return kind_name(p) + ", " + std::to_string(p.colors) + " colours, " + std::to_string(p.points_per_tile) + " points";
+    return kind_name(p) + ", " + std::to_string(p.colors) + " colours, " + std::to_string(p.points_per_tile) +
+           " points";
 }
 
 }

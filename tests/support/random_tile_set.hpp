@@ -1,4 +1,5 @@
-// Tile sets of any kind with arbitrary points, and their files: for tests of look-ups, to which distances do not matter.
+// Tile sets of any kind with arbitrary points, and their files: for tests of look-ups, to which distances do
+// not matter.
 #pragma once
 
 #include "poisson_tiles/poisson_tile_set.hpp"
@@ -22,7 +23,7 @@ inline PoissonTileSet random_tile_set(PoissonTileKind kind, int dimension, std::
     p.colors = colors;
     p.tiles = kind == PoissonTileKind::frame ? tiles : tile_count(kind, dimension, colors);
     p.points_per_tile = points_per_tile;
-    p.relative_radius = 0.5;
+    p.relative_radius = 0.3;
     std::mt19937_64 random(colors * 1000 + points_per_tile);
     set.points.resize(std::size_t{p.tiles} * points_per_tile * static_cast<std::size_t>(dimension));
     for (std::uint16_t& coordinate : set.points) coordinate = static_cast<std::uint16_t>(random());
@@ -37,8 +38,9 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
         for (int byte = 0; byte < size; ++byte) bytes.push_back(static_cast<char>(value >> 8 * byte));
     };
     const PoissonTileParameters& p = set.parameters;
-    for (const std::uint32_t word : {1u, 128u, static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension),
-                                     p.colors, p.tiles, p.points_per_tile, 0u})
+    for (const std::uint32_t word :
+         {1u, 128u, static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors,
+          p.tiles, p.points_per_tile, 0u})
         put(word, 4);
     put(set.squared_min_distance, 8);
     put(std::bit_cast<std::uint64_t>(p.relative_radius), 8);

@@ -35,10 +35,11 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
 /// What the file says of itself; the domain is the square (cube) that the window fits into.
 std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
 {
-    return fmt::format("domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
-                       "lowest corner of the window",
-                       std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
-                       options.seed);
+    return fmt::format(
+        "domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
+        "lowest corner of the window",
+        std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
+        options.seed);
 }
 
 }
@@ -50,16 +51,17 @@ void tiles_points_command(const TilesPointsOptions& options)
     const TileBlock block = checked_window(options.window, p.dimension);
     TilePointGenerator generator(Device::open(options.device), tiles);
     std::vector<double> coordinates;
-    write_points_in_pieces(
-        options.out, p.dimension, block.tiles() * p.points_per_tile, comment_of(options, block),
-        [&](const PointSink& sink) {
-            generator.stream({options.seed, 0}, block, [&](std::span<const std::uint32_t> units) {
-                stop_if_interrupted();
-                coordinates.clear();
-                for (const std::uint32_t unit : units) coordinates.push_back(unit / 65536.0);
-                sink(coordinates);
-            });
-        });
+    write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile,
+                           comment_of(options, block), [&](const PointSink& sink) {
+                               generator.stream({options.seed, 0}, block,
+                                                [&](std::span<const std::uint32_t> units) {
+                                                    stop_if_interrupted();
+                                                    coordinates.clear();
+                                                    for (const std::uint32_t unit : units)
+                                                        coordinates.push_back(unit / 65536.0);
+                                                    sink(coordinates);
+                                                });
+                           });
 }
 
 }
