@@ -46,6 +46,7 @@ void check_sampler(const SamplerSpec& sampler, const Parameters& parameters, con
 /// True when all realizations are one set.
 bool is_deterministic(const SamplerSpec& sampler, const Parameters& parameters)
 {
+    if (sampler.is_deterministic) return sampler.is_deterministic(parameters);
     if (sampler.deterministic || !sampler.follows_start) return sampler.deterministic;
     bool any = false;
     bool all = true;

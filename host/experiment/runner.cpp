@@ -100,10 +100,11 @@ void store_zone_plate(const ZonePlateAnalysis& zone_plate, const std::map<std::s
     result.analysis_seconds += zone_plate.seconds();
 }
 
-/// Methods that tile know their lattice.
+/// Methods that tile know their lattice. A single tile leaves no peaks: every frequency is one of its lattice.
 AnalysisOptions analysis_of(const Sampler& sampler, AnalysisOptions options)
 {
-    if (options.tiles == 0) options.tiles = static_cast<int>(sampler.tiles_along_axis());
+    if (options.tiles == 0 && sampler.tiles_along_axis() > 1)
+        options.tiles = static_cast<int>(sampler.tiles_along_axis());
     return options;
 }
 

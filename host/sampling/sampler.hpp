@@ -79,6 +79,9 @@ struct SamplerSpec
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;
 
+    /// The same where it depends on parameters; empty: `deterministic` says it.
+    std::function<bool(const Parameters&)> is_deterministic;
+
     /// True when realizations differ only where the sets of its start do: with a deterministic start this
     /// method is deterministic as well.
     bool follows_start = false;

@@ -166,6 +166,10 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
                                 const SourceLocation& where) {
         check_parameters(method, name, parameters, request, where);
     };
+    // With a single tile there is a single tiling.
+    spec.is_deterministic = [method](const Parameters& parameters) {
+        return parameters.integer(method.kind == PoissonTileKind::frame ? "tiles" : "colors") == 1;
+    };
     spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request, engine,

@@ -1,0 +1,139 @@
+// Building Poisson tile sets, all stages and the certificate included, and kernels against the sequential reference.
+//
+// The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8 colours: those of
+// tiles, which are 95 of 100.
+#include "bench/ratio_reporter.hpp"
+#include "support/small_tile_sets.hpp"
+#include "tile_sampling/tile_set_cache.hpp"
+
+namespace poissonlab::bench {
+namespace {
+
+constexpr std::uint32_t threads = 2;
+constexpr std::size_t compared_tori = 128;
+
+Device& device()
+{
+    static Device opened = Device::open({}, threads);
+    return opened;
+}
+
+enum Set
+{
+    corner_4,
+    corner_8,
+    edge_2,
+    sphere_2
+};
+
+PoissonTileParameters parameters_of(std::int64_t set)
+{
+    const auto made = [](PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t points) {
+        return with_repulsion(tile_set_parameters(kind, dimension, colors, points, 0.75));
+    };
+    switch (set) {
+    case corner_4:
+        return made(PoissonTileKind::corner, 2, 4, 64);
+    case corner_8:
+        return made(PoissonTileKind::corner, 2, 8, 64);
+    case edge_2:
+        return made(PoissonTileKind::edge, 2, 2, 64);
+    default:
+        return made(PoissonTileKind::corner, 3, 2, 128);
+    }
+}
+
+void build(benchmark::State& state)
+{
+    const PoissonTileParameters parameters = parameters_of(state.range(0));
+    PoissonTileParameters small = parameters; // builds the kernels
+    small.colors = 1;
+    small.tiles = 1;
+    const DeviceProvider provider = []() -> Device& { return device(); };
+    build_tile_set(small, Engine::opencl, provider);
+    for (auto _ : state) benchmark::DoNotOptimize(build_tile_set(parameters, Engine::opencl, provider));
+    state.SetLabel(kind_name(parameters) + ", " + std::to_string(parameters.tiles) + " tiles");
+}
+
+/// Some of the tori that tiles with 8 colours are taken from.
+struct Tori
+{
+    FillStage stage;
+    std::vector<FillProblem> problems;
+};
+
+/// A filler that notes the first tiles' tori.
+class NotingFiller final : public TileFiller
+{
+public:
+    explicit NotingFiller(Tori& tori) : tori_(tori), filler_(make_tile_filler(fill_settings(parameters_of(corner_8)), device()))
+    {}
+
+    std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
+                                  std::uint32_t attempt) override
+    {
+        if (stage.surroundings.cells != 0 && tori_.problems.empty()) {
+            tori_.stage = stage;
+            tori_.problems.assign(problems.begin(), problems.begin() + compared_tori);
+        }
+        return filler_->fill(stage, problems, attempt);
+    }
+
+private:
+    Tori& tori_;
+    std::unique_ptr<TileFiller> filler_;
+};
+
+const Tori& tori()
+{
+    static const Tori noted = [] {
+        Tori result;
+        NotingFiller filler(result);
+        construct_tile_set(parameters_of(corner_8), filler);
+        return result;
+    }();
+    return noted;
+}
+
+void fill(benchmark::State& state, TileFiller& filler)
+{
+    filler.fill(tori().stage, tori().problems, 0);
+    for (auto _ : state) benchmark::DoNotOptimize(filler.fill(tori().stage, tori().problems, 0));
+}
+
+void fill_by_kernels(benchmark::State& state)
+{
+    fill(state, *make_tile_filler(fill_settings(parameters_of(corner_8)), device()));
+}
+
+void fill_by_reference(benchmark::State& state)
+{
+    fill(state, *reference::make_tile_filler(fill_settings(parameters_of(corner_8))));
+}
+
+void add(const char* name, void (*function)(benchmark::State&), std::int64_t argument, int repetitions)
+{
+    benchmark::RegisterBenchmark(name, function)
+        ->Arg(argument)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->Iterations(1)
+        ->Repetitions(repetitions);
+}
+
+}
+}
+
+int main(int argc, char** argv)
+{
+    using namespace poissonlab::bench;
+    add("fill_by_reference", fill_by_reference, corner_8, 3);
+    add("fill_by_kernels", fill_by_kernels, corner_8, 5);
+    add("build", build, corner_4, 5);
+    add("build", build, corner_8, 3);
+    add("build", build, edge_2, 3);
+    add("build", build, sphere_2, 1);
+    return run_benchmarks(argc, argv,
+                          {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1",
+                            "fill_by_kernels/1", 6}});
+}
