@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <random>
 
@@ -88,7 +89,8 @@ TEST_P(TileTorus, PushedOutPositionsLeaveTheirCellByTheShortestWay)
             continue;
         }
         EXPECT_NE(cell_at(regions_, out), cell);
-        // No shorter movement leads out: tried in many directions.
+        const auto extent_of = [&](unsigned number) { return std::popcount(number & all_axes(dimension_)); };
+        // No shorter movement leads out, but into cells of lower dimension at the ends: tried in many directions.
         const double length = std::sqrt(static_cast<double>(squared_distance(position, out, dimension_)));
         std::normal_distribution<double> normal;
         for (int direction = 0; direction < 8; ++direction) {
@@ -97,7 +99,10 @@ TEST_P(TileTorus, PushedOutPositionsLeaveTheirCellByTheShortestWay)
             TilePosition tried = position;
             for (int k = 0; k < dimension_; ++k)
                 tried[k] = wrapped(position[k] + static_cast<std::int32_t>((length - 4) * d[k] / norm));
-            if (length > 8) EXPECT_EQ(cell_at(regions_, tried), cell);
+            if (length > 8) {
+                const unsigned reached = cell_at(regions_, tried);
+                EXPECT_TRUE(reached == cell || extent_of(reached) < extent_of(cell));
+            }
         }
     }
 }
@@ -114,7 +119,7 @@ TEST_P(TileTorus, MovementsEndWhereTheyAreAllowed)
     }();
     int stopped = 0;
     for (const CellSet cells : {interior, outside_corners}) {
-        for (int i = 0; i < 20'000; ++i) {
+        for (int i = 0; i < 60'000; ++i) {
             const TilePosition start = random_position(random, dimension_);
             if (!is_allowed(regions_, cells, start)) continue;
             TilePosition movement{};
@@ -125,7 +130,9 @@ TEST_P(TileTorus, MovementsEndWhereTheyAreAllowed)
             for (const bool slides : {false, true}) {
                 const TilePosition end = allowed_end(regions_, cells, start, movement, slides);
                 EXPECT_TRUE(is_allowed(regions_, cells, end));
-                if (is_allowed(regions_, cells, free_end)) EXPECT_EQ(end, free_end);
+                if (is_allowed(regions_, cells, free_end)) {
+                    EXPECT_EQ(end, free_end);
+                }
             }
             stopped += !is_allowed(regions_, cells, free_end);
         }

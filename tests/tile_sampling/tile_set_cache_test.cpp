@@ -1,0 +1,90 @@
+// Tile sets are built once, and files that are not what they should be are replaced.
+#include "tile_sampling/tile_set_cache.hpp"
+
+#include "poisson_tiles/tile_set_file.hpp"
+#include "support/small_tile_sets.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+const PoissonTileParameters parameters = tile_set_parameters(PoissonTileKind::corner, 2, 2, 16, 0.7);
+
+class TileSetCache : public testing::Test
+{
+protected:
+    PoissonTileSet cached(const PoissonTileParameters& p = parameters)
+    {
+        return cached_tile_set(p, Engine::opencl, [this]() -> Device& { return ++opened_, device_; }, folder_.path());
+    }
+
+    std::filesystem::path file() const { return folder_.path() / tile_cache_name(parameters, Engine::opencl); }
+
+    TemporaryFolder folder_;
+    Device device_ = Device::open();
+    int opened_ = 0; ///< how often something was built
+};
+
+TEST_F(TileSetCache, BuildsOnce)
+{
+    const PoissonTileSet built = cached();
+    EXPECT_GE(built.squared_min_distance, asked_squared_distance(parameters));
+    EXPECT_EQ(opened_, 1);
+    EXPECT_EQ(cached(), built);
+    EXPECT_EQ(opened_, 1);
+    PoissonTileParameters other = parameters;
+    other.seed = 2;
+    EXPECT_NE(cached(other).points, built.points);
+    EXPECT_EQ(opened_, 2);
+}
+
+TEST_F(TileSetCache, ReplacesDamagedAndForeignFiles)
+{
+    const PoissonTileSet built = cached();
+    const std::string bytes = encode_tile_set(built);
+    std::string flipped = bytes;
+    flipped[bytes.size() / 2] ^= 1;
+    PoissonTileSet unproven = built;
+    unproven.squared_min_distance = 0;
+    PoissonTileSet foreign = built;
+    foreign.parameters.seed = 3;
+    for (const std::string& content :
+         {std::string(), bytes.substr(0, bytes.size() / 2), flipped, encode_tile_set(unproven), encode_tile_set(foreign)}) {
+        folder_.write(file().filename().string(), content);
+        EXPECT_EQ(cached(), built);
+        EXPECT_EQ(read_tile_set(file()), built);
+    }
+    EXPECT_EQ(opened_, 6);
+}
+
+TEST_F(TileSetCache, BuildsWhereNothingCanBeKept)
+{
+    const auto device = [this]() -> Device& { return device_; };
+    const PoissonTileSet built = cached();
+    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, {}), built);
+    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, "/proc/no-such-folder"), built);
+}
+
+TEST(TileCacheFolder, IsTheFirstThatTheEnvironmentNames)
+{
+    const char* home = std::getenv("HOME");
+    const std::string kept = home ? home : "";
+    setenv("POISSONLAB_CACHE", "/a", 1);
+    setenv("XDG_CACHE_HOME", "/b", 1);
+    setenv("HOME", "/c", 1);
+    EXPECT_EQ(tile_cache_folder(), "/a");
+    unsetenv("POISSONLAB_CACHE");
+    EXPECT_EQ(tile_cache_folder(), "/b/poissonlab");
+    unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(tile_cache_folder(), "/c/.cache/poissonlab");
+    unsetenv("HOME");
+    EXPECT_TRUE(tile_cache_folder().empty());
+    if (home) setenv("HOME", kept.c_str(), 1);
+}
+
+}
+}
