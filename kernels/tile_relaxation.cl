@@ -230,14 +230,15 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 }
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
-/// Keeps the last iterate whose active points have the wanted squared distance from all points or, where none has, the
-/// best one. `reaches`: half widths of the boxes that are looked into for Voronoi neighbours, one after the other;
+/// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance from
+/// all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for Voronoi neighbours, one after the other;
 /// where none is enough, a point stays. For the first box, each point has a list of LIST_WORDS of the points in a box
 /// that is `slack` larger, for as long as movements cannot have brought in others. Points themselves end as the last
 /// iterate.
 kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
                         ulong cells, global const uint* counts, global const uint* held_counts,
-                        global const uint* active_counts, uint iterations, uint wanted, global const int* reaches,
+                        global const uint* active_counts, uint iterations, uint keeps_last, uint wanted,
+                        global const int* reaches,
                         uint reach_count, int slack, double spacing, global ushort* all_lists,
                         uint max_active, global int* all_points, global double* all_doubles,
                         global int* all_moved, global int* all_kept, global uint* squared_kept)
@@ -299,7 +300,7 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
         }
         nearest = smallest_of_group(nearest, values);
         moved_by += (int)(UINT_MAX - smallest_of_group(UINT_MAX - longest, values));
-        if (nearest >= wanted || nearest > best || iteration == 0) {
+        if (keeps_last ? iteration == iterations : nearest >= wanted || nearest > best || iteration == 0) {
             best = min(nearest, wanted);
             for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
             if (item == 0) squared_kept[problem] = nearest;

@@ -169,7 +169,8 @@ private:
     {
         relax_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
                    static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
-                   stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations, settings_.wanted,
+                   stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations,
+                   static_cast<std::uint32_t>(settings_.repulsion_passes > 0), settings_.wanted,
                    reach_values_, static_cast<std::uint32_t>(reaches_.size()),
                    static_cast<std::int32_t>(list_slack * settings_.spacing), settings_.spacing, lists_,
                    static_cast<std::uint32_t>(max_active_), points_, doubles_, moved_, kept_, squared_kept_);

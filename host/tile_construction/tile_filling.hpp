@@ -63,7 +63,7 @@ struct FillSettings
     std::uint32_t surrounding_attempts = 0;       ///< the same for surroundings, which need not be as good
     std::uint32_t lloyd_iterations = 0;
     std::uint32_t wanted = 0;                     ///< squared minimum distance
-    std::uint32_t repulsion_passes = 0;           ///< at most
+    std::uint32_t repulsion_passes = 0;           ///< at most; 0: no repulsion, and Lloyd relaxation is on its own
     double repulsion_distance = 0;                ///< closer points are pushed apart; units
     double spacing = 0;                           ///< mean distance of points: N^(-1/dimension) of a tile; units
     StreamKey stream{};

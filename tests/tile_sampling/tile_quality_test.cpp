@@ -104,14 +104,19 @@ Spectrum untiled_spectrum()
     return estimate.mean();
 }
 
-/// Apart from its peaks a tiling has the radial power of the untiled method, but for the first peak, which is lower: points
-/// are less ordered beside pieces that were there before.
-TEST(TileQuality, OutsideOfPeaksPowerIsThatOfTheUntiledMethod)
+/// Apart from its peaks a tiling has nearly the radial power of the untiled method. Nearly: beside pieces that were there
+/// before points are less ordered, which takes a tenth off the first peak and fills what is below and between peaks.
+TEST(TileQuality, OutsideOfPeaksPowerIsNearlyThatOfTheUntiledMethod)
 {
     const std::vector<double> tiled = power_outside_peaks(spectrum_of(PoissonTileKind::corner, 8));
     const std::vector<double> untiled = power_outside_peaks(untiled_spectrum());
     for (std::size_t i = 0; i < tiled.size(); ++i) {
-        std::printf("%zu: %.4f %.4f\n", 8 * i, tiled[i], untiled[i]);
+        SCOPED_TRACE(testing::Message() << "frequencies from " << 8 * i);
+        if (untiled[i] < 0.3) {
+            EXPECT_NEAR(tiled[i], untiled[i], 0.12);
+        } else {
+            EXPECT_NEAR(tiled[i] / untiled[i], 1, 0.3);
+        }
     }
 }
 

@@ -68,18 +68,20 @@ public:
         return smallest;
     }
 
-    /// Keeps the last iterate that has the wanted distance, or the best one.
+    /// Keeps the last iterate where repulsion follows; else the last that has the wanted distance, or the best one.
     void relax()
     {
+        const bool keeps_last = settings_.repulsion_passes > 0;
         std::uint32_t best = 0;
         std::vector<TilePosition> kept;
         for (std::uint32_t iteration = 0;; ++iteration) {
             const std::uint32_t nearest = squared_min_distance();
-            if (nearest >= settings_.wanted || nearest > best || iteration == 0) {
+            const bool is_last = iteration == settings_.lloyd_iterations;
+            if (keeps_last ? is_last : nearest >= settings_.wanted || nearest > best || iteration == 0) {
                 best = std::min(nearest, settings_.wanted);
                 kept = points_;
             }
-            if (iteration == settings_.lloyd_iterations) break;
+            if (is_last) break;
             const VoronoiCells cells = voronoi_cells(on_unit_torus());
             const std::size_t images = image_count();
             std::vector<TilePosition> movements(points_.size());
