@@ -13,7 +13,7 @@ constexpr double picture_width = 860;
 constexpr double widest_panel = 400;
 constexpr double margin = 14;
 constexpr double gap = 26;       // more than two disks at the borders of panels
-constexpr double label_space = 28; // from a panel to the middle of its letter, and on to the next row
+constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
 
 DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
 {
@@ -45,7 +45,9 @@ std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& siz
         for (std::size_t i = first; i < end; ++i) {
             const DrawingPoint own = panel_size(scene, scene.panels[i]);
             const double x = margin + static_cast<double>(i - first) * (pitch + gap);
-            places.push_back({{x + (pitch - scale * own[0]) / 2, y + (high - scale * own[1]) / 2}, scale});
+            places.push_back({{x + (pitch - scale * own[0]) / 2, y + (high - scale * own[1]) / 2},
+                              scale,
+                              {x + pitch / 2, y + high + label_space}});
         }
         y += high + (has_labels(scene) ? 2 * label_space : gap);
     }
@@ -60,13 +62,10 @@ Drawing draw_construction(const StoredScene& scene)
     Drawing drawing{size[0], size[1], {}};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const StoredPanel& panel = scene.panels[i];
-        const auto [origin, scale] = places[i];
+        const auto [origin, scale, label] = places[i];
         if (scene.dimension == 2) add_plane_panel(drawing.shapes, scene, panel, origin, scale);
         else add_space_panel(drawing.shapes, scene, panel, origin, scale);
-        const DrawingPoint own = panel_size(scene, panel);
-        if (has_labels(scene))
-            add_panel_label(drawing.shapes, i,
-                            {origin[0] + scale * own[0] / 2, origin[1] + scale * own[1] + 0.75 * label_space});
+        if (has_labels(scene)) add_panel_label(drawing.shapes, i, label);
     }
     return drawing;
 }

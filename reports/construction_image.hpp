@@ -13,6 +13,7 @@ struct PanelPlace
 {
     DrawingPoint origin{};
     double scale = 1;
+    DrawingPoint label{}; ///< the middle of its letter
 };
 
 /// The places of all panels; `size` is set to the size of the drawing.

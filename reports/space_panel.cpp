@@ -44,16 +44,18 @@ struct Edge
 /// The edges of a body, each once; in sight if one of its faces is.
 std::vector<Edge> edges_of(const RegionShape& body)
 {
+    using Corner = std::array<long long, 3>;
     const auto rounded = [](const ShapeVector& p) {
-        return std::array<long long, 3>{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+        return Corner{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
     };
-    std::map<std::pair<std::array<long long, 3>, std::array<long long, 3>>, Edge> edges;
+    std::map<std::pair<Corner, Corner>, Edge> edges;
     for (const ShapeFace& face : body.faces)
         for (std::size_t i = 0; i < face.corners.size(); ++i) {
             const ShapeVector& a = face.corners[i];
             const ShapeVector& b = face.corners[(i + 1) % face.corners.size()];
-            const auto key = std::minmax(rounded(a), rounded(b));
-            Edge& edge = edges.try_emplace({key.first, key.second}, Edge{a, b, false}).first->second;
+            const Corner from = rounded(a), to = rounded(b);
+            const auto key = std::pair(std::min(from, to), std::max(from, to));
+            Edge& edge = edges.try_emplace(key, Edge{a, b, false}).first->second;
             edge.in_sight = edge.in_sight || is_in_sight(face.normal);
         }
     std::vector<Edge> result;

@@ -168,8 +168,15 @@ private:
         for (int count = 0; count <= 3; ++count) {
             ScenePanel panel = new_panel();
             panel.caption = names[static_cast<std::size_t>(count)];
-            panel.window = panel.part = box_around(regions_, all_axes(d_), count == 0 ? 0 : regions_.corner_one);
-            if (count == 0) panel.window = panel.part = box_around(regions_, 0, tile_units / 2);
+            // Pieces begin at the origin, apart from one another by the corners and edges that are left out.
+            const std::array<std::int32_t, 4> lows{regions_.corner_one, regions_.pair_one, regions_.width, 0};
+            const std::array<std::int32_t, 4> highs{regions_.corner_one, tile_units - regions_.corner_one,
+                                                    tile_units - regions_.pair_one, tile_units};
+            for (std::size_t k = 0; k < 3; ++k) {
+                panel.window.low[k] = -lows[static_cast<std::size_t>(count)];
+                panel.window.size[k] = highs[static_cast<std::size_t>(count)] - panel.window.low[k];
+            }
+            panel.part = panel.window;
             const std::uint32_t two_colors = p_.colors; // of two corners: 0 and 1
             for (std::uint8_t axes = 0; axes <= all_axes(d_); ++axes)
                 if (std::popcount(axes) == count) panel.pieces.push_back(piece_at(axes, {}, count == 0 ? 0 : two_colors));
@@ -308,13 +315,19 @@ private:
 
     // Stages of a tile.
 
+    /// How far around a tile there are points while its interior is made.
+    std::int32_t surroundings_margin() const
+    {
+        return std::max(regions_.pair_one, std::min(tile_units / 2 - margin, surrounding_radii * regions_.width));
+    }
+
     void add_tile_stages()
     {
         const MadePiece& made = made_piece(config_.axes, config_.variant);
         ScenePanel empty = tile_panel("");
         if (p_.kind != PoissonTileKind::frame) {
             empty.window = d_ == 3 ? box_around(regions_, config_.axes, regions_.corner_one + margin)
-                                   : box_around(regions_, config_.axes, tile_units / 2);
+                                   : box_around(regions_, config_.axes, surroundings_margin() + margin);
             empty.part = empty.window;
         }
         ScenePanel assembled = empty;
