@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t disk_points = 28;
 constexpr std::size_t dot_points = 14;
 const std::string region_outline = "#707070";
+const std::string made_outline = "#303030";
 const std::string disk_outline = "#8c8c8c";
 
 class PlanePanel
@@ -34,8 +35,10 @@ public:
                 for (const HalfSpace& bound : part.bounds) half = clipped(half, bound);
                 if (!half.faces.empty()) fills.push_back({outline(half.faces.front()), part.fill, {}});
             }
-            outlines.push_back({outline(region.faces.front()), {}, region_outline, 0.7});
+            outlines.push_back({outline(region.faces.front()), {}, piece.is_made ? made_outline : region_outline,
+                                piece.is_made ? 1.4 : 0.7});
         }
+        std::ranges::stable_sort(outlines, {}, &Shape::stroke_width);
         group_by_fill(fills);
         shapes_.insert(shapes_.end(), fills.begin(), fills.end());
         shapes_.insert(shapes_.end(), outlines.begin(), outlines.end());

@@ -23,12 +23,30 @@ std::string pale(const StoredPiece& piece, std::uint32_t color, int dimension)
     return mixed_color(tile_color(color), white, share);
 }
 
+/// Of a corner in the colours of the edges that leave it north, east, south and west: a wedge on each one's side.
+std::vector<ColoredPart> wedges(const StoredPiece& piece)
+{
+    constexpr std::array<std::array<double, 2>, 4> ways{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
+    const double x = double(piece.base[0]) * tile_units, y = double(piece.base[1]) * tile_units;
+    std::vector<ColoredPart> parts;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        ColoredPart part{{}, pale(piece, piece.colors[i], 2)};
+        for (const double side : {-1.0, 1.0}) {
+            const ShapeVector normal{side * ways[i][1] - ways[i][0], -side * ways[i][0] - ways[i][1], 0};
+            part.bounds.push_back({normal, normal[0] * x + normal[1] * y});
+        }
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
 }
 
 std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
 {
     if (piece.colors.empty()) return {{{}, piece.axes == all_axes(dimension) ? white : no_color}};
     if (piece.colors.size() == 1) return {{{}, pale(piece, piece.colors.front(), dimension)}};
+    if (piece.axes == 0) return wedges(piece);
     std::vector<ColoredPart> parts;
     for (std::size_t corner = 0; corner < piece.colors.size(); ++corner) {
         ColoredPart part{{}, pale(piece, piece.colors[corner], dimension)};

@@ -14,7 +14,9 @@ namespace {
 constexpr std::size_t disk_points = 24;
 constexpr double darkest_shade = 0.34; // the share of black on faces without light
 constexpr double farthest_paleness = 0.6;
-constexpr double sphere_part = 0.6;    // of the radius, so that spheres do not hide too many others
+
+/// Of the radius, by class, so that spheres do not hide what is made.
+constexpr std::array<double, stored_point_classes.size()> sphere_parts{0.3, 0.3, 0.5, 0.65};
 const std::string body_outline = "#505050";
 const std::string cube_outline = "#a0a0a0";
 
@@ -108,12 +110,19 @@ public:
         }
     }
 
-    void add_wires(bool in_sight)
+    /// Of pieces that are there already, what is in sight; it stays behind the spheres.
+    void add_held_wires()
     {
-        for (std::size_t i = 0; i < bodies_.size(); ++i) {
-            const std::string color = wire_color(*pieces_[i]);
-            add_edges(bodies_[i], in_sight, in_sight ? color : mixed_color(color, "#ffffff", 0.6), in_sight ? 1.0 : 0.7);
-        }
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (!pieces_[i]->is_made)
+                add_edges(bodies_[i], true, mixed_color(wire_color(*pieces_[i]), "#ffffff", 0.45), 0.7);
+    }
+
+    /// Of the piece that is made, those before or behind the spheres.
+    void add_made_wires(bool in_sight)
+    {
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+            if (pieces_[i]->is_made) add_edges(bodies_[i], in_sight, in_sight ? "#303030" : "#909090", in_sight ? 1.3 : 0.9);
     }
 
     /// Those behind first, and paler.
@@ -131,8 +140,8 @@ public:
         if (spheres.empty()) return;
         std::ranges::stable_sort(spheres, {}, &Sphere::near);
         const auto [farthest, nearest] = ends_of_sight();
-        const double radius = sphere_part * scene_.radius * scale_;
         for (const Sphere& sphere : spheres) {
+            const double radius = sphere_parts.at(sphere.kind) * scene_.radius * scale_;
             const double depth = std::clamp((nearest - sphere.near) / (nearest - farthest), 0.0, 1.0);
             const std::string color = mixed_color(point_color(sphere.kind).fill, "#ffffff", farthest_paleness * depth);
             const DrawingPoint middle = at(sphere.place);
@@ -213,9 +222,10 @@ void add_space_panel(std::vector<Shape>& shapes, const StoredScene& scene, const
     if (scene.is_solid) {
         space.add_bodies();
     } else {
-        space.add_wires(false);
+        space.add_held_wires();
+        space.add_made_wires(false);
         space.add_spheres();
-        space.add_wires(true);
+        space.add_made_wires(true);
     }
     space.add_cubes(true);
 }

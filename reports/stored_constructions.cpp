@@ -80,9 +80,10 @@ StoredPiece read_piece(const StoredObject& object, int dimension)
         if (!(color >= 0 && color <= largest_place)) throw object.error("colors", "must not be negative");
         piece.colors.push_back(static_cast<std::uint32_t>(color));
     }
-    const std::size_t corners = std::size_t{1} << std::popcount(piece.axes);
-    if (piece.colors.size() > 1 && piece.colors.size() != corners)
-        throw object.error("colors", fmt::format("must be none, one, or {}", corners));
+    const std::size_t most = dimension == 2 && piece.axes == 0 ? 4 : std::size_t{1} << std::popcount(piece.axes);
+    if (piece.colors.size() > 1 && piece.colors.size() != most)
+        throw object.error("colors", fmt::format("must be none, one, or {}", most));
+    piece.is_made = object.boolean("made");
     return piece;
 }
 

@@ -47,7 +47,8 @@ struct StoredPiece
 {
     std::uint8_t axes = 0; ///< see TileCell
     std::array<std::int32_t, 3> base{};
-    std::vector<std::uint32_t> colors; ///< none, one, or one for each corner of the cell
+    std::vector<std::uint32_t> colors; ///< none, one, one for each corner of the cell, or of a corner one for each edge
+    bool is_made = false;              ///< what the picture is about
 };
 
 /// Units of tile_regions.hpp.

@@ -14,19 +14,20 @@ namespace {
 
 constexpr std::int32_t margin = tile_units / 20; // around what is shown
 
-/// The colours that a piece's region is drawn in: of the corners of its cell, or of its edge.
+/// The colours that a piece's region is drawn in: of the corners of its cell; of edge-based sets those of its edge, or
+/// of the edges that leave it north, east, south and west.
 std::vector<std::uint32_t> colors_of(const PoissonTileParameters& p, std::uint8_t axes, std::uint32_t variant)
 {
     if (p.kind == PoissonTileKind::frame) return {};
     if (axes == all_axes(p.dimension)) return {};
-    if (p.kind == PoissonTileKind::edge)
-        return axes == 0 ? std::vector<std::uint32_t>{} : std::vector<std::uint32_t>{variant};
-    std::vector<std::uint32_t> corners(std::size_t{1} << std::popcount(axes));
-    for (std::uint32_t& corner : corners) {
-        corner = variant % p.colors;
+    const bool is_edge_based = p.kind == PoissonTileKind::edge;
+    std::vector<std::uint32_t> colors(is_edge_based ? (axes == 0 ? 4 : 1) : std::size_t{1} << std::popcount(axes));
+    for (std::uint32_t& color : colors) {
+        color = variant % p.colors;
         variant /= p.colors;
     }
-    return corners;
+    if (is_edge_based) std::ranges::reverse(colors);
+    return colors;
 }
 
 /// A box around the whole region of a cell at the origin, or of a tile, with what lies at its ends.
@@ -89,7 +90,7 @@ private:
 
     ScenePiece piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base, std::uint32_t variant) const
     {
-        return {axes, base, colors_of(p_, axes, variant)};
+        return {axes, base, colors_of(p_, axes, variant), false};
     }
 
     std::vector<ScenePiece> pieces_of_a_tile(std::uint32_t tile) const
@@ -242,12 +243,13 @@ private:
 
     void add_piece_stages()
     {
-        scene_.columns = d_ == 2 ? 2 : 4;
+        scene_.columns = 2;
         const MadePiece& made = made_piece(config_.axes, config_.variant);
         const std::string name = config_.show + " tile";
         ScenePanel empty = new_panel();
         empty.window = empty.part = stage_window();
-        const ScenePiece own = piece_at(config_.axes, {}, config_.variant);
+        ScenePiece own = piece_at(config_.axes, {}, config_.variant);
+        own.is_made = true;
         const std::string where = d_ == 2 ? "." : "; here what is near the tile.";
 
         ScenePanel assembled = empty;
@@ -332,6 +334,8 @@ private:
         }
         ScenePanel assembled = empty;
         assembled.pieces = pieces_of_a_tile(config_.variant);
+        assembled.pieces.push_back(piece_at(config_.axes, {}, config_.variant));
+        assembled.pieces.back().is_made = true;
         assembled.of(PointClass::held) = shown(made.problem.held, {}, assembled.part);
         assembled.caption = p_.kind == PoissonTileKind::frame
                                 ? "The tile template."
@@ -480,7 +484,7 @@ private:
                 if (!with_regions) continue;
                 panel.tiles.push_back({x, y, 0});
                 // The tiles of a template have their own colours.
-                if (p_.kind == PoissonTileKind::frame) panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}});
+                if (p_.kind == PoissonTileKind::frame) panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
                 for (ScenePiece piece : pieces_of_a_tile(tile)) {
                     piece.base[0] += x;
                     piece.base[1] += y;
@@ -490,15 +494,13 @@ private:
         scene_.panels.push_back(std::move(panel));
     }
 
-    /// The points of a tile at a place, by whether they are in its interior.
+    /// The points of a tile at a place.
     void add_points(ScenePanel& panel, std::uint32_t tile, const std::array<std::int32_t, 3>& place) const
     {
         const std::span<const std::uint16_t> points = made_.set.tile(tile);
-        for (std::size_t i = 0; i < points.size(); i += 2) {
-            const bool is_inner = regions_.cell_of(points.subspan(i, 2)).axes == all_axes(d_);
-            panel.of(is_inner ? PointClass::inner : PointClass::held)
+        for (std::size_t i = 0; i < points.size(); i += 2)
+            panel.of(PointClass::held)
                 .push_back({place[0] * tile_units + points[i], place[1] * tile_units + points[i + 1], 0});
-        }
     }
 
     const ConstructionConfig& config_;

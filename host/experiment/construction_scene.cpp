@@ -37,8 +37,10 @@ Json panel_json(const ScenePanel& panel, int dimension)
                  {"tiles", points_json(panel.tiles, dimension)},
                  {"points", Json::object()}};
     for (const ScenePiece& piece : panel.pieces)
-        json["pieces"].push_back(
-            {{"axes", piece.axes}, {"at", place_json(piece.base, dimension)}, {"colors", piece.colors}});
+        json["pieces"].push_back({{"axes", piece.axes},
+                                  {"at", place_json(piece.base, dimension)},
+                                  {"colors", piece.colors},
+                                  {"made", piece.is_made}});
     for (std::size_t i = 0; i < panel.points.size(); ++i)
         if (!panel.points[i].empty())
             json["points"][point_class_names[i]] = points_json(panel.points[i], dimension);

@@ -19,7 +19,8 @@ struct ScenePiece
 {
     std::uint8_t axes = 0;
     std::array<std::int32_t, 3> base{}; ///< lattice point
-    std::vector<std::uint32_t> colors;  ///< of its corners, or its own; none: grey
+    std::vector<std::uint32_t> colors;  ///< of its corners, of the edges at it, or its own; none: grey
+    bool is_made = false;               ///< what the picture is about; others are there already
 
     bool operator==(const ScenePiece&) const = default;
 };
