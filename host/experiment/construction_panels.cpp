@@ -419,10 +419,17 @@ private:
     {
         for (const auto& [axes, variant] : wanted_pieces(config_))
             scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant) : listed_piece(axes, variant));
-        const bool is_long = config_.axes == 1 && d_ == 2;
-        const double count = static_cast<double>(scene_.panels.size());
-        const double columns = is_long ? std::min(4.0, std::sqrt(count)) : config_.axes == 2 && d_ == 2 ? 8 : std::sqrt(count);
-        scene_.columns = std::min(scene_.panels.size(), static_cast<std::size_t>(std::ceil(columns)));
+        scene_.columns = list_columns(scene_.panels.size());
+    }
+
+    /// Nearly square, a few in one row; narrow pieces ten in a row, wide ones four at most.
+    std::size_t list_columns(std::size_t count) const
+    {
+        const bool is_wide = d_ == 2 && config_.axes == 1, is_narrow = d_ == 2 && config_.axes == 2;
+        const auto root = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+        const std::size_t most = is_narrow ? 10 : is_wide ? std::min<std::size_t>(4, root) : std::max<std::size_t>(4, root);
+        const std::size_t rows = (count + most - 1) / most;
+        return (count + rows - 1) / rows;
     }
 
     ScenePanel listed_piece(std::uint8_t axes, std::uint32_t variant) const
@@ -437,6 +444,7 @@ private:
         }
         panel.part = panel.window;
         panel.pieces.push_back(piece_at(axes, {}, variant));
+        panel.pieces.back().is_made = true;
         panel.of(PointClass::inner) = cut_out(made.filled.active, regions_, axes, made.base, false);
         return panel;
     }
