@@ -10,10 +10,11 @@ namespace poissonlab {
 namespace {
 
 constexpr double picture_width = 860;
-constexpr double widest_panel = 400;
+constexpr double widest_panel = 400; // and highest
 constexpr double margin = 14;
-constexpr double gap = 26;       // more than two disks at the borders of panels
-constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
+constexpr double gap = 26; // more than two disks at the borders of panels
+constexpr double label_space =
+    22; // from a row of panels to the middle of its letters, and on to the next row
 
 DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
 {
@@ -22,7 +23,8 @@ DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
 
 bool has_labels(const StoredScene& scene)
 {
-    return scene.panels.size() > 1 && std::ranges::any_of(scene.panels, [](const StoredPanel& panel) { return !panel.caption.empty(); });
+    return scene.panels.size() > 1 &&
+           std::ranges::any_of(scene.panels, [](const StoredPanel& panel) { return !panel.caption.empty(); });
 }
 
 }
@@ -30,18 +32,24 @@ bool has_labels(const StoredScene& scene)
 std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& size)
 {
     const std::size_t columns = std::min(scene.columns, scene.panels.size());
-    double widest = 0;
-    for (const StoredPanel& panel : scene.panels) widest = std::max(widest, panel_size(scene, panel)[0]);
+    double widest = 0, highest = 0;
+    for (const StoredPanel& panel : scene.panels) {
+        widest = std::max(widest, panel_size(scene, panel)[0]);
+        highest = std::max(highest, panel_size(scene, panel)[1]);
+    }
     const auto count = static_cast<double>(columns);
     const double room = (picture_width - 2 * margin - (count - 1) * gap) / count;
-    const double pitch = columns == 1 ? room : std::min(room, widest_panel);
-    const double scale = pitch / widest;
+    const double scale = columns == 1
+                             ? room / widest
+                             : std::min({room, widest_panel, widest_panel * widest / highest}) / widest;
+    const double pitch = scale * widest;
     std::vector<PanelPlace> places;
     double y = margin;
     for (std::size_t first = 0; first < scene.panels.size(); first += columns) {
         const std::size_t end = std::min(first + columns, scene.panels.size());
         double high = 0;
-        for (std::size_t i = first; i < end; ++i) high = std::max(high, scale * panel_size(scene, scene.panels[i])[1]);
+        for (std::size_t i = first; i < end; ++i)
+            high = std::max(high, scale * panel_size(scene, scene.panels[i])[1]);
         for (std::size_t i = first; i < end; ++i) {
             const DrawingPoint own = panel_size(scene, scene.panels[i]);
             const double x = margin + static_cast<double>(i - first) * (pitch + gap);
@@ -63,8 +71,10 @@ Drawing draw_construction(const StoredScene& scene)
     for (std::size_t i = 0; i < places.size(); ++i) {
         const StoredPanel& panel = scene.panels[i];
         const auto [origin, scale, label] = places[i];
-        if (scene.dimension == 2) add_plane_panel(drawing.shapes, scene, panel, origin, scale);
-        else add_space_panel(drawing.shapes, scene, panel, origin, scale);
+        if (scene.dimension == 2)
+            add_plane_panel(drawing.shapes, scene, panel, origin, scale);
+        else
+            add_space_panel(drawing.shapes, scene, panel, origin, scale);
         if (has_labels(scene)) add_panel_label(drawing.shapes, i, label);
     }
     return drawing;

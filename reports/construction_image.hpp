@@ -8,7 +8,8 @@ namespace poissonlab {
 
 Drawing draw_construction(const StoredScene& scene);
 
-/// The place of a panel in a picture: that of its window's upper left corner, and units of the drawing a unit of tiles.
+/// The place of a panel in a picture: that of its window's upper left corner, and units of the drawing a unit
+/// of tiles.
 struct PanelPlace
 {
     DrawingPoint origin{};

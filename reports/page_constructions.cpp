@@ -53,7 +53,8 @@ std::string caption_of(const ReportConstruction& construction)
     if (construction.stored->show == "points" || construction.stored->show == "tiling") return text;
     text += legend(construction);
     if (shows_disks(scene))
-        text += scene.dimension == 2 ? " Circles have the Poisson disk radius." : " Spheres are drawn smaller than they are, and paler farther away.";
+        text += scene.dimension == 2 ? " Circles have the Poisson disk radius."
+                                     : " Spheres are drawn smaller than they are, and paler farther away.";
     return text;
 }
 
@@ -65,8 +66,9 @@ PageData facts_of(const StoredConstruction& stored)
                       : stored.kind == "sphere" ? "corner-based Poisson sphere tiles"
                       : is_template             ? "template Poisson disk tiles"
                                                 : "corner-based Poisson disk tiles");
-    facts << PageData(is_template ? fmt::format("{} tiles", format_count(stored.tiles))
-                                  : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
+    facts << PageData(is_template
+                          ? fmt::format("{} tiles", format_count(stored.tiles))
+                          : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
     facts << PageData(fmt::format("{} points per tile", format_count(stored.points_per_tile)));
     facts << PageData(fmt::format("relative radius {}", format_exact(stored.relative_radius)));
     if (stored.show == "regions" || stored.show == "kinds") return facts;

@@ -10,7 +10,8 @@ const std::string label_color = "#202020";
 constexpr double stroke_width = 1.4;
 constexpr int arc_steps = 14;
 
-/// In units of the height of a small letter: x to the right, y upwards from the line, 0 in the letter's middle.
+/// In units of the height of a small letter: x to the right, y upwards from the line, 0 in the letter's
+/// middle.
 using Line = std::vector<DrawingPoint>;
 
 /// Part of an ellipse; angles in degrees, counterclockwise from the right.

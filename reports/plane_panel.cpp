@@ -10,7 +10,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t disk_points = 28;
+constexpr std::size_t arc_points = 112; // of the circle around a corner
 constexpr std::size_t dot_points = 14;
 const std::string region_outline = "#707070";
 const std::string made_outline = "#303030";
@@ -35,7 +35,9 @@ public:
                 for (const HalfSpace& bound : part.bounds) half = clipped(half, bound);
                 if (!half.faces.empty()) fills.push_back({outline(half.faces.front()), part.fill, {}});
             }
-            outlines.push_back({outline(region.faces.front()), {}, piece.is_made ? made_outline : region_outline,
+            outlines.push_back({outline(region.faces.front()),
+                                {},
+                                piece.is_made ? made_outline : region_outline,
                                 piece.is_made ? 1.4 : 0.7});
         }
         std::ranges::stable_sort(outlines, {}, &Shape::stroke_width);
@@ -50,12 +52,13 @@ public:
         if (panel_.modified || panel_.has_points()) return;
         for (const StoredPiece& piece : panel_.pieces) {
             if (piece.axes != 0) continue;
-            const ShapeVector middle{double(piece.base[0]) * tile_units, double(piece.base[1]) * tile_units, 0};
-            constexpr std::size_t steps = 4 * disk_points;
-            for (std::size_t i = 0; i < steps; ++i) {
-                const ShapeVector a = around(middle, scene_.width, i, steps);
-                const ShapeVector b = around(middle, scene_.width, i + 1, steps);
-                if (is_in_part(a) && is_in_part(b)) shapes_.push_back({{at(a), at(b)}, {}, region_outline, 0.7});
+            const ShapeVector middle{double(piece.base[0]) * tile_units, double(piece.base[1]) * tile_units,
+                                     0};
+            for (std::size_t i = 0; i < arc_points; ++i) {
+                const ShapeVector a = around(middle, scene_.width, i, arc_points);
+                const ShapeVector b = around(middle, scene_.width, i + 1, arc_points);
+                if (is_in_part(a) && is_in_part(b))
+                    shapes_.push_back({{at(a), at(b)}, {}, region_outline, 0.7});
             }
         }
     }
@@ -75,13 +78,16 @@ public:
     {
         if (!panel_.tiles.empty() || panel_.caption.empty()) return;
         const auto low = panel_.window.low, high = panel_.window.high();
-        shapes_.push_back({{at(low), at({high[0], low[1], 0}), at(high), at({low[0], high[1], 0})}, {}, "#b0b0b0", 0.8});
+        shapes_.push_back(
+            {{at(low), at({high[0], low[1], 0}), at(high), at({low[0], high[1], 0})}, {}, "#b0b0b0", 0.8});
     }
 
-    /// Disks do not overlap where points keep their distance. Not drawn where there are no regions: only points count.
+    /// Disks do not overlap where points keep their distance. Not drawn where there are no regions: only
+    /// points count.
     void add_points()
     {
         const double radius = scene_.radius * scale_;
+        const auto disk_points = static_cast<std::size_t>(std::clamp(1.5 * radius, 20.0, 72.0));
         const bool has_disks = !panel_.pieces.empty() || !panel_.tiles.empty();
         if (has_disks)
             for (const auto& points : panel_.points)
@@ -116,14 +122,16 @@ private:
     std::vector<DrawingPoint> circle(const ShapeVector& middle, double radius, std::size_t points) const
     {
         std::vector<DrawingPoint> result;
-        for (std::size_t i = 0; i < points; ++i) result.push_back(at(around(middle, radius / scale_, i, points)));
+        for (std::size_t i = 0; i < points; ++i)
+            result.push_back(at(around(middle, radius / scale_, i, points)));
         return result;
     }
 
     bool is_in_part(const ShapeVector& place) const
     {
         const auto low = panel_.part.low, high = panel_.part.high();
-        return place[0] >= low[0] - 1 && place[0] <= high[0] + 1 && place[1] >= low[1] - 1 && place[1] <= high[1] + 1;
+        return place[0] >= low[0] - 1 && place[0] <= high[0] + 1 && place[1] >= low[1] - 1 &&
+               place[1] <= high[1] + 1;
     }
 
     std::vector<Shape>& shapes_;
@@ -135,7 +143,10 @@ private:
 
 }
 
-DrawingPoint plane_panel_size(const StoredPanel& panel) { return {panel.window.size[0], panel.window.size[1]}; }
+DrawingPoint plane_panel_size(const StoredPanel& panel)
+{
+    return {panel.window.size[0], panel.window.size[1]};
+}
 
 void add_plane_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
                      const DrawingPoint& origin, double scale)

@@ -23,7 +23,8 @@ std::string pale(const StoredPiece& piece, std::uint32_t color, int dimension)
     return mixed_color(tile_color(color), white, share);
 }
 
-/// Of a corner in the colours of the edges that leave it north, east, south and west: a wedge on each one's side.
+/// Of a corner in the colours of the edges that leave it north, east, south and west: a wedge on each one's
+/// side.
 std::vector<ColoredPart> wedges(const StoredPiece& piece)
 {
     constexpr std::array<std::array<double, 2>, 4> ways{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
@@ -66,8 +67,9 @@ std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
 
 std::string wire_color(const StoredPiece& piece)
 {
-    const bool one = !piece.colors.empty() &&
-                     std::ranges::all_of(piece.colors, [&](std::uint32_t c) { return c == piece.colors.front(); });
+    const bool one = !piece.colors.empty() && std::ranges::all_of(piece.colors, [&](std::uint32_t c) {
+        return c == piece.colors.front();
+    });
     return one ? mixed_color(tile_color(piece.colors.front()), "#000000", 0.3) : "#808080";
 }
 

@@ -1,7 +1,7 @@
 // The colours of regions and points in pictures of the construction of Poisson tiles.
 //
-// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.4 and 4.18: regions have the colours of corners or
-// edges, here pale, so that points show; regions between two corners are half and half.
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.4 and 4.18: regions have the colours
+// of corners or edges, here pale, so that points show; regions between two corners are half and half.
 #pragma once
 
 #include "reports/stored_constructions.hpp"

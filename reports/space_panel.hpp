@@ -11,8 +11,8 @@ namespace poissonlab {
 /// Width and height of a panel's projected window, units of tiles.
 DrawingPoint space_panel_size(const StoredPanel& panel);
 
-/// Appends what the panel shows, with its projected window's upper left corner at `origin`. `scale`: units of the
-/// drawing a unit of tiles.
+/// Appends what the panel shows, with its projected window's upper left corner at `origin`. `scale`: units of
+/// the drawing a unit of tiles.
 void add_space_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
                      const DrawingPoint& origin, double scale);
 

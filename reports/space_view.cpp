@@ -41,12 +41,13 @@ bool is_outside(const RegionShape& body, const ShapeFace& face)
 {
     const double limit = dot(face.normal, face.corners.front()) - tolerance * length(face.normal);
     return std::ranges::all_of(body.faces, [&](const ShapeFace& other) {
-        return std::ranges::all_of(other.corners,
-                                   [&](const ShapeVector& corner) { return dot(face.normal, corner) >= limit; });
+        return std::ranges::all_of(
+            other.corners, [&](const ShapeVector& corner) { return dot(face.normal, corner) >= limit; });
     });
 }
 
-/// Do faces of `a` separate it from a body `b` that it can hide, or that can hide it? Both: neither hides the other.
+/// Do faces of `a` separate it from a body `b` that it can hide, or that can hide it? Both: neither hides the
+/// other.
 struct Separation
 {
     bool hides = false;
@@ -59,7 +60,8 @@ Separation separation(const RegionShape& a, const RegionShape& b)
     for (const ShapeFace& face : a.faces) {
         if (!is_outside(b, face)) continue;
         const double sight = dot(face.normal, to_viewer);
-        // Beyond a face in sight there is what may hide the body; across the line of sight, nothing hides anything.
+        // Beyond a face in sight there is what may hide the body; across the line of sight, nothing hides
+        // anything.
         if (sight >= 0) found.is_hidden = true;
         if (sight <= 0) found.hides = true;
     }
@@ -80,7 +82,8 @@ bool is_behind(const RegionShape& a, const RegionShape& b)
 DrawingPoint projected(const ShapeVector& p)
 {
     const double back = p[1] * std::cos(turn) - p[0] * std::sin(turn);
-    return {p[0] * std::cos(turn) + p[1] * std::sin(turn), -back * std::sin(elevation) - p[2] * std::cos(elevation)};
+    return {p[0] * std::cos(turn) + p[1] * std::sin(turn),
+            -back * std::sin(elevation) - p[2] * std::cos(elevation)};
 }
 
 double nearness(const ShapeVector& place) { return dot(place, to_viewer); }
@@ -96,7 +99,8 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
 {
     std::vector<std::vector<bool>> behind(bodies.size(), std::vector<bool>(bodies.size()));
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (std::size_t j = 0; j < bodies.size(); ++j) behind[i][j] = i != j && is_behind(bodies[i], bodies[j]);
+        for (std::size_t j = 0; j < bodies.size(); ++j)
+            behind[i][j] = i != j && is_behind(bodies[i], bodies[j]);
     std::vector<std::size_t> order;
     std::vector<bool> done(bodies.size());
     while (order.size() < bodies.size()) {
@@ -107,7 +111,8 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (done[i]) continue;
             bool hides_none = true;
-            for (std::size_t j = 0; j < bodies.size(); ++j) hides_none = hides_none && (done[j] || !behind[j][i]);
+            for (std::size_t j = 0; j < bodies.size(); ++j)
+                hides_none = hides_none && (done[j] || !behind[j][i]);
             const double near = nearness(middle_of(bodies[i]));
             if ((hides_none && !is_free) || (hides_none == is_free && near < best)) {
                 next = i;

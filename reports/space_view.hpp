@@ -1,7 +1,8 @@
-// The parallel projection in which the construction of Poisson sphere tiles is drawn, and what hides what in it.
+// The parallel projection in which the construction of Poisson sphere tiles is drawn, and what hides what in
+// it.
 //
-// Seen from the south-east and above, as corner cubes are, but not along a diagonal: so no corner of a cube hides
-// another, and lattices of points do not fall into lines.
+// Seen from the south-east and above, as corner cubes are, but not along a diagonal: so no corner of a cube
+// hides another, and lattices of points do not fall into lines.
 #pragma once
 
 #include "poisson_tiles/region_shapes.hpp"

@@ -1,5 +1,5 @@
-// The member "constructions" of results.json, and the files construction.json that it names: pictures of how Poisson
-// tile sets come into being.
+// The member "constructions" of results.json, and the files construction.json that it names: pictures of how
+// Poisson tile sets come into being.
 #pragma once
 
 #include "poisson_tiles/region_shapes.hpp"
@@ -38,7 +38,7 @@ struct StoredConstruction
     int lloyd_iterations = 0;
     bool repulsion = false;
     std::string filling;
-    std::string file;                                                ///< relative to the result folder
+    std::string file;                                              ///< relative to the result folder
     std::array<std::size_t, stored_point_classes.size()> points{}; ///< of each class
 };
 
@@ -47,8 +47,9 @@ struct StoredPiece
 {
     std::uint8_t axes = 0; ///< see TileCell
     std::array<std::int32_t, 3> base{};
-    std::vector<std::uint32_t> colors; ///< none, one, one for each corner of the cell, or of a corner one for each edge
-    bool is_made = false;              ///< what the picture is about
+    std::vector<std::uint32_t>
+        colors;           ///< none, one, one for each corner of the cell, or of a corner one for each edge
+    bool is_made = false; ///< what the picture is about
 };
 
 /// Units of tile_regions.hpp.

@@ -14,14 +14,15 @@ namespace {
 
 constexpr std::int32_t margin = tile_units / 20; // around what is shown
 
-/// The colours that a piece's region is drawn in: of the corners of its cell; of edge-based sets those of its edge, or
-/// of the edges that leave it north, east, south and west.
+/// The colours that a piece's region is drawn in: of the corners of its cell; of edge-based sets those of its
+/// edge, or of the edges that leave it north, east, south and west.
 std::vector<std::uint32_t> colors_of(const PoissonTileParameters& p, std::uint8_t axes, std::uint32_t variant)
 {
     if (p.kind == PoissonTileKind::frame) return {};
     if (axes == all_axes(p.dimension)) return {};
     const bool is_edge_based = p.kind == PoissonTileKind::edge;
-    std::vector<std::uint32_t> colors(is_edge_based ? (axes == 0 ? 4 : 1) : std::size_t{1} << std::popcount(axes));
+    std::vector<std::uint32_t> colors(is_edge_based ? (axes == 0 ? 4 : 1)
+                                                    : std::size_t{1} << std::popcount(axes));
     for (std::uint32_t& color : colors) {
         color = variant % p.colors;
         variant /= p.colors;
@@ -56,14 +57,22 @@ public:
     Scene make()
     {
         const std::string& show = config_.show;
-        if (show == "regions") d_ == 2 ? add_plane_regions() : add_space_regions();
-        else if (show == "kinds") add_kinds();
-        else if (config_.is_tiling()) add_tiling();
-        else if (config_.is_list()) add_list();
-        else if (show == "master") add_master();
-        else if (show == "template") add_template();
-        else if (config_.axes == all_axes(d_)) add_tile_stages();
-        else add_piece_stages();
+        if (show == "regions")
+            d_ == 2 ? add_plane_regions() : add_space_regions();
+        else if (show == "kinds")
+            add_kinds();
+        else if (config_.is_tiling())
+            add_tiling();
+        else if (config_.is_list())
+            add_list();
+        else if (show == "master")
+            add_master();
+        else if (show == "template")
+            add_template();
+        else if (config_.axes == all_axes(d_))
+            add_tile_stages();
+        else
+            add_piece_stages();
         return std::move(scene_);
     }
 
@@ -88,7 +97,8 @@ private:
         return panel;
     }
 
-    ScenePiece piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base, std::uint32_t variant) const
+    ScenePiece piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base,
+                        std::uint32_t variant) const
     {
         return {axes, base, colors_of(p_, axes, variant), false};
     }
@@ -97,7 +107,8 @@ private:
     {
         std::vector<ScenePiece> pieces;
         for (const PlacedPiece& piece : pieces_around(p_, tile))
-            pieces.push_back(piece_at(piece.axes, {piece.base[0], piece.base[1], piece.base[2]}, piece.variant));
+            pieces.push_back(
+                piece_at(piece.axes, {piece.base[0], piece.base[1], piece.base[2]}, piece.variant));
         return pieces;
     }
 
@@ -106,10 +117,11 @@ private:
     {
         scene_.columns = 2;
         for (const bool modified : {false, true}) {
-            ScenePanel panel = tile_panel(modified ? "The modified regions: corner regions are enlarged such that edge "
-                                                     "regions are two radii apart."
-                                                   : "Strips of the radius' width: corner regions, edge regions, and "
-                                                     "the interior.");
+            ScenePanel panel =
+                tile_panel(modified ? "The modified regions: corner regions are enlarged such that edge "
+                                      "regions are two radii apart."
+                                    : "Strips of the radius' width: corner regions, edge regions, and "
+                                      "the interior.");
             panel.modified = modified;
             panel.pieces = pieces_of_a_tile(shown_tile());
             panel.pieces.push_back(piece_at(all_axes(d_), {}, 0));
@@ -133,8 +145,8 @@ private:
         scene_.is_solid = true;
         const std::vector<ScenePiece> around = pieces_of_a_tile(shown_tile());
         const ScenePiece interior = piece_at(all_axes(d_), {}, 0);
-        const std::array<const char*, 4> names{"The corner regions.", "The edge regions.", "The face regions.",
-                                               "The interior region."};
+        const std::array<const char*, 4> names{"The corner regions.", "The edge regions.",
+                                               "The face regions.", "The interior region."};
         for (int count = 0; count <= 3; ++count) {
             ScenePanel panel = tile_panel(names[static_cast<std::size_t>(count)]);
             for (const ScenePiece& piece : around)
@@ -164,8 +176,8 @@ private:
     {
         scene_.columns = 4;
         scene_.is_solid = true;
-        const std::array<const char*, 4> names{"Corner tiles: great rhombicuboctahedra.", "Edge tiles.", "Face tiles.",
-                                               "Interior tiles."};
+        const std::array<const char*, 4> names{"Corner tiles: great rhombicuboctahedra.", "Edge tiles.",
+                                               "Face tiles.", "Interior tiles."};
         for (int count = 0; count <= 3; ++count) {
             ScenePanel panel = new_panel();
             panel.caption = names[static_cast<std::size_t>(count)];
@@ -180,7 +192,8 @@ private:
             panel.part = panel.window;
             const std::uint32_t two_colors = p_.colors; // of two corners: 0 and 1
             for (std::uint8_t axes = 0; axes <= all_axes(d_); ++axes)
-                if (std::popcount(axes) == count) panel.pieces.push_back(piece_at(axes, {}, count == 0 ? 0 : two_colors));
+                if (std::popcount(axes) == count)
+                    panel.pieces.push_back(piece_at(axes, {}, count == 0 ? 0 : two_colors));
             scene_.panels.push_back(panel);
         }
     }
@@ -205,27 +218,29 @@ private:
     }
 
     /// Points of a torus relative to a cell of it, those that the window shows.
-    std::vector<TilePosition> shown(std::span<const TilePosition> points, const std::array<std::int8_t, 3>& base,
-                                    const SceneBox& window) const
+    std::vector<TilePosition> shown(std::span<const TilePosition> points,
+                                    const std::array<std::int8_t, 3>& base, const SceneBox& window) const
     {
         std::vector<TilePosition> result;
         for (const TilePosition& point : points) {
             TilePosition place{};
             for (int k = 0; k < d_; ++k)
-                place[k] = window.low[k] + wrapped(point[k] - base[static_cast<std::size_t>(k)] * tile_units - window.low[k]);
+                place[k] = window.low[k] +
+                           wrapped(point[k] - base[static_cast<std::size_t>(k)] * tile_units - window.low[k]);
             if (window.holds(place, d_)) result.push_back(place);
         }
         return result;
     }
 
     /// Pieces of a torus relative to a cell of it, wherever the window shows them.
-    std::vector<ScenePiece> shown_pieces(std::span<const PlacedPiece> pieces, const std::array<std::int8_t, 3>& base,
-                                         const SceneBox& window) const
+    std::vector<ScenePiece> shown_pieces(std::span<const PlacedPiece> pieces,
+                                         const std::array<std::int8_t, 3>& base, const SceneBox& window) const
     {
         std::vector<ScenePiece> result;
         for (const PlacedPiece& piece : pieces)
             for (int turn = 0; turn < (d_ == 2 ? 9 : 27); ++turn) {
-                const std::array<std::int32_t, 3> turns{turn % 3 - 1, turn / 3 % 3 - 1, d_ == 2 ? 0 : turn / 9 - 1};
+                const std::array<std::int32_t, 3> turns{turn % 3 - 1, turn / 3 % 3 - 1,
+                                                        d_ == 2 ? 0 : turn / 9 - 1};
                 std::array<std::int32_t, 3> place{};
                 bool is_seen = true;
                 for (std::size_t k = 0; k < static_cast<std::size_t>(d_); ++k) {
@@ -254,17 +269,22 @@ private:
 
         ScenePanel assembled = empty;
         const std::vector<PlacedPiece> neighbours = earlier_neighbours(p_, config_.axes, config_.variant);
-        assembled.caption = neighbours.empty() ? "The " + name + "."
-                                               : "The " + name + " with the tiles at its ends, which are there already.";
+        assembled.caption = neighbours.empty()
+                                ? "The " + name + "."
+                                : "The " + name + " with the tiles at its ends, which are there already.";
         for (const PlacedPiece& piece : neighbours)
-            assembled.pieces.push_back(piece_at(piece.axes, {piece.base[0], piece.base[1], piece.base[2]}, piece.variant));
-        assembled.of(PointClass::held) = near(shown(made.problem.held, made.base, empty.window), assembled.pieces);
+            assembled.pieces.push_back(
+                piece_at(piece.axes, {piece.base[0], piece.base[1], piece.base[2]}, piece.variant));
+        assembled.of(PointClass::held) =
+            near(shown(made.problem.held, made.base, empty.window), assembled.pieces);
         assembled.pieces.push_back(own);
         scene_.panels.push_back(assembled);
 
         ScenePanel torus = empty;
-        if (d_ == 2) torus.pieces = shown_pieces(made.held, made.base, empty.window);
-        else torus.pieces = assembled.pieces;
+        if (d_ == 2)
+            torus.pieces = shown_pieces(made.held, made.base, empty.window);
+        else
+            torus.pieces = assembled.pieces;
         torus.of(PointClass::held) = shown(made.problem.held, made.base, empty.window);
         if (d_ == 2) torus.pieces.push_back(own);
         ScenePanel thrown = torus, relaxed = torus, cut = empty;
@@ -295,18 +315,21 @@ private:
     }
 
     /// The points in the regions of some pieces.
-    std::vector<TilePosition> near(std::vector<TilePosition> points, const std::vector<ScenePiece>& pieces) const
+    std::vector<TilePosition> near(std::vector<TilePosition> points,
+                                   const std::vector<ScenePiece>& pieces) const
     {
         std::erase_if(points, [&](const TilePosition& point) {
             const ScenePiece cell = cell_of(point);
-            return std::ranges::none_of(
-                pieces, [&](const ScenePiece& piece) { return piece.axes == cell.axes && piece.base == cell.base; });
+            return std::ranges::none_of(pieces, [&](const ScenePiece& piece) {
+                return piece.axes == cell.axes && piece.base == cell.base;
+            });
         });
         return points;
     }
 
     /// Points of a torus that are not held, by whether they are in the piece that is made.
-    void add_free(ScenePanel& panel, std::span<const TilePosition> points, const std::array<std::int8_t, 3>& base) const
+    void add_free(ScenePanel& panel, std::span<const TilePosition> points,
+                  const std::array<std::int8_t, 3>& base) const
     {
         for (const TilePosition& point : shown(points, base, panel.window)) {
             const ScenePiece cell = cell_of(point);
@@ -320,7 +343,8 @@ private:
     /// How far around a tile there are points while its interior is made.
     std::int32_t surroundings_margin() const
     {
-        return std::max(regions_.pair_one, std::min(tile_units / 2 - margin, surrounding_radii * regions_.width));
+        return std::max(regions_.pair_one,
+                        std::min(tile_units / 2 - margin, surrounding_radii * regions_.width));
     }
 
     void add_tile_stages()
@@ -348,10 +372,13 @@ private:
         thrown.caption = "Dart throwing fills the interior.";
         if (d_ == 3) scene_.panels.push_back(thrown);
         thrown.of(PointClass::surroundings) = shown(made.filled.surroundings, {}, thrown.part);
-        if (d_ == 3) thrown.caption = "Dart throwing fills the exterior, so that relaxation does not draw points there.";
+        if (d_ == 3)
+            thrown.caption =
+                "Dart throwing fills the exterior, so that relaxation does not draw points there.";
         else if (!thrown.of(PointClass::surroundings).empty())
-            thrown.caption = "Dart throwing fills the interior, and what is around the tile, so that relaxation does "
-                             "not draw points there.";
+            thrown.caption =
+                "Dart throwing fills the interior, and what is around the tile, so that relaxation does "
+                "not draw points there.";
         scene_.panels.push_back(thrown);
 
         ScenePanel relaxed = thrown;
@@ -362,7 +389,8 @@ private:
         scene_.columns = d_ == 3 || p_.kind == PoissonTileKind::frame ? 3 : 2;
     }
 
-    /// Held points that are more than two radii from the tile, which none of its points can feel, are left out.
+    /// Held points that are more than two radii from the tile, which none of its points can feel, are left
+    /// out.
     ScenePanel without_far_points(ScenePanel panel) const
     {
         panel.caption = "The points within two radii of the tile, all that its points can come near to.";
@@ -382,7 +410,8 @@ private:
         panel.caption = "The tile is cut out.";
         panel.part = box_around(regions_, all_axes(d_), 0);
         panel.of(PointClass::surroundings).clear();
-        std::erase_if(panel.of(PointClass::held), [&](const TilePosition& point) { return !panel.part.holds(point, d_); });
+        std::erase_if(panel.of(PointClass::held),
+                      [&](const TilePosition& point) { return !panel.part.holds(point, d_); });
         return panel;
     }
 
@@ -406,7 +435,8 @@ private:
         ScenePanel master = tile_panel("The master tile.");
         master.pieces = pieces_of_a_tile(0);
         for (const TilePosition& point : made.filled.active)
-            master.of(cell_of(point).axes == all_axes(d_) ? PointClass::outer : PointClass::held).push_back(point);
+            master.of(cell_of(point).axes == all_axes(d_) ? PointClass::outer : PointClass::held)
+                .push_back(point);
         ScenePanel frame = master;
         frame.caption = "The tile template: points farther from the border than the radius are discarded.";
         frame.of(PointClass::outer).clear();
@@ -418,7 +448,8 @@ private:
     void add_list()
     {
         for (const auto& [axes, variant] : wanted_pieces(config_))
-            scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant) : listed_piece(axes, variant));
+            scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant)
+                                                         : listed_piece(axes, variant));
         scene_.columns = list_columns(scene_.panels.size());
     }
 
@@ -427,7 +458,9 @@ private:
     {
         const bool is_wide = d_ == 2 && config_.axes == 1, is_narrow = d_ == 2 && config_.axes == 2;
         const auto root = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-        const std::size_t most = is_narrow ? 10 : is_wide ? std::min<std::size_t>(4, root) : std::max<std::size_t>(4, root);
+        const std::size_t most = is_narrow ? 10
+                                 : is_wide ? std::min<std::size_t>(4, root)
+                                           : std::max<std::size_t>(4, root);
         const std::size_t rows = (count + most - 1) / most;
         return (count + rows - 1) / rows;
     }
@@ -470,7 +503,8 @@ private:
         panel.pieces = pieces_of_a_tile(tile);
         panel.of(PointClass::held) = shown(made.problem.held, {}, panel.part);
         for (const TilePosition& point : made.filled.active)
-            panel.of(cell_of(point).axes == all_axes(d_) ? PointClass::inner : PointClass::held).push_back(point);
+            panel.of(cell_of(point).axes == all_axes(d_) ? PointClass::inner : PointClass::held)
+                .push_back(point);
         return panel;
     }
 
@@ -482,7 +516,8 @@ private:
         const ConstructionTiling tiling(p_);
         const auto [x0, y0, width, height] = config_.window;
         ScenePanel panel = new_panel();
-        panel.window.size = {static_cast<std::int32_t>(width) * tile_units, static_cast<std::int32_t>(height) * tile_units, 0};
+        panel.window.size = {static_cast<std::int32_t>(width) * tile_units,
+                             static_cast<std::int32_t>(height) * tile_units, 0};
         panel.part = panel.window;
         std::set<std::pair<std::uint8_t, std::array<std::int32_t, 3>>> added;
         for (std::int32_t y = 0; y < static_cast<std::int32_t>(height); ++y)
@@ -492,7 +527,8 @@ private:
                 if (!with_regions) continue;
                 panel.tiles.push_back({x, y, 0});
                 // The tiles of a template have their own colours.
-                if (p_.kind == PoissonTileKind::frame) panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
+                if (p_.kind == PoissonTileKind::frame)
+                    panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
                 for (ScenePiece piece : pieces_of_a_tile(tile)) {
                     piece.base[0] += x;
                     piece.base[1] += y;

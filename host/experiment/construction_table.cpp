@@ -14,8 +14,8 @@ namespace poissonlab {
 namespace {
 
 constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t max_side = 64;           // of a window, in tiles
-constexpr std::int64_t max_listed = 256;        // pieces or tiles of a picture
+constexpr std::int64_t max_side = 64;    // of a window, in tiles
+constexpr std::int64_t max_listed = 256; // pieces or tiles of a picture
 constexpr std::int64_t max_drawn_points = 100'000;
 
 const std::vector<std::string> kinds{"corner", "edge", "template", "sphere"};
@@ -48,9 +48,16 @@ std::vector<std::string> known_keys(const ConstructionConfig& config)
 {
     const int dimension = config.parameters.dimension;
     const int count = axes_count(config.show, dimension);
-    std::vector<std::string> keys{"kind",  "show",    "points_per_tile",  "relative_radius",
-                                  "seed",  "filling", "lloyd_iterations", "repulsion",
-                                  "label", config.parameters.kind == PoissonTileKind::frame ? "tiles" : "colors"};
+    std::vector<std::string> keys{"kind",
+                                  "show",
+                                  "points_per_tile",
+                                  "relative_radius",
+                                  "seed",
+                                  "filling",
+                                  "lloyd_iterations",
+                                  "repulsion",
+                                  "label",
+                                  config.parameters.kind == PoissonTileKind::frame ? "tiles" : "colors"};
     if (count > 0 && count < dimension) keys.push_back("along");
     if (config.is_stage() && config.show != "master" && config.show != "template") keys.push_back("variant");
     if (config.is_list()) keys.push_back("count");
@@ -80,8 +87,7 @@ PoissonTileParameters read_parameters(const ConfigTable& table, const std::strin
     }
     p.lloyd_iterations = static_cast<std::uint32_t>(read_integer(table, "lloyd_iterations", 0, 1000, 8));
     p.repulsion = read_flag(table, "repulsion", true);
-    p.seed = static_cast<std::uint64_t>(
-        read_integer(table, "seed", 0, any, static_cast<std::int64_t>(seed)));
+    p.seed = static_cast<std::uint64_t>(read_integer(table, "seed", 0, any, static_cast<std::int64_t>(seed)));
     return p;
 }
 
@@ -111,13 +117,15 @@ TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
         throw invalid_node("window", *node, "must be [X, Y, width, height]");
     if (values[2] < 1 || values[3] < 1 || values[2] > max_side || values[3] > max_side ||
         values[2] * values[3] * points_per_tile > max_drawn_points)
-        throw invalid_node("window", *node,
-                           fmt::format("must be from 1 to {} tiles wide and high, with at most {} points in all",
-                                       max_side, max_drawn_points));
+        throw invalid_node(
+            "window", *node,
+            fmt::format("must be from 1 to {} tiles wide and high, with at most {} points in all", max_side,
+                        max_drawn_points));
     for (const int k : {0, 1})
         if (values[k] < -any / 2 || values[k] > any / 2)
             throw invalid_node("window", *node, "must not be so far away");
-    return {values[0], values[1], static_cast<std::uint64_t>(values[2]), static_cast<std::uint64_t>(values[3])};
+    return {values[0], values[1], static_cast<std::uint64_t>(values[2]),
+            static_cast<std::uint64_t>(values[3])};
 }
 
 void read_piece(const ConfigTable& table, ConstructionConfig& config)
@@ -141,17 +149,15 @@ void read_piece(const ConfigTable& table, ConstructionConfig& config)
 std::string default_label(const ConstructionConfig& config)
 {
     static const std::map<std::string, std::string> stages{
-        {"regions", "Regions"},           {"kinds", "Kinds of tiles"},
-        {"corner", "Corner tile"},        {"edge", "Edge tile"},
-        {"face", "Face tile"},            {"tile", "Tile"},
-        {"master", "Master tile"},        {"template", "Tile template"},
-        {"corners", "Corner tiles"},      {"edges", "Edge tiles"},
-        {"faces", "Face tiles"},          {"tiles", "Tiles"},
-        {"tiling", "Tiling"},             {"points", "Points of a tiling"}};
+        {"regions", "Regions"},    {"kinds", "Kinds of tiles"},     {"corner", "Corner tile"},
+        {"edge", "Edge tile"},     {"face", "Face tile"},           {"tile", "Tile"},
+        {"master", "Master tile"}, {"template", "Tile template"},   {"corners", "Corner tiles"},
+        {"edges", "Edge tiles"},   {"faces", "Face tiles"},         {"tiles", "Tiles"},
+        {"tiling", "Tiling"},      {"points", "Points of a tiling"}};
     const bool space = config.parameters.dimension == 3;
-    const std::string kind = config.parameters.kind == PoissonTileKind::frame ? "template" :
-                             config.parameters.kind == PoissonTileKind::edge  ? "edge-based"
-                                                                              : "corner-based";
+    const std::string kind = config.parameters.kind == PoissonTileKind::frame  ? "template"
+                             : config.parameters.kind == PoissonTileKind::edge ? "edge-based"
+                                                                               : "corner-based";
     return fmt::format("{}, {} Poisson {} tiles", stages.at(config.show), kind, space ? "sphere" : "disk");
 }
 

@@ -1,7 +1,8 @@
 // Which Poisson tile lies where in a stochastic tiling.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.5: corner tiles as they are; edge-based tiles
-// by the edges of a Wang tiling, of the tile and of its neighbours; template tiles at random.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.5: corner tiles as they are;
+// edge-based tiles by the edges of a Wang tiling, of the tile and of its neighbours; template tiles at
+// random.
 #pragma once
 
 #include "poisson_tiles/poisson_tile_set.hpp"

@@ -66,7 +66,8 @@ ShapeFace cap(std::vector<ShapeVector> corners, const ShapeVector& normal)
     const ShapeVector up = cross(normal, right);
     std::ranges::sort(corners, {}, [&](const ShapeVector& corner) {
         const ShapeVector way = difference(corner, middle);
-        return std::atan2(dot(way, up) / std::sqrt(dot(up, up)), dot(way, right) / std::sqrt(dot(right, right)));
+        return std::atan2(dot(way, up) / std::sqrt(dot(up, up)),
+                          dot(way, right) / std::sqrt(dot(right, right)));
     });
     return {corners, normal};
 }
@@ -79,8 +80,9 @@ public:
         : shape_(std::move(shape)), own_axes_(own_axes), base_(base)
     {}
 
-    /// Cuts off where the sum of distances along `count` of the axes in `mask` passes a limit, on all sides. Of axes
-    /// that the cell has not: distances from it, at most the limit. Of its own: from its ends, at least the limit.
+    /// Cuts off where the sum of distances along `count` of the axes in `mask` passes a limit, on all sides.
+    /// Of axes that the cell has not: distances from it, at most the limit. Of its own: from its ends, at
+    /// least the limit.
     void cut(unsigned mask, int count, double limit)
     {
         for (unsigned axes = 1; axes < 8; ++axes) {
@@ -142,8 +144,8 @@ RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& 
 RegionShape clipped(const RegionShape& shape, const HalfSpace& half)
 {
     const auto is_beyond = [&](const ShapeVector& corner) { return dot(half.normal, corner) > half.limit; };
-    if (std::ranges::none_of(shape.faces,
-                             [&](const ShapeFace& face) { return std::ranges::any_of(face.corners, is_beyond); }))
+    if (std::ranges::none_of(
+            shape.faces, [&](const ShapeFace& face) { return std::ranges::any_of(face.corners, is_beyond); }))
         return shape;
     RegionShape result;
     std::vector<ShapeVector> cut;
@@ -168,7 +170,8 @@ RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& 
     return shape;
 }
 
-RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const std::array<std::int32_t, 3>& base)
+RegionShape region_shape(const TileRegions& regions, std::uint8_t axes,
+                         const std::array<std::int32_t, 3>& base)
 {
     const int dimension = regions.dimension;
     const unsigned others = all_axes(dimension) & ~axes;

@@ -1,8 +1,8 @@
 // The regions of tiles as shapes: convex polygons in 2D, convex polyhedra in 3D.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3, 4.30, 4.31 and 4.33. The modified regions of
-// corners are regular octagons and great rhombicuboctahedra, those of 3D edges octagonal prisms, those of faces slabs
-// without their corners.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3, 4.30, 4.31 and 4.33. The modified
+// regions of corners are regular octagons and great rhombicuboctahedra, those of 3D edges octagonal prisms,
+// those of faces slabs without their corners.
 #pragma once
 
 #include "poisson_tiles/tile_regions.hpp"
@@ -44,7 +44,9 @@ RegionShape clipped(const RegionShape& shape, const HalfSpace& half);
 /// What of a shape lies in a box.
 RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& low, const ShapeVector& high);
 
-/// The whole region of a cell whose lowest corner is the lattice point `base`; of the interior, that of one tile.
-RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const std::array<std::int32_t, 3>& base);
+/// The whole region of a cell whose lowest corner is the lattice point `base`; of the interior, that of one
+/// tile.
+RegionShape region_shape(const TileRegions& regions, std::uint8_t axes,
+                         const std::array<std::int32_t, 3>& base);
 
 }

@@ -19,7 +19,8 @@ using nlohmann::json;
 
 /// Small enough for the plain twin.
 const std::string plane = "colors = 2\npoints_per_tile = 16\nrelative_radius = 0.6\nlloyd_iterations = 2\n";
-const std::string frame = "kind = \"template\"\ntiles = 3\npoints_per_tile = 16\nrelative_radius = 0.6\nlloyd_iterations = 2\n";
+const std::string frame =
+    "kind = \"template\"\ntiles = 3\npoints_per_tile = 16\nrelative_radius = 0.6\nlloyd_iterations = 2\n";
 const std::string space =
     "kind = \"sphere\"\ncolors = 2\npoints_per_tile = 32\nrelative_radius = 0.5\nlloyd_iterations = 1\n";
 
@@ -106,7 +107,8 @@ TEST_F(ConstructionRun, TilingsKeepTheDistance)
         double closest = 1e300;
         for (std::size_t a = 0; a < points.size(); ++a)
             for (std::size_t b = 0; b < a; ++b)
-                closest = std::min(closest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]));
+                closest =
+                    std::min(closest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]));
         EXPECT_GE(closest, 2 * tiling.radius);
         EXPECT_EQ(tiling.panels[0].tiles.size(), 12u);
     }
@@ -124,17 +126,19 @@ TEST_F(ConstructionRun, TemplatesAreWhatTilesShare)
     ASSERT_EQ(master.panels.size(), 2u);
     for (const StoredPanel& panel : master.panels) EXPECT_EQ(count(panel, StoredPointClass::inner), 16u);
     ASSERT_EQ(kept.panels.size(), 2u);
-    EXPECT_EQ(count(kept.panels[0], StoredPointClass::held) + count(kept.panels[0], StoredPointClass::outer), 16u);
+    EXPECT_EQ(count(kept.panels[0], StoredPointClass::held) + count(kept.panels[0], StoredPointClass::outer),
+              16u);
     EXPECT_EQ(count(kept.panels[1], StoredPointClass::outer), 0u);
     ASSERT_EQ(tile.panels.size(), 3u);
     EXPECT_EQ(count(tile.panels[0], StoredPointClass::held), count(kept.panels[1], StoredPointClass::held));
-    EXPECT_EQ(count(tile.panels[2], StoredPointClass::held) + count(tile.panels[2], StoredPointClass::inner), 16u);
+    EXPECT_EQ(count(tile.panels[2], StoredPointClass::held) + count(tile.panels[2], StoredPointClass::inner),
+              16u);
 }
 
 TEST_F(ConstructionRun, ShowsRegionsAndPiecesInSpace)
 {
-    const json root = results(table(space + "show = \"regions\"\nmodified = false\n") + table(space + "show = \"kinds\"\n") +
-                              table(space + "show = \"corner\"\n"));
+    const json root = results(table(space + "show = \"regions\"\nmodified = false\n") +
+                              table(space + "show = \"kinds\"\n") + table(space + "show = \"corner\"\n"));
     const StoredScene regions = scene(root, 0), kinds = scene(root, 1), corner = scene(root, 2);
     const auto pieces_of = [](const StoredScene& stored) {
         std::vector<std::size_t> counts;
@@ -151,25 +155,29 @@ TEST_F(ConstructionRun, ShowsRegionsAndPiecesInSpace)
         EXPECT_GT(test::decode_png(content_of(folder / "construction.png")).variance(), 50);
         EXPECT_GT(fs::file_size(folder / "construction.svg"), 1000u);
     }
-    EXPECT_THAT(content_of(out_ / "index.html"), testing::HasSubstr("3 pictures of the construction of Poisson tiles."));
+    EXPECT_THAT(content_of(out_ / "index.html"),
+                testing::HasSubstr("3 pictures of the construction of Poisson tiles."));
 }
 
 TEST_F(ConstructionRun, GivesTheSameBytesAgain)
 {
-    const std::string tables = table(plane + "show = \"corner\"\n") + table(plane + "kind = \"edge\"\nshow = \"edge\"\n");
+    const std::string tables =
+        table(plane + "show = \"corner\"\n") + table(plane + "kind = \"edge\"\nshow = \"edge\"\n");
     results(tables);
     auto first = files_below(out_);
     results(tables);
     auto second = files_below(out_);
-    for (const char* with_times : {"index.html", "results.json"}) first.erase(with_times), second.erase(with_times);
+    for (const char* with_times : {"index.html", "results.json"})
+        first.erase(with_times), second.erase(with_times);
     EXPECT_EQ(first, second);
     EXPECT_TRUE(first.contains("construction-edge-edge/construction.json"));
 }
 
 TEST_F(ConstructionRun, SaysWhichTableCannotBeMade)
 {
-    folder_.write("c.toml", "engine = \"reference\"\n[[construction]]\nshow = \"corner\"\npoints_per_tile = 16\n"
-                            "relative_radius = 0.97\nlloyd_iterations = 0\nrepulsion = false\n");
+    folder_.write("c.toml",
+                  "engine = \"reference\"\n[[construction]]\nshow = \"corner\"\npoints_per_tile = 16\n"
+                  "relative_radius = 0.97\nlloyd_iterations = 0\nrepulsion = false\n");
     const Outcome outcome = run_program(folder_.path(), {"run", "c.toml", "--out", "out"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error, testing::HasSubstr("c.toml:2: relative_radius = 0.97: one of the corners"));

@@ -5,7 +5,8 @@
 
 namespace poissonlab::test {
 
-/// Two panels of a tile: an octagon with red and an edge with red and yellow ends; in the first, a point of each class.
+/// Two panels of a tile: an octagon with red and an edge with red and yellow ends; in the first, a point of
+/// each class.
 inline nlohmann::json plane_scene()
 {
     return nlohmann::json::parse(R"({"format": "poissonlab-construction", "format_version": 1, "dimension": 2,
