@@ -1,4 +1,5 @@
 // The page's section on the construction of Poisson tile sets.
+#include "reports/construction_image.hpp"
 #include "reports/embedding.hpp"
 #include "reports/number_format.hpp"
 #include "reports/page_parts.hpp"
@@ -88,6 +89,10 @@ PageData construction_section(const ReportConstruction& construction, std::size_
     data.set("label", stored.label);
     data.set("anchor", fmt::format("construction-{}", index + 1));
     data.set("facts", facts_of(stored));
+    // Small pictures stay small.
+    DrawingPoint size{};
+    panel_places(construction.scene, size);
+    data.set("width", fmt::format("{:.0f}", size[0]));
     data.set("caption", caption);
     data.set("alt", fmt::format("{}. {}", stored.label, caption));
     data.set("source", data_uri(construction.pictures / "construction.svg"));
