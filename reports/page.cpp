@@ -85,9 +85,13 @@ std::string tilings_summary(const std::vector<ReportTiling>& tilings)
 }
 
 std::string summary_of(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
-                       const std::vector<ReportTiling>& tilings)
+                       const std::vector<ReportTiling>& tilings,
+                       const std::vector<ReportConstruction>& constructions)
 {
-    const auto tiles = tilings_summary(tilings);
+    auto tiles = tilings_summary(tilings);
+    if (!constructions.empty())
+        tiles += fmt::format("{}{} of the construction of Poisson tiles.", tiles.empty() ? "" : " ",
+                             constructions.size() == 1 ? "A picture" : format_count(constructions.size()) + " pictures");
     if (series.empty()) return tiles;
     const auto realizations = range_of(series, &StoredSeries::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
@@ -202,12 +206,13 @@ PageData tone_scale()
 }
 
 std::string render_page(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
-                        const std::vector<ReportTiling>& tilings, const std::filesystem::path& out)
+                        const std::vector<ReportTiling>& tilings,
+                        const std::vector<ReportConstruction>& constructions, const std::filesystem::path& out)
 {
     PageData page;
     page.set("style", std::string(page_template_file("templates/report.css")));
     page.set("title", title_of(runs));
-    page.set("summary", summary_of(runs, series, tilings));
+    page.set("summary", summary_of(runs, series, tilings, constructions));
     page.set("tone_scale", tone_scale());
     set_dimension_words(page, runs);
 
@@ -221,6 +226,11 @@ std::string render_page(const std::vector<StoredRun>& runs, const std::vector<Re
     for (std::size_t i = 0; i < tilings.size(); ++i) tiling_sections << tiling_section(tilings[i], i, out);
     page.set("tilings", tiling_sections);
     page.set("has_tilings", !tilings.empty());
+    PageData construction_sections{PageData::type::list};
+    for (std::size_t i = 0; i < constructions.size(); ++i)
+        construction_sections << construction_section(constructions[i], i, out);
+    page.set("constructions", construction_sections);
+    page.set("has_constructions", !constructions.empty());
     page.set("has_series", !series.empty());
     page.set("rows", rows);
     page.set("sections", sections);

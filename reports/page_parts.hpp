@@ -52,6 +52,10 @@ PageData integration_panels(const std::vector<ReportSeries>& series, const std::
 /// One tile set or tiling: facts, pictures, how random its colours are.
 PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& out);
 
+/// One picture of a construction: facts, the picture, what its panels show.
+PageData construction_section(const ReportConstruction& construction, std::size_t index,
+                              const std::filesystem::path& out);
+
 /// Where one run comes from: version, command, seed, device, config.
 PageData provenance(const StoredRun& run);
 

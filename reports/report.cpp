@@ -19,12 +19,14 @@ namespace fs = std::filesystem;
 namespace {
 
 void create_folders(const fs::path& out, const std::vector<ReportSeries>& series,
-                    const std::vector<ReportTiling>& tilings)
+                    const std::vector<ReportTiling>& tilings,
+                    const std::vector<ReportConstruction>& constructions)
 {
     try {
         fs::create_directories(out);
         for (const auto& entry : series) fs::create_directories(entry.pictures);
         for (const auto& entry : tilings) fs::create_directories(entry.pictures);
+        for (const auto& entry : constructions) fs::create_directories(entry.pictures);
     } catch (const fs::filesystem_error& error) {
         throw StorageError(error.what());
     }
@@ -138,7 +140,8 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     auto series = lay_out(runs, out);
     for (auto& entry : series) read_curves(entry);
     const auto tilings = lay_out_tilings(runs, out);
-    create_folders(out, series, tilings);
+    const auto constructions = lay_out_constructions(runs, out);
+    create_folders(out, series, tilings, constructions);
 
     // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
@@ -150,11 +153,12 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                                  draw_zone_plate_picture(entry);
                              });
                              tbb::parallel_for_each(tilings, draw_tiling_pictures);
+                             tbb::parallel_for_each(constructions, draw_construction_picture);
                              draw_zone_plate_reference(series, out);
                          });
 
     say("writing the page");
-    write_whole_file(out / "index.html", render_page(runs, series, tilings, out));
+    write_whole_file(out / "index.html", render_page(runs, series, tilings, constructions, out));
 }
 
 }

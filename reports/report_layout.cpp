@@ -69,6 +69,16 @@ std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, co
     return result;
 }
 
+std::vector<ReportConstruction> lay_out_constructions(const std::vector<StoredRun>& runs, const fs::path& out)
+{
+    const auto roots = picture_roots(runs, out);
+    std::vector<ReportConstruction> result;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        for (const auto& stored : runs[i].constructions)
+            result.push_back({&runs[i], &stored, read_scene(runs[i].folder / stored.file), roots[i] / stored.name});
+    return result;
+}
+
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
 {
     std::vector<Curve> curves;

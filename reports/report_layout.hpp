@@ -1,6 +1,7 @@
 // Which series a report shows, under what name, and where its pictures go.
 #pragma once
 
+#include "reports/construction_pictures.hpp"
 #include "reports/curves.hpp"
 #include "reports/integration_curves.hpp"
 #include "reports/iteration_curves.hpp"
@@ -51,6 +52,10 @@ std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std:
 
 /// The tile sets and tilings of all runs in order, with pictures in the same places as those of series.
 std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+
+/// The pictures of constructions of all runs in order, with what they show, which is read here.
+std::vector<ReportConstruction> lay_out_constructions(const std::vector<StoredRun>& runs,
+                                                      const std::filesystem::path& out);
 
 /// The curves of all series, once they are read.
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);

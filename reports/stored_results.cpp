@@ -185,7 +185,9 @@ StoredRun read_stored_run(const std::filesystem::path& folder)
     run.machine = read_named_texts(root, "machine");
     run.series = read_all_series(root);
     run.tilings = read_tilings(root);
-    if (run.series.empty() && run.tilings.empty()) throw root.error("series", "must hold at least one series");
+    run.constructions = read_constructions(root);
+    if (run.series.empty() && run.tilings.empty() && run.constructions.empty())
+        throw root.error("series", "must hold at least one series");
     return run;
 }
 

@@ -1,6 +1,7 @@
 // The results of a run as they lie on disk: results.json of docs/output-folder.md, checked.
 #pragma once
 
+#include "reports/stored_constructions.hpp"
 #include "reports/stored_measures.hpp"
 #include "reports/stored_tilings.hpp"
 
@@ -100,7 +101,8 @@ struct StoredRun
     int dimension = 2;
     NamedTexts machine; ///< the members of "machine" that are there
     std::vector<StoredSeries> series;
-    std::vector<StoredTiling> tilings; ///< and tile sets; at least one of these or one series
+    std::vector<StoredTiling> tilings; ///< and tile sets
+    std::vector<StoredConstruction> constructions; ///< at least one of these, or a tiling or a series
 
     /// A member of `machine`, or an empty string.
     std::string machine_member(const std::string& name) const;

@@ -45,7 +45,7 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
 void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
-    if (!node && config.tilings.empty())
+    if (!node && config.tilings.empty() && config.constructions.empty())
         throw InputError(config.file + ": no [[method]] table: a config needs at least one");
     if (!node) return;
     const auto* list = node->get_if<ConfigList>();
@@ -61,7 +61,7 @@ Config parse_config(const std::string& text, const std::string& file,
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling"});
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction"});
 
     Config config;
     config.file = file;
@@ -74,6 +74,7 @@ Config parse_config(const std::string& text, const std::string& file,
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
     config.tilings = read_tilings(top, config.seed);
+    config.constructions = read_constructions(top, config.seed);
     read_methods(top, registry, config);
     return config;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/analysis_options.hpp"
+#include "experiment/construction_table.hpp"
 #include "experiment/sampler_table.hpp"
 #include "experiment/tiling_table.hpp"
 #include "experiment/sampler_registry.hpp"
@@ -39,7 +40,8 @@ struct Config
     int dimension = 2;
     AnalysisOptions analysis;
     std::vector<MethodConfig> methods;
-    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these or one method
+    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these, or one method or construction
+    std::vector<ConstructionConfig> constructions;
 };
 
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.

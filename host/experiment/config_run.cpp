@@ -57,11 +57,16 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
-/// Folders of tilings, each different from all others and from those of the series.
-std::vector<TilingTask> tiling_tasks(const Config& config, const std::vector<SeriesTask>& series)
+/// The name of a folder that no other has.
+std::string unused_name(const std::string& base, std::set<std::string>& names)
 {
-    std::set<std::string> names;
-    for (const SeriesTask& task : series) names.insert(task.name);
+    std::string name = base;
+    for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{}-{}", base, number);
+    return name;
+}
+
+std::vector<TilingTask> tiling_tasks(const Config& config, std::set<std::string>& names)
+{
     std::vector<TilingTask> tasks;
     for (const TilingConfig& tiling : config.tilings) {
         const std::string kind = tiling.request.kind == TileKind::wang     ? "wang"
@@ -70,9 +75,18 @@ std::vector<TilingTask> tiling_tasks(const Config& config, const std::vector<Ser
         const std::string base = fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
                                              tiling.is_set() ? tiling.set : tiling.request.algorithm,
                                              tiling.request.colors);
-        std::string name = base;
-        for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{}-{}", base, number);
-        tasks.push_back({name, tiling});
+        tasks.push_back({unused_name(base, names), tiling});
+    }
+    return tasks;
+}
+
+std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<std::string>& names)
+{
+    std::vector<ConstructionTask> tasks;
+    for (const ConstructionConfig& construction : config.constructions) {
+        const std::string base =
+            fmt::format("construction-{}-{}", kind_name(construction.parameters), construction.show);
+        tasks.push_back({unused_name(base, names), construction});
     }
     return tasks;
 }
@@ -96,7 +110,14 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
     for (const SeriesPlan& series : make_plan(config))
         experiment.series.push_back(make_task(series, config.engine, lazy));
-    experiment.tilings = tiling_tasks(config, experiment.series);
+    std::set<std::string> names; // folders of the series come first
+    for (const SeriesTask& task : experiment.series) names.insert(task.name);
+    experiment.tilings = tiling_tasks(config, names);
+    experiment.constructions = construction_tasks(config, names);
+    experiment.make_filler = [lazy, engine = config.engine](const FillSettings& settings) {
+        return engine == Engine::opencl ? make_tile_filler(settings, lazy->get())
+                                        : reference::make_tile_filler(settings);
+    };
     experiment.machine = [lazy] { return machine_of(*lazy); };
     if (config.engine == Engine::opencl && !device.empty()) lazy->get();
     return experiment;

@@ -9,6 +9,7 @@
 #include "analysis/low_frequency_power.hpp"
 #include "analysis/voronoi_diagram.hpp"
 #include "experiment/analysis_options.hpp"
+#include "experiment/construction_run.hpp"
 #include "experiment/tiling_table.hpp"
 #include "sampling/sampler.hpp"
 
@@ -40,6 +41,13 @@ struct TilingTask
     TilingConfig config;
 };
 
+/// One picture of the construction of Poisson tiles.
+struct ConstructionTask
+{
+    std::string name; ///< folder
+    ConstructionConfig config;
+};
+
 /// What the computation ran on. Empty and zero: not used.
 struct Machine
 {
@@ -64,6 +72,8 @@ struct Experiment
     std::uint32_t realizations = 0; ///< K as asked for
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
+    std::vector<ConstructionTask> constructions;
+    FillerFactory make_filler;        ///< of constructions
     std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed
 };
 

@@ -34,7 +34,7 @@ std::vector<std::string> series_in(const fs::path& folder)
     try {
         const auto json = nlohmann::json::parse(read_whole_file(folder / "results.json"));
         if (json.at("format") != "poissonlab-results") return {};
-        for (const char* member : {"series", "tilings"})
+        for (const char* member : {"series", "tilings", "constructions"})
             for (const auto& series : json.value(member, nlohmann::json::array())) {
                 const std::string name = series.at("name");
                 // A name that leads elsewhere is not one that this program wrote.
@@ -55,7 +55,7 @@ bool looks_like_series(const fs::path& folder)
     std::error_code error;
     return fs::is_directory(folder, error) &&
            (fs::is_empty(folder, error) || fs::exists(folder / "realization-000.dat", error) ||
-            fs::exists(folder / "tiles.txt", error));
+            fs::exists(folder / "tiles.txt", error) || fs::exists(folder / "construction.json", error));
 }
 
 }

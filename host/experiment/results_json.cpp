@@ -229,11 +229,37 @@ Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& 
     return json;
 }
 
+Json construction_json(const ConstructionTask& task, const Scene& scene)
+{
+    const ConstructionConfig& config = task.config;
+    const PoissonTileParameters& p = config.parameters;
+    Json points = Json::object();
+    const auto counts = point_counts(scene);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        if (counts[i] > 0) points[point_class_names[i]] = counts[i];
+    return {{"name", task.name},
+            {"label", config.label},
+            {"kind", kind_name(p)},
+            {"show", config.show},
+            {"colors", p.colors},
+            {"tiles", p.tiles},
+            {"points_per_tile", p.points_per_tile},
+            {"relative_radius", p.relative_radius},
+            {"filling", p.filling == TileFilling::dart_throwing ? "dart-throwing" : "relaxation-dart-throwing"},
+            {"lloyd_iterations", p.lloyd_iterations},
+            {"repulsion", p.repulsion},
+            {"seed", p.seed},
+            {"file", task.name + "/construction.json"},
+            {"panels", scene.panels.size()},
+            {"points", points}};
+}
+
 }
 
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine,
-                         const std::vector<std::optional<TilingStatistics>>& statistics)
+                         const std::vector<std::optional<TilingStatistics>>& statistics,
+                         const std::vector<Scene>& scenes)
 {
     Json json;
     json["format"] = "poissonlab-results";
@@ -254,6 +280,8 @@ std::string results_json(const Experiment& experiment, const std::vector<SeriesR
         json["series"].push_back(series_json(experiment.series[i], results[i], experiment.analysis.volume));
     for (std::size_t i = 0; i < experiment.tilings.size(); ++i)
         json["tilings"].push_back(tiling_json(experiment.tilings[i], statistics.at(i)));
+    for (std::size_t i = 0; i < experiment.constructions.size(); ++i)
+        json["constructions"].push_back(construction_json(experiment.constructions[i], scenes.at(i)));
     // Arguments can hold any bytes; JSON is UTF-8.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -11,9 +11,10 @@
 namespace poissonlab {
 
 /// The text of results.json. `results` has one item for each series of the experiment, `statistics` one for each tile
-/// set and tiling: nothing for sets and for tilings with a period.
+/// set and tiling: nothing for sets and for tilings with a period; `scenes` one for each construction.
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine,
-                         const std::vector<std::optional<TilingStatistics>>& statistics = {});
+                         const std::vector<std::optional<TilingStatistics>>& statistics = {},
+                         const std::vector<Scene>& scenes = {});
 
 }

@@ -178,6 +178,19 @@ std::optional<TilingStatistics> run_tiling(const Experiment& experiment, const T
     return statistics;
 }
 
+/// Stores what each picture of a construction shows.
+std::vector<Scene> run_constructions(const Experiment& experiment, const ResultFolder& folder, Progress& progress)
+{
+    std::vector<ConstructionConfig> configs;
+    for (const ConstructionTask& task : experiment.constructions) configs.push_back(task.config);
+    std::vector<Scene> scenes = construct_scenes(configs, experiment.make_filler,
+                                                 [&](const std::string& what) { progress.step(what); });
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        write_whole_file(folder.series_folder(experiment.constructions[i].name) / "construction.json",
+                         scene_json(scenes[i]));
+    return scenes;
+}
+
 }
 
 void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
@@ -189,6 +202,7 @@ void run_experiment(const Experiment& experiment, const std::filesystem::path& o
         total += task.realizations;
     }
     for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
+    for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
     ResultFolder folder(out, names);
     progress.start(total);
     std::vector<SeriesResult> results;
@@ -197,9 +211,10 @@ void run_experiment(const Experiment& experiment, const std::filesystem::path& o
     std::vector<std::optional<TilingStatistics>> tilings;
     for (const TilingTask& task : experiment.tilings)
         tilings.push_back(run_tiling(experiment, task, folder.series_folder(task.name)));
+    const std::vector<Scene> scenes = run_constructions(experiment, folder, progress);
     stop_if_interrupted();
-    folder.publish(
-        results_json(experiment, results, experiment.machine ? experiment.machine() : Machine{}, tilings));
+    folder.publish(results_json(experiment, results, experiment.machine ? experiment.machine() : Machine{}, tilings,
+                                scenes));
 }
 
 }

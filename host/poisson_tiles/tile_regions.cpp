@@ -44,6 +44,12 @@ TileRegions modified_regions(int dimension, std::int32_t width)
     return regions;
 }
 
+TileRegions unmodified_regions(int dimension, std::int32_t width)
+{
+    if (dimension == 2) return frame_regions(width);
+    return {3, width, width, 2 * width, width, 2 * width, 3 * width};
+}
+
 TileRegions frame_regions(std::int32_t width) { return {2, width, width, 2 * width, 0, 0, 0}; }
 
 std::uint8_t TileRegions::axes_at(const std::array<std::int32_t, 3>& folded) const

@@ -63,6 +63,10 @@ struct TileRegions
 /// The modified regions, with enlarged corners. `width` in units.
 TileRegions modified_regions(int dimension, std::int32_t width);
 
+/// The regions without enlarged corners and edges: squares (cubes) of the radius' width at corners, bars of that width at
+/// 3D edges (figures 4.3(a) and 4.30). For pictures: in 3D volume() does not hold.
+TileRegions unmodified_regions(int dimension, std::int32_t width);
+
 /// Strips of this width along the border of a square, without enlarged corners: the frame that the tiles of a template
 /// have in common (section 4.4).
 TileRegions frame_regions(std::int32_t width);

@@ -32,9 +32,6 @@ constexpr std::uint32_t interior_stage = 9;
 /// Masters of template tiles to choose from.
 constexpr std::size_t master_tiles = 4;
 
-/// How far around a tile its surroundings are filled, in radii: the cells of its own points end before.
-constexpr std::int32_t surrounding_radii = 3;
-
 class Construction
 {
 public:

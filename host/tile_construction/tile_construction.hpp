@@ -13,11 +13,16 @@
 #include "tile_construction/tile_filling.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+/// How far around a tile its surroundings are filled, in radii, but at most half a tile: the cells of its own points end
+/// before.
+inline constexpr std::int32_t surrounding_radii = 3;
 
 /// A torus that was filled, for those who want to look.
 struct ConstructionRecord
