@@ -2,9 +2,9 @@
 //
 // McCool and Fiume 1992; Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6. Each work-group
 // fills one torus of two tiles a side: darts that are in the allowed cells and not too near to any point become
-// points; after `attempts` failures in a row the squared distance becomes the next of a list. The work-items look at
-// BATCH darts at once, at the least distance that may hold for any of them; the first then settles them in order, so
-// the result is that of throwing them one after the other. The plain twin is
+// points; after `attempts` failures in a row the squared distance becomes the next of a list, `thresholds`. The
+// work-items look at BATCH darts at once, at the least distance that may hold for any of them; the first then settles
+// them in order, so the result is that of throwing them one after the other. The plain twin is
 // host/tile_construction/reference/tile_filling.cpp.
 //
 // Needs DIMENSION (2 or 3).
@@ -14,10 +14,6 @@
 
 #define BATCH 32
 #define MAX_DARTS (1u << 22)
-#define LANES 8
-
-/// Coordinates above this count as this: farther than any distance that is asked for.
-#define FAR 32767
 
 /// Dart number `dart` of a stream, in the box from `low` on, `extent` wide along each axis.
 Position dart_at(uint dart, uint stream, uint attempt, uint zone, uint2 key, int low, uint extent)
@@ -31,21 +27,11 @@ Position dart_at(uint dart, uint stream, uint attempt, uint zone, uint2 key, int
     return position;
 }
 
-/// Is no point at a smaller squared distance? Axis after axis, `capacity` apart.
+/// Is no point at a smaller squared distance?
 bool is_free(global const int* points, uint capacity, uint count, const Position* position, uint squared_distance)
 {
-    const uint8 far = FAR;
-    for (uint v = 0; v < count; v += LANES) {
-        uint8 sum = 0;
-        FOR_EACH_AXIS(k)
-        {
-            const int8 difference = vload8(0, points + k * capacity + v) - position->c[k];
-            const uint8 length = min(abs((difference << 15) >> 15), far);
-            sum += length * length;
-        }
-        const uint8 lane = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + v;
-        const uint8 distance = select((uint8)0xffffffffu, sum, lane < count);
-        if (any(distance < squared_distance)) return false;
+    for (uint from = 0; from < count; from += LANES_OF_DISTANCES) {
+        if (any(squared_distances(points, capacity, count, from, position) < squared_distance)) return false;
     }
     return true;
 }
@@ -64,7 +50,7 @@ typedef struct
 /// images, before and after. levels: the level that was reached; level_count: given up.
 kernel void throw_tile_darts(global const uint* problems, global const uint* streams, uint attempt, uint zone,
                              uint key_x, uint key_y, uint capacity, uint copies, global const int* region_values,
-                             ulong cells, int low, uint extent, global const uint* squared_distances,
+                             ulong cells, int low, uint extent, global const uint* thresholds,
                              uint level_count, uint attempts, global const uint* targets, global int* all_points,
                              global uint* counts, global uint* levels)
 {
@@ -87,7 +73,7 @@ kernel void throw_tile_darts(global const uint* problems, global const uint* str
     while (filling.points < target && filling.level < level_count && filling.darts < MAX_DARTS) {
         const uint first = filling.darts;
         const uint reachable = filling.level + (filling.failures + BATCH - 1) / attempts;
-        const uint least = squared_distances[min(reachable, level_count - 1)];
+        const uint least = thresholds[min(reachable, level_count - 1)];
         for (uint i = item; i < BATCH; i += items) {
             const Position position = dart_at(first + i, stream, attempt, zone, key, low, extent);
             is_candidate[i] = !is_allowed(&position, &regions, cells)                               ? 2
@@ -102,7 +88,7 @@ kernel void throw_tile_darts(global const uint* problems, global const uint* str
                 if (is_candidate[i] == 2) continue; // not in the domain
                 const Position position = dart_at(first + i, stream, attempt, zone, key, low, extent);
                 if (is_candidate[i] == 1 &&
-                    is_free(points, capacity, f.points * copies, &position, squared_distances[f.level])) {
+                    is_free(points, capacity, f.points * copies, &position, thresholds[f.level])) {
                     for (uint image = 0; image < copies; ++image) {
                         for (int k = 0; k < DIMENSION; ++k) {
                             points[k * capacity + f.points * copies + image] =

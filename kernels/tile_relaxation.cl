@@ -19,7 +19,6 @@
 #include "common/tile_torus.clh"
 
 #define MAX_ITEMS 256 // of a work-group
-#define FAR 32767     // lengths above count as this: farther than any distance that is asked for
 #define LIST_WORDS (DIMENSION == 2 ? 64 : 256) // of a point's list of points around it
 #define MAX_LISTED (LIST_WORDS - 1)
 #define NO_LIST 65535
@@ -51,21 +50,6 @@ void put_point(const TorusPoints* points, uint number, Position position)
                 (position.c[k] + (int)(image >> k & 1) * TILE_UNITS) & TORUS_MASK;
         }
     }
-}
-
-/// The squared distances of eight points from a position, exact where they matter; most for lanes without a point.
-uint8 squared_distances(const TorusPoints* points, uint from, const Position* position)
-{
-    const uint8 far = FAR;
-    uint8 sum = 0;
-    FOR_EACH_AXIS(k)
-    {
-        const int8 difference = vload8(0, points->c + k * points->capacity + from) - position->c[k];
-        const uint8 length = min(abs((difference << 15) >> 15), far);
-        sum += length * length;
-    }
-    const uint8 entry = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + from;
-    return select((uint8)UINT_MAX, sum, entry < points->count);
 }
 
 uint smallest_lane(uint8 lanes)
@@ -173,12 +157,12 @@ uint nearest_of_window(const Window* window, const Position* position, uint site
     for (uint i = 0; i < window->count; ++i) {
         const int x = torus_difference_of((window->x[i] >> UNIT_SHIFT) - position->c[0]);
         const int y = torus_difference_of((window->y[i] >> UNIT_SHIFT) - position->c[1]);
-        const uint a = min(abs(x), (uint)FAR);
-        const uint b = min(abs(y), (uint)FAR);
+        const uint a = min(abs(x), (uint)FAR_LENGTH);
+        const uint b = min(abs(y), (uint)FAR_LENGTH);
         uint squared = a * a + b * b;
 #if DIMENSION == 3
         const int z = torus_difference_of((window->z[i] >> UNIT_SHIFT) - position->c[2]);
-        const uint c = min(abs(z), (uint)FAR);
+        const uint c = min(abs(z), (uint)FAR_LENGTH);
         squared += c * c;
 #endif
         nearest = min(nearest, window->index[i] == site ? UINT_MAX : squared);
@@ -325,7 +309,7 @@ Position repelled(const TorusPoints* points, const Position* position, uint site
     uint8 nearest_of_lane = UINT_MAX;
     for (uint v = 0; v < points->count; v += 8) {
         const uint8 entry = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + v;
-        const uint8 squared = select(squared_distances(points, v, position), (uint8)UINT_MAX, entry == site);
+        const uint8 squared = select(squared_distances(points->c, points->capacity, points->count, v, position), (uint8)UINT_MAX, entry == site);
         nearest_of_lane = min(nearest_of_lane, squared);
         if (!any(squared <= limit)) continue;
         uint lanes[8];

@@ -13,7 +13,8 @@ namespace {
 /// What a file of one tile set may take: 4 GiB of coordinates.
 constexpr std::uint64_t max_coordinates = std::uint64_t{1} << 31;
 
-/// The largest radius r, in tiles, at which regions fit, and neighbouring corner regions keep two radii of distance.
+/// The largest radius r, in tiles, at which regions fit, and neighbouring corner regions keep two radii of
+/// distance.
 double max_radius(const PoissonTileParameters& parameters)
 {
     if (parameters.kind == PoissonTileKind::frame) return 0.25;
@@ -25,16 +26,19 @@ double max_radius(const PoissonTileParameters& parameters)
 void check_numbers(const PoissonTileParameters& p)
 {
     if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
-        throw InputError(fmt::format("dimension = {}: {} tiles have no such dimension", p.dimension, kind_name(p)));
+        throw InputError(
+            fmt::format("dimension = {}: {} tiles have no such dimension", p.dimension, kind_name(p)));
     if (p.colors < 1 || tile_count(p.kind, p.dimension, p.colors) == 0)
-        throw InputError(fmt::format("colors = {}: must be at least 1, and not too many to count {} tiles", p.colors,
-                                     kind_name(p)));
+        throw InputError(fmt::format("colors = {}: must be at least 1, and not too many to count {} tiles",
+                                     p.colors, kind_name(p)));
     if (p.kind == PoissonTileKind::frame && p.colors != 1)
         throw InputError(fmt::format("colors = {}: must be 1, as template tiles have none", p.colors));
     if (p.points_per_tile < 4 || p.points_per_tile > 4096)
-        throw InputError(fmt::format("points_per_tile = {}: must be an integer from 4 to 4096", p.points_per_tile));
+        throw InputError(
+            fmt::format("points_per_tile = {}: must be an integer from 4 to 4096", p.points_per_tile));
     if (!(p.relative_radius > 0 && p.relative_radius < 1))
-        throw InputError(fmt::format("relative_radius = {}: must be a number between 0 and 1", p.relative_radius));
+        throw InputError(
+            fmt::format("relative_radius = {}: must be a number between 0 and 1", p.relative_radius));
     if (p.attempts < 1 || p.attempts > 1'000'000)
         throw InputError(fmt::format("attempts = {}: must be an integer from 1 to 1000000", p.attempts));
     if (p.filling == TileFilling::relaxation_dart_throwing && !(p.factor > 0 && p.factor < 1))
@@ -96,18 +100,21 @@ TileRegions regions_of(const PoissonTileParameters& parameters)
 void check(const PoissonTileParameters& p)
 {
     check_numbers(p);
-    const std::uint64_t tiles = p.kind == PoissonTileKind::frame ? p.tiles : tile_count(p.kind, p.dimension, p.colors);
+    const std::uint64_t tiles =
+        p.kind == PoissonTileKind::frame ? p.tiles : tile_count(p.kind, p.dimension, p.colors);
     if (tiles != p.tiles || tiles == 0)
-        throw InputError(fmt::format("tiles = {}: must be at least 1 and, but for template tiles, what the colours give",
-                                     p.tiles));
+        throw InputError(fmt::format(
+            "tiles = {}: must be at least 1 and, but for template tiles, what the colours give", p.tiles));
     if (tiles * p.points_per_tile * static_cast<unsigned>(p.dimension) > max_coordinates)
-        throw InputError(fmt::format("{} tiles of {} points: more than 4 GiB; fewer colours, tiles or points_per_tile",
-                                     tiles, p.points_per_tile));
+        throw InputError(
+            fmt::format("{} tiles of {} points: more than 4 GiB; fewer colours, tiles or points_per_tile",
+                        tiles, p.points_per_tile));
     const double limit = 2 * max_radius(p) / max_min_distance(p.points_per_tile, p.dimension);
     if (p.relative_radius > limit)
-        throw InputError(fmt::format("relative_radius = {}: must be at most {:.3f} with {} points per tile, or disks "
-                                     "around neighbouring corners of a tile meet",
-                                     p.relative_radius, std::floor(limit * 1000) / 1000, p.points_per_tile));
+        throw InputError(
+            fmt::format("relative_radius = {}: must be at most {:.3f} with {} points per tile, or disks "
+                        "around neighbouring corners of a tile meet",
+                        p.relative_radius, std::floor(limit * 1000) / 1000, p.points_per_tile));
 }
 
 double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters)

@@ -7,8 +7,8 @@
 namespace poissonlab {
 namespace {
 
-/// The corners of a tile as corner_index() and cube_index() order them, most significant first: NE, SE, SW, NW; in 3D
-/// those of the top before those of the bottom.
+/// The corners of a tile as corner_index() and cube_index() order them, most significant first: NE, SE, SW,
+/// NW; in 3D those of the top before those of the bottom.
 constexpr std::array<unsigned, 8> corner_order_3d{7, 5, 4, 6, 3, 1, 0, 2};
 constexpr std::array<unsigned, 4> corner_order_2d{3, 1, 0, 2};
 
@@ -29,22 +29,6 @@ std::uint32_t number_of(const std::array<std::uint32_t, Digits>& digits, std::ui
     std::uint32_t number = 0;
     for (const std::uint32_t digit : digits) number = number * base + digit;
     return number;
-}
-
-/// Spreads the bits of `packed` over the bits that are set in `mask`, lowest first.
-unsigned deposit(unsigned packed, unsigned mask)
-{
-    unsigned result = 0;
-    for (unsigned bit = 1; mask != 0; mask &= mask - 1, bit <<= 1) {
-        if (packed & bit) result |= mask & -mask;
-    }
-    return result;
-}
-
-std::array<std::int8_t, 3> base_of(unsigned upper)
-{
-    return {static_cast<std::int8_t>(upper & 1), static_cast<std::int8_t>(upper >> 1 & 1),
-            static_cast<std::int8_t>(upper >> 2 & 1)};
 }
 
 /// All cells of a tile's boundary, by rising dimension.
@@ -69,15 +53,16 @@ std::uint32_t corner_based_variant(const TileCell& cell, const std::array<std::u
 {
     std::array<std::uint32_t, 8> own{};
     const unsigned count = 1u << std::popcount(cell.axes);
-    for (unsigned k = 0; k < count; ++k) own[k] = corners[cell.upper | deposit(k, cell.axes)];
+    for (unsigned k = 0; k < count; ++k) own[k] = corners[cell.upper | deposit_bits(k, cell.axes)];
     return corner_piece(std::span(own).first(count), colors);
 }
 
-std::uint32_t edge_based_variant(const TileCell& cell, const std::array<std::uint32_t, 12>& e, std::uint32_t colors)
+std::uint32_t edge_based_variant(const TileCell& cell, const std::array<std::uint32_t, 12>& e,
+                                 std::uint32_t colors)
 {
     constexpr std::size_t north = 0, east = 1, south = 2, west = 3;
-    constexpr std::size_t ne_east = 4, ne_north = 5, se_east = 6, se_south = 7, sw_west = 8, sw_south = 9, nw_west = 10,
-                          nw_north = 11;
+    constexpr std::size_t ne_east = 4, ne_north = 5, se_east = 6, se_south = 7, sw_west = 8, sw_south = 9,
+                          nw_west = 10, nw_north = 11;
     if (cell.axes == 1) return cell.upper ? e[north] : e[south];
     if (cell.axes == 2) return cell.upper ? e[east] : e[west];
     const auto corner = [&](std::size_t n, std::size_t ea, std::size_t s, std::size_t w) {
@@ -95,6 +80,21 @@ std::uint32_t edge_based_variant(const TileCell& cell, const std::array<std::uin
     }
 }
 
+}
+
+unsigned deposit_bits(unsigned packed, unsigned mask)
+{
+    unsigned result = 0;
+    for (unsigned bit = 1; mask != 0; mask &= mask - 1, bit <<= 1) {
+        if (packed & bit) result |= mask & -mask;
+    }
+    return result;
+}
+
+std::array<std::int8_t, 3> lattice_point(unsigned bits)
+{
+    return {static_cast<std::int8_t>(bits & 1), static_cast<std::int8_t>(bits >> 1 & 1),
+            static_cast<std::int8_t>(bits >> 2 & 1)};
 }
 
 std::uint32_t piece_count(const PoissonTileParameters& p, std::uint8_t axes)
@@ -142,7 +142,8 @@ std::uint32_t edge_tile_of(const std::array<std::uint32_t, 12>& edges, std::uint
 std::uint32_t corner_piece(std::span<const std::uint32_t> colors_of_corners, std::uint32_t colors)
 {
     std::uint32_t variant = 0;
-    for (std::size_t k = colors_of_corners.size(); k-- > 0;) variant = variant * colors + colors_of_corners[k];
+    for (std::size_t k = colors_of_corners.size(); k-- > 0;)
+        variant = variant * colors + colors_of_corners[k];
     return variant;
 }
 
@@ -157,7 +158,7 @@ std::vector<PlacedPiece> pieces_around(const PoissonTileParameters& p, std::uint
         std::uint32_t variant = 0;
         if (p.kind == PoissonTileKind::corner) variant = corner_based_variant(cell, corners, p.colors);
         if (p.kind == PoissonTileKind::edge) variant = edge_based_variant(cell, edges, p.colors);
-        pieces.push_back({cell.axes, base_of(cell.upper), variant});
+        pieces.push_back({cell.axes, lattice_point(cell.upper), variant});
     }
     return pieces;
 }

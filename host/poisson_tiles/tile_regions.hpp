@@ -1,19 +1,19 @@
 // The regions that a Poisson disk (sphere) radius divides tiles into.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3, 4.5 and 4.6, figures 4.3 and 4.31. The lattice of
-// tiles has cells of every dimension: corners (lattice points), edges, in 3D faces, and the tiles themselves. Each
-// cell has a region: strips (slabs) of the radius' width on each side of edges (faces), enlarged regions around cells
-// of lower dimension such that regions of different cells of the same dimension are at least two radii apart, and the
-// interior, which is the rest of a tile. In 2D the region of a corner is a regular octagon with sides of two radii, in
-// 3D a great rhombicuboctahedron with such edges.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3, 4.5 and 4.6, figures 4.3 and 4.31. The
+// lattice of tiles has cells of every dimension: corners (lattice points), edges, in 3D faces, and the tiles
+// themselves. Each cell has a region: strips (slabs) of the radius' width on each side of edges (faces),
+// enlarged regions around cells of lower dimension such that regions of different cells of the same dimension
+// are at least two radii apart, and the interior, which is the rest of a tile. In 2D the region of a corner
+// is a regular octagon with sides of two radii, in 3D a great rhombicuboctahedron with such edges.
 //
-// Coordinates are integers, 65,536 units to the side of a tile, so that every decision is exact. Boundaries belong to
-// the cell of higher dimension. Folded coordinates are the distances from the nearest lattice point along each axis; a
-// position is in the region of
-//   a corner      if in 2D both are below `pair_one` and their sum is below `pair_sum`; in 3D if all are below
-//                 `corner_one`, the sums of two below `corner_two`, and the sum below `corner_three`;
-//   a 3D edge     if the two across it are below `pair_one` and their sum is below `pair_sum`;
-//   a 2D edge, or a face, if the one across it is below `width`.
+// Coordinates are integers, 65,536 units to the side of a tile, so that every decision is exact. Boundaries
+// belong to the cell of higher dimension. Folded coordinates are the distances from the nearest lattice point
+// along each axis; a position is in the region of
+// - a corner, if in 2D both are below `pair_one` and their sum is below `pair_sum`; in 3D if all are below
+//   `corner_one`, the sums of two below `corner_two`, and the sum of all below `corner_three`;
+// - a 3D edge, if the two across it are below `pair_one` and their sum is below `pair_sum`;
+// - a 2D edge, or a face, if the one across it is below `width`.
 #pragma once
 
 #include <array>
@@ -53,8 +53,8 @@ struct TileRegions
     /// The cell whose region a position of a tile is in. Coordinates from 0 to tile_units - 1.
     TileCell cell_of(std::span<const std::uint16_t> position) const;
 
-    /// The volume (area) of the whole region of a cell with these axes, on all sides of it; of the interior, that in
-    /// one tile. Unit: that of a tile.
+    /// The volume (area) of the whole region of a cell with these axes, on all sides of it; of the interior,
+    /// that in one tile. Unit: that of a tile.
     double volume(std::uint8_t axes) const;
 
     bool operator==(const TileRegions&) const = default;
@@ -63,12 +63,12 @@ struct TileRegions
 /// The modified regions, with enlarged corners. `width` in units.
 TileRegions modified_regions(int dimension, std::int32_t width);
 
-/// The regions without enlarged corners and edges: squares (cubes) of the radius' width at corners, bars of that width at
-/// 3D edges (figures 4.3(a) and 4.30). For pictures: in 3D volume() does not hold.
+/// The regions without enlarged corners and edges: squares (cubes) of the radius' width at corners, bars of
+/// that width at 3D edges (figures 4.3(a) and 4.30). For pictures: in 3D volume() does not hold.
 TileRegions unmodified_regions(int dimension, std::int32_t width);
 
-/// Strips of this width along the border of a square, without enlarged corners: the frame that the tiles of a template
-/// have in common (section 4.4).
+/// Strips of this width along the border of a square, without enlarged corners: the frame that the tiles of a
+/// template have in common (section 4.4).
 TileRegions frame_regions(std::int32_t width);
 
 }

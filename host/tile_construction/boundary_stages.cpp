@@ -6,28 +6,12 @@
 namespace poissonlab {
 namespace {
 
-/// Tori that are filled for each piece, or pair of colours. Corners and edges are chosen among the candidates that
-/// these give: 8 octagons, 10 edges, in 3D 16 corners, 8 edges and 4 faces. (In 3D tori are expensive.)
+/// Tori that are filled for each piece, or pair of colours. Corners and edges are chosen among the candidates
+/// that these give: 8 octagons, 10 edges, in 3D 16 corners, 8 edges and 4 faces. (In 3D tori are expensive.)
 constexpr int corner_tori = 2;
 constexpr int edge_tori_2d = 5;
 constexpr int edge_tori_3d = 2;
 constexpr int face_tori = 2;
-
-std::array<std::int8_t, 3> base_of(unsigned bits)
-{
-    return {static_cast<std::int8_t>(bits & 1), static_cast<std::int8_t>(bits >> 1 & 1),
-            static_cast<std::int8_t>(bits >> 2 & 1)};
-}
-
-/// Spreads the bits of `packed` over those that are set in `mask`, lowest first.
-unsigned deposit(unsigned packed, unsigned mask)
-{
-    unsigned result = 0;
-    for (unsigned bit = 1; mask != 0; mask &= mask - 1, bit <<= 1) {
-        if (packed & bit) result |= mask & -mask;
-    }
-    return result;
-}
 
 /// The colours of the corners of a piece of a corner-based set, see corner_piece().
 std::vector<std::uint32_t> colors_of(std::uint32_t variant, std::uint8_t axes, std::uint32_t colors)
@@ -44,7 +28,8 @@ std::vector<std::uint32_t> colors_of(std::uint32_t variant, std::uint8_t axes, s
 std::vector<PlacedPiece> everywhere(std::uint8_t axes, std::uint32_t variant, int dimension)
 {
     std::vector<PlacedPiece> pieces;
-    for (unsigned base = 0; base < 1u << dimension; ++base) pieces.push_back({axes, base_of(base), variant});
+    for (unsigned base = 0; base < 1u << dimension; ++base)
+        pieces.push_back({axes, lattice_point(base), variant});
     return pieces;
 }
 
@@ -70,9 +55,10 @@ BoundaryTorus edge_torus(const PoissonTileParameters& p, std::uint32_t a, std::u
     for (unsigned base = 0; base < 1u << p.dimension; ++base) {
         const bool is_odd = std::popcount(base) & 1;
         const std::array<std::uint32_t, 2> ends{is_odd ? b : a, is_odd ? a : b};
-        torus.held.push_back({0, base_of(base), ends[0]});
+        torus.held.push_back({0, lattice_point(base), ends[0]});
         for (int axis = 0; axis < p.dimension; ++axis)
-            torus.made.push_back({static_cast<std::uint8_t>(1 << axis), base_of(base), corner_piece(ends, p.colors)});
+            torus.made.push_back(
+                {static_cast<std::uint8_t>(1 << axis), lattice_point(base), corner_piece(ends, p.colors)});
     }
     return torus;
 }
@@ -94,10 +80,11 @@ BoundaryTorus face_torus(const PoissonTileParameters& p, std::uint8_t axes, std:
     BoundaryTorus torus;
     for (const unsigned layer : {0u, across}) {
         for (PlacedPiece piece : earlier_neighbours(p, axes, variant)) {
-            for (std::size_t k = 0; k < 3; ++k) piece.base[k] = static_cast<std::int8_t>(piece.base[k] + base_of(layer)[k]);
+            for (std::size_t k = 0; k < 3; ++k)
+                piece.base[k] = static_cast<std::int8_t>(piece.base[k] + lattice_point(layer)[k]);
             torus.held.push_back(piece);
         }
-        torus.made.push_back({axes, base_of(layer), variant});
+        torus.made.push_back({axes, lattice_point(layer), variant});
     }
     return torus;
 }
@@ -126,8 +113,8 @@ BoundaryStage free_edge_stage(const PoissonTileParameters& p)
     return stage;
 }
 
-/// The corner between four edges, at (0, 0) and at (1, 1); at the other two lattice points the same edges meet with
-/// east and west, north and south exchanged in part.
+/// The corner between four edges, at (0, 0) and at (1, 1); at the other two lattice points the same edges
+/// meet with east and west, north and south exchanged in part.
 BoundaryTorus edge_corner_torus(const PoissonTileParameters& p, std::uint32_t variant)
 {
     const std::uint32_t west = variant % p.colors;
@@ -135,7 +122,7 @@ BoundaryTorus edge_corner_torus(const PoissonTileParameters& p, std::uint32_t va
     const std::uint32_t east = variant / p.colors / p.colors % p.colors;
     const std::uint32_t north = variant / p.colors / p.colors / p.colors;
     BoundaryTorus torus;
-    torus.held = {{1, {0, 0, 0}, east}, {1, {1, 0, 0}, west}, {1, {1, 1, 0}, east}, {1, {0, 1, 0}, west},
+    torus.held = {{1, {0, 0, 0}, east},  {1, {1, 0, 0}, west},  {1, {1, 1, 0}, east},  {1, {0, 1, 0}, west},
                   {2, {0, 0, 0}, north}, {2, {0, 1, 0}, south}, {2, {1, 1, 0}, north}, {2, {1, 0, 0}, south}};
     torus.made = {{0, {0, 0, 0}, variant}, {0, {1, 1, 0}, variant}};
     return torus;
@@ -161,7 +148,8 @@ std::vector<BoundaryStage> boundary_stages(const PoissonTileParameters& p)
     return stages;
 }
 
-std::vector<PlacedPiece> earlier_neighbours(const PoissonTileParameters& p, std::uint8_t axes, std::uint32_t variant)
+std::vector<PlacedPiece> earlier_neighbours(const PoissonTileParameters& p, std::uint8_t axes,
+                                            std::uint32_t variant)
 {
     if (p.kind == PoissonTileKind::edge) {
         if (axes != 0) return {};
@@ -178,12 +166,13 @@ std::vector<PlacedPiece> earlier_neighbours(const PoissonTileParameters& p, std:
         if ((own & axes) != own) continue;
         const unsigned others = axes & ~own;
         for (unsigned place = 0; place < 1u << std::popcount(others); ++place) {
-            const unsigned upper = deposit(place, others);
+            const unsigned upper = deposit_bits(place, others);
             std::vector<std::uint32_t> own_corners;
             for (unsigned corner = 0; corner < corners.size(); ++corner) {
-                if ((deposit(corner, axes) & others) == upper) own_corners.push_back(corners[corner]);
+                if ((deposit_bits(corner, axes) & others) == upper) own_corners.push_back(corners[corner]);
             }
-            pieces.push_back({static_cast<std::uint8_t>(own), base_of(upper), corner_piece(own_corners, p.colors)});
+            pieces.push_back(
+                {static_cast<std::uint8_t>(own), lattice_point(upper), corner_piece(own_corners, p.colors)});
         }
     }
     return pieces;

@@ -1,10 +1,10 @@
-// The stages of construction before the interiors of tiles: which tori are filled, around which pieces, and which
-// pieces are then cut out of them.
+// The stages of construction before the interiors of tiles: which tori are filled, around which pieces, and
+// which pieces are then cut out of them.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007: corner-based tiles, corners then edges (section 4.5), in 3D
-// then faces (4.6); edge-based tiles, edges then corners (4.3). A torus of two tiles a side has room for several pieces
-// at once, candidates of the same piece or pieces of other colours: edges between corners of two colours are made on a
-// torus whose corners have these colours by turns.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007: corner-based tiles, corners then edges (section 4.5),
+// in 3D then faces (4.6); edge-based tiles, edges then corners (4.3). A torus of two tiles a side has room
+// for several pieces at once, candidates of the same piece or pieces of other colours: edges between corners
+// of two colours are made on a torus whose corners have these colours by turns.
 #pragma once
 
 #include "poisson_tiles/tile_pieces.hpp"

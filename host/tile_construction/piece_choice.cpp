@@ -5,8 +5,8 @@
 
 namespace poissonlab {
 
-PieceChoice::PieceChoice(const PoissonTileParameters& parameters, const TileRegions& regions, const PieceStore& pieces,
-                         bool is_last)
+PieceChoice::PieceChoice(const PoissonTileParameters& parameters, const TileRegions& regions,
+                         const PieceStore& pieces, bool is_last)
     : parameters_(parameters), regions_(regions), pieces_(pieces), is_last_(is_last),
       wanted_(asked_squared_distance(parameters))
 {}

@@ -1,11 +1,11 @@
 // The choice among candidates for a piece, by the numbers of points in their parts.
 //
-// A tile has as many points as any other, so what its corners, edges and faces have too many or too few goes to the
-// expense of its interior. A piece's parts should therefore have the mean number of points; and those of the last
-// stage before the interiors should make up for what the parts beside them miss of theirs: each part of an earlier
-// piece shares what it misses equally among the last pieces that touch it in its tile. All pieces of a kind together
-// should have the mean number as well, so that their regions are as dense as any other: what the pieces so far have too
-// many counts against the next.
+// A tile has as many points as any other, so what its corners, edges and faces have too many or too few goes
+// to the expense of its interior. A piece's parts should therefore have the mean number of points; and those
+// of the last stage before the interiors should make up for what the parts beside them miss of theirs: each
+// part of an earlier piece shares what it misses equally among the last pieces that touch it in its tile. All
+// pieces of a kind together should have the mean number as well, so that their regions are as dense as any
+// other: what the pieces so far have too many counts against the next.
 #pragma once
 
 #include "tile_construction/boundary_stages.hpp"
@@ -59,7 +59,8 @@ private:
     /// The sum of the squares of what the tiles around would have too many points.
     double uneven(std::uint8_t axes, std::uint32_t variant, const PiecePoints& points) const;
 
-    /// What the pieces of earlier stages miss in the tile at offset `tile`, as far as the piece is to make up for it.
+    /// What the pieces of earlier stages miss in the tile at offset `tile`, as far as the piece is to make up
+    /// for it.
     double carried(const std::vector<PlacedPiece>& neighbours, const std::array<int, 3>& tile) const;
 
     const PoissonTileParameters& parameters_;
@@ -68,7 +69,8 @@ private:
     bool is_last_;
     std::uint64_t wanted_;
     std::uint64_t best_failure_ = 0;
-    std::map<std::pair<std::uint8_t, std::uint32_t>, std::vector<Candidate>> candidates_; ///< by axes and variant
+    std::map<std::pair<std::uint8_t, std::uint32_t>, std::vector<Candidate>>
+        candidates_; ///< by axes and variant
 };
 
 }

@@ -15,8 +15,8 @@ namespace poissonlab {
 /// Points relative to the lowest corner of their piece's cell; negative on its lower side.
 using PiecePoints = std::vector<TilePosition>;
 
-/// How many points of a piece lie in each of the tiles around its cell. Bit k of the index: in the tile at the upper
-/// side of axis k, for axes along which the cell does not extend; others are 0.
+/// How many points of a piece lie in each of the tiles around its cell. Bit k of the index: in the tile at
+/// the upper side of axis k, for axes along which the cell does not extend; others are 0.
 using PartCounts = std::array<int, 8>;
 
 PartCounts part_counts(const PiecePoints& points, std::uint8_t axes, int dimension);
@@ -39,8 +39,8 @@ private:
     std::array<std::vector<PiecePoints>, 8> pieces_;
 };
 
-/// The points of a torus that are in the region of a cell, relative to its lowest corner. `base`: the cell's, 0 or 1 for
-/// each axis; on the torus of one tile, all cells with these axes are the same one.
+/// The points of a torus that are in the region of a cell, relative to its lowest corner. `base`: the cell's,
+/// 0 or 1 for each axis; on the torus of one tile, all cells with these axes are the same one.
 PiecePoints cut_out(std::span<const TilePosition> points, const TileRegions& regions, std::uint8_t axes,
                     const std::array<std::int8_t, 3>& base, bool is_one_tile);
 

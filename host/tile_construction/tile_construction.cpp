@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <map>
 #include <set>
 
 namespace poissonlab {
@@ -35,17 +36,18 @@ constexpr std::size_t master_tiles = 4;
 class Construction
 {
 public:
-    Construction(const PoissonTileParameters& parameters, TileFiller& filler, const ConstructionOptions& options)
-        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)), pieces_(parameters),
-          interiors_(parameters.tiles), wanted_(asked_squared_distance(parameters))
+    Construction(const PoissonTileParameters& parameters, TileFiller& filler,
+                 const ConstructionOptions& options)
+        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)),
+          pieces_(parameters), interiors_(parameters.tiles), wanted_(asked_squared_distance(parameters))
     {}
 
     ConstructedTileSet run()
     {
         make_boundaries();
-        std::vector<std::uint32_t> open(p_.tiles);
-        std::iota(open.begin(), open.end(), 0u);
-        if (p_.kind == PoissonTileKind::frame) open.erase(open.begin()); // the master
+        std::vector<std::uint32_t> open;
+        // The first of template tiles is the master.
+        for (std::uint32_t tile = p_.kind == PoissonTileKind::frame; tile < p_.tiles; ++tile) open.push_back(tile);
         for (std::uint32_t round = 0; !open.empty(); ++round) {
             const std::vector<std::uint32_t> failed = fill_tiles(open, round);
             if (failed.empty()) break;
@@ -80,7 +82,8 @@ private:
         std::vector<std::size_t> open(tori.size());
         std::iota(open.begin(), open.end(), std::size_t{0});
         for (std::uint32_t attempt = 0; !open.empty(); ++attempt) {
-            if (attempt == max_piece_attempts) give_up_piece(stage, tori[open.front()], choice.best_failure());
+            if (attempt == max_piece_attempts)
+                give_up_piece(stage, tori[open.front()], choice.best_failure());
             std::vector<FillProblem> problems;
             for (const std::size_t i : open) problems.push_back(piece_problem(tori[i], i));
             std::vector<FilledTorus> filled =
@@ -157,12 +160,16 @@ private:
             for (std::size_t i = 0; i < open.size(); ++i) {
                 if (filled[i].squared_min_distance < wanted_ || too_many_held_.contains(open[i])) {
                     left.push_back(open[i]);
-                    best_failure_ = std::max(best_failure_, filled[i].squared_min_distance);
+                    reached_[open[i]] = std::max(reached_[open[i]], filled[i].squared_min_distance);
                     continue;
                 }
                 interiors_[open[i]] = cut_out(filled[i].active, regions_, all_axes(p_.dimension), {}, false);
                 if (options_.record) {
-                    options_.record({all_axes(p_.dimension), open[i], {}, pieces_around(p_, open[i]), &problems[i],
+                    options_.record({all_axes(p_.dimension),
+                                     open[i],
+                                     {},
+                                     pieces_around(p_, open[i]),
+                                     &problems[i],
                                      &filled[i]});
                 }
             }
@@ -193,9 +200,10 @@ private:
         FillProblem problem;
         problem.held = pieces_.placed(pieces_around(p_, tile));
         problem.stream = tile;
-        const auto inside = static_cast<std::uint32_t>(std::ranges::count_if(problem.held, [&](const TilePosition& h) {
-            return h[0] < tile_units && h[1] < tile_units && h[2] < tile_units;
-        }));
+        const auto inside =
+            static_cast<std::uint32_t>(std::ranges::count_if(problem.held, [&](const TilePosition& h) {
+                return h[0] < tile_units && h[1] < tile_units && h[2] < tile_units;
+            }));
         if (inside > p_.points_per_tile) too_many_held_.insert(tile);
         problem.active = p_.points_per_tile - std::min(inside, p_.points_per_tile);
         if (p_.lloyd_iterations == 0) return problem;
@@ -208,7 +216,8 @@ private:
     }
 
     /// New last pieces for tiles that could not be filled, one each. Returns all tiles that have these.
-    std::vector<std::uint32_t> remake_boundaries(const std::vector<std::uint32_t>& failed, std::uint32_t round)
+    std::vector<std::uint32_t> remake_boundaries(const std::vector<std::uint32_t>& failed,
+                                                 std::uint32_t round)
     {
         too_many_held_.clear();
         std::vector<std::uint32_t> open;
@@ -229,15 +238,18 @@ private:
             if (!stage.is_last) continue;
             std::vector<BoundaryTorus> tori;
             for (BoundaryTorus torus : stage.tori) {
-                std::erase_if(torus.made,
-                              [&](const PlacedPiece& m) { return !remade.contains({m.axes, m.variant}); });
+                std::erase_if(torus.made, [&](const PlacedPiece& m) {
+                    return !remade.contains({m.axes, m.variant});
+                });
                 if (!torus.made.empty()) tori.push_back(torus);
             }
             if (!tori.empty()) make_pieces(stage, tori, round);
         }
         for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
             const std::vector<PlacedPiece> last = last_pieces(tile);
-            if (std::ranges::any_of(last, [&](const PlacedPiece& l) { return remade.contains({l.axes, l.variant}); }))
+            if (std::ranges::any_of(last, [&](const PlacedPiece& l) {
+                    return remade.contains({l.axes, l.variant});
+                }))
                 open.push_back(tile);
         }
         return open;
@@ -263,7 +275,8 @@ private:
         PoissonTileSet set{p_, 0, {}};
         for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
             for (const TilePosition& point : pieces_.placed(pieces_around(p_, tile))) {
-                if (point[0] < tile_units && point[1] < tile_units && point[2] < tile_units) append(set, point);
+                if (point[0] < tile_units && point[1] < tile_units && point[2] < tile_units)
+                    append(set, point);
             }
             for (const TilePosition& point : interiors_[tile]) append(set, point);
         }
@@ -289,26 +302,31 @@ private:
         if (options_.progress) options_.progress(stage, done, total);
     }
 
-    [[noreturn]] void give_up(const std::string& what, std::uint32_t attempts, std::uint64_t squared_reached) const
+    [[noreturn]] void give_up(const std::string& what, std::uint32_t attempts,
+                              std::uint64_t squared_reached) const
     {
         const std::string reached =
             squared_reached == 0 ? "its points did not fit"
                                  : fmt::format("reached {:.3f}", relative_radius_of(squared_reached, p_));
-        const std::string advice = p_.repulsion ? "a smaller relative_radius" : "repulsion, more lloyd_iterations or a smaller relative_radius";
-        throw InputError(fmt::format("relative_radius = {}: {} of the {} tile set {} after {} attempts; {} may help",
-                                     p_.relative_radius, what, kind_name(p_), reached, attempts, advice));
+        const std::string advice = p_.repulsion
+                                       ? "a smaller relative_radius"
+                                       : "repulsion, more lloyd_iterations or a smaller relative_radius";
+        throw InputError(
+            fmt::format("relative_radius = {}: {} of the {} tile set {} after {} attempts; {} may help",
+                        p_.relative_radius, what, kind_name(p_), reached, attempts, advice));
     }
 
     [[noreturn]] void give_up_piece(const BoundaryStage& stage, const BoundaryTorus& torus,
                                     std::uint64_t squared_reached) const
     {
-        give_up(fmt::format("one of the {} (number {})", stage.name, torus.made.front().variant), max_piece_attempts,
-                squared_reached);
+        give_up(fmt::format("one of the {} (number {})", stage.name, torus.made.front().variant),
+                max_piece_attempts, squared_reached);
     }
 
     [[noreturn]] void give_up_tile(const std::vector<std::uint32_t>& failed) const
     {
-        give_up(fmt::format("tile {}", failed.front()), max_rounds * max_tile_attempts, best_failure_);
+        give_up(fmt::format("tile {}", failed.front()), max_rounds * max_tile_attempts,
+                reached_.at(failed.front()));
     }
 
     const PoissonTileParameters p_;
@@ -321,7 +339,7 @@ private:
     std::pair<FillProblem, FilledTorus> master_;
     std::set<std::uint32_t> too_many_held_;
     std::uint64_t wanted_;
-    std::uint64_t best_failure_ = 0;
+    std::map<std::uint32_t, std::uint64_t> reached_; ///< squared distances of tiles that failed
     ConstructionReport report_;
 };
 

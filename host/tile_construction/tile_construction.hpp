@@ -1,11 +1,12 @@
 // The construction of Poisson disk (sphere) tile sets, stage by stage.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007: edge-based tiles (section 4.3), template tiles (4.4),
-// corner-based tiles (4.5), sphere tiles (4.6). Where this departs from it: all tori have two tiles a side, so that held
-// pieces do not meet themselves; the wanted distance must be reached on all of a torus that corners and edges are cut
-// from (or edges come out 4 to 6 % too sparse); of several candidates for a piece, that is taken whose number of points
-// makes up best for what its neighbours have too much or too little, so that all tiles have as many points left for
-// their interiors; and a tile that cannot be filled gets a new edge (face, corner), together with all that have it.
+// corner-based tiles (4.5), sphere tiles (4.6). Where this departs from it: all tori have two tiles a side,
+// so that held pieces do not meet themselves; the wanted distance must be reached on all of a torus that
+// corners and edges are cut from (or edges come out 4 to 6 % too sparse); of several candidates for a piece,
+// that is taken whose number of points makes up best for what its neighbours have too much or too little, so
+// that all tiles have as many points left for their interiors; and a tile that cannot be filled gets a new
+// edge (face, corner), together with all that have it.
 #pragma once
 
 #include "poisson_tiles/poisson_tile_set.hpp"
@@ -20,8 +21,8 @@
 
 namespace poissonlab {
 
-/// How far around a tile its surroundings are filled, in radii, but at most half a tile: the cells of its own points end
-/// before.
+/// How far around a tile its surroundings are filled, in radii, but at most half a tile: the cells of its own
+/// points end before.
 inline constexpr std::int32_t surrounding_radii = 3;
 
 /// A torus that was filled, for those who want to look.
@@ -46,9 +47,9 @@ struct ConstructionOptions
 
 struct ConstructionReport
 {
-    std::size_t tori = 0;    ///< that were filled
+    std::size_t tori = 0;     ///< that were filled
     std::size_t failures = 0; ///< that did not reach the wanted distance
-    std::size_t remade = 0;  ///< pieces that had to be made again because of a tile that could not be filled
+    std::size_t remade = 0;   ///< pieces that had to be made again because of a tile that could not be filled
 };
 
 struct ConstructedTileSet
@@ -57,8 +58,8 @@ struct ConstructedTileSet
     ConstructionReport report;
 };
 
-/// Throws InputError for parameters that check() refuses, and where a piece or a tile does not reach the wanted
-/// distance: which one, and what relative radius was reached.
+/// Throws InputError for parameters that check() refuses, and where a piece or a tile does not reach the
+/// wanted distance: which one, and what relative radius was reached.
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
                                       const ConstructionOptions& options = {});
 

@@ -47,7 +47,7 @@ public:
     DeviceFiller(const FillSettings& settings, Device device, std::size_t work_group_size)
         : settings_(settings), device_(std::move(device)), reaches_(voronoi_reaches(settings))
     {
-        work_group_size_ = work_group_size > 0                ? work_group_size
+        work_group_size_ = work_group_size > 0            ? work_group_size
                            : device_.info().type == "CPU" ? default_work_group_size
                                                           : gpu_work_group_size;
         const std::string options = "-D DIMENSION=" + std::to_string(settings.dimension);
@@ -102,7 +102,8 @@ private:
         }
         groups_ = filled.size();
         problem_numbers_.write(filled);
-        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts, all_targets_);
+        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts,
+                    all_targets_);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
         download(problems, active_ends, thrown, filled, results);
@@ -113,7 +114,8 @@ private:
         const std::size_t n = problems.size();
         const std::size_t per_problem = axes() * capacity_;
         std::vector<std::int32_t> points(n * per_problem);
-        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n), all_targets(n);
+        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n),
+            all_targets(n);
         for (std::size_t i = 0; i < n; ++i) {
             const FillProblem& problem = problems[i];
             put_held(problem.held, points.data() + i * per_problem);
@@ -129,8 +131,9 @@ private:
         reserve(device_, kept_, n * per_problem);
         reserve(device_, doubles_, n * per_problem);
         reserve(device_, lists_, std::max<std::size_t>(1, n * max_active_ * list_words(settings_.dimension)));
-        for (Buffer<std::uint32_t>* buffer : {&problem_numbers_, &streams_, &held_, &active_, &active_targets_,
-                                              &all_targets_, &counts_, &levels_, &squared_kept_})
+        for (Buffer<std::uint32_t>* buffer :
+             {&problem_numbers_, &streams_, &held_, &active_, &active_targets_, &all_targets_, &counts_,
+              &levels_, &squared_kept_})
             reserve(device_, *buffer, n);
         points_.write(points);
         problem_numbers_.write(numbers);
@@ -155,14 +158,15 @@ private:
         }
     }
 
-    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number, std::uint32_t attempts,
-                     const Buffer<std::uint32_t>& targets)
+    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
+                     std::uint32_t attempts, const Buffer<std::uint32_t>& targets)
     {
-        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,
-                   settings_.stream[0], settings_.stream[1], static_cast<std::uint32_t>(capacity_),
-                   static_cast<std::uint32_t>(copies_), region_values_, zone.cells, zone.low, zone.extent,
-                   distances_, static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts,
-                   targets, points_, counts_, levels_);
+        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt,
+                   zone_number, settings_.stream[0], settings_.stream[1],
+                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
+                   zone.cells, zone.low, zone.extent, distances_,
+                   static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts, targets, points_,
+                   counts_, levels_);
     }
 
     void relax(const FillStage& stage)
@@ -185,13 +189,14 @@ private:
     }
 
     /// `count` points of a problem from number `first` on, `images` apart.
-    std::vector<TilePosition> points_of(const std::vector<std::int32_t>& all, std::size_t problem, std::size_t first,
-                                        std::size_t count, std::size_t images) const
+    std::vector<TilePosition> points_of(const std::vector<std::int32_t>& all, std::size_t problem,
+                                        std::size_t first, std::size_t count, std::size_t images) const
     {
         std::vector<TilePosition> points(count);
         const std::int32_t* from = all.data() + problem * axes() * capacity_;
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t k = 0; k < axes(); ++k) points[i][k] = from[k * capacity_ + (first + i) * images];
+            for (std::size_t k = 0; k < axes(); ++k)
+                points[i][k] = from[k * capacity_ + (first + i) * images];
         }
         return points;
     }
@@ -235,8 +240,8 @@ private:
     Buffer<std::int32_t> points_, moved_, kept_;
     Buffer<double> doubles_;
     Buffer<std::uint16_t> lists_;
-    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_, levels_,
-        squared_kept_;
+    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_,
+        levels_, squared_kept_;
 };
 
 }

@@ -15,8 +15,8 @@ constexpr std::uint32_t surroundings_share = 4;
 /// Passes of repulsion; those that succeed take 5 to 100.
 constexpr std::uint32_t max_repulsion_passes = 400;
 
-/// Points that are just short of the distance that is asked for are pushed a little farther, and so are those that
-/// rounding to whole units may bring closer again.
+/// Points that are just short of the distance that is asked for are pushed a little farther, and so are those
+/// that rounding to whole units may bring closer again.
 constexpr double repulsion_margin = 1.0005;
 constexpr double rounding_margin = 2;
 

@@ -1,9 +1,9 @@
-// Filling tori of two tiles a side with points around those of pieces that are there already: the one step that all
-// stages of the construction of Poisson tiles are made of.
+// Filling tori of two tiles a side with points around those of pieces that are there already: the one step
+// that all stages of the construction of Poisson tiles are made of.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: dart throwing or relaxation dart throwing,
-// then Lloyd relaxation with points that are held and movements that end at their regions, then repulsion. A batch of
-// tori is filled at once.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: dart throwing or relaxation dart
+// throwing, then Lloyd relaxation with points that are held and movements that end at their regions, then
+// repulsion. A batch of tori is filled at once.
 #pragma once
 
 #include "device/device.hpp"
@@ -22,8 +22,8 @@ namespace poissonlab {
 struct DartZone
 {
     CellSet cells = 0;
-    std::int32_t low = 0;                   ///< of the box, along each axis
-    std::uint32_t extent = torus_units;     ///< of the box
+    std::int32_t low = 0;               ///< of the box, along each axis
+    std::uint32_t extent = torus_units; ///< of the box
 };
 
 /// What the tori of a batch have in common.
@@ -31,7 +31,7 @@ struct FillStage
 {
     TileRegions regions;
     std::uint32_t number = 0; ///< stages have their own random numbers
-    bool is_one_tile = false; ///< the torus has one tile a side; points are below tile_units
+    bool is_one_tile = false; ///< the torus has one tile a side; any image of a point stands for it
     DartZone active;          ///< points move in these cells as well
     DartZone surroundings;    ///< points that are held, so that active ones are not drawn into empty space
 };
@@ -46,8 +46,8 @@ struct FillProblem
 
 struct FilledTorus
 {
-    std::vector<TilePosition> thrown;       ///< active points as dart throwing left them; fewer than wanted: failed
-    std::vector<TilePosition> active;       ///< after relaxation and repulsion
+    std::vector<TilePosition> thrown; ///< active points as dart throwing left them; fewer than wanted: failed
+    std::vector<TilePosition> active; ///< after relaxation and repulsion
     std::vector<TilePosition> surroundings;
     std::uint64_t squared_min_distance = 0; ///< of active points to all points, at most 2^32 - 1; 0: failed
 
@@ -62,10 +62,10 @@ struct FillSettings
     std::uint32_t attempts = 0;                   ///< failed darts in a row before the next
     std::uint32_t surrounding_attempts = 0;       ///< the same for surroundings, which need not be as good
     std::uint32_t lloyd_iterations = 0;
-    std::uint32_t wanted = 0;                     ///< squared minimum distance
-    std::uint32_t repulsion_passes = 0;           ///< at most; 0: no repulsion, and Lloyd relaxation is on its own
-    double repulsion_distance = 0;                ///< closer points are pushed apart; units
-    double spacing = 0;                           ///< mean distance of points: N^(-1/dimension) of a tile; units
+    std::uint32_t wanted = 0;           ///< squared minimum distance
+    std::uint32_t repulsion_passes = 0; ///< at most; 0: no repulsion, and Lloyd relaxation is on its own
+    double repulsion_distance = 0;      ///< closer points are pushed apart; units
+    double spacing = 0;                 ///< mean distance of points: N^(-1/dimension) of a tile; units
     StreamKey stream{};
 };
 
@@ -86,8 +86,8 @@ namespace reference {
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings);
 }
 
-/// By kernels/tile_darts.cl and tile_relaxation.cl, a work-group a torus: the same result. `work_group_size` 0: the
-/// default, at most 256.
+/// By kernels/tile_darts.cl and tile_relaxation.cl, a work-group a torus: the same result. `work_group_size`
+/// 0: the default, at most 256.
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
                                              std::size_t work_group_size = 0);
 

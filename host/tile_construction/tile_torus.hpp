@@ -1,7 +1,7 @@
 // The torus of two tiles a side on which tiles are filled with points: its cells, and movement among them.
 //
-// Two tiles a side are enough that the points of a piece do not see themselves around the torus. Coordinates are whole
-// units, 65,536 to a tile's side. kernels/common/tile_torus.clh makes the same decisions.
+// Two tiles a side are enough that the points of a piece do not see themselves around the torus. Coordinates
+// are whole units, 65,536 to a tile's side. kernels/common/tile_torus.clh makes the same decisions.
 #pragma once
 
 #include "poisson_tiles/tile_regions.hpp"
@@ -28,9 +28,12 @@ constexpr std::int32_t shortest(std::int32_t difference)
 /// Exact.
 std::uint64_t squared_distance(const TilePosition& a, const TilePosition& b, int dimension);
 
-/// The number of a cell of the torus' lattice: its axes, and above them the coordinates of its lowest corner, a bit an
-/// axis.
-constexpr unsigned cell_number(unsigned axes, unsigned base, int dimension) { return base << dimension | axes; }
+/// The number of a cell of the torus' lattice: its axes, and above them the coordinates of its lowest corner,
+/// a bit an axis.
+constexpr unsigned cell_number(unsigned axes, unsigned base, int dimension)
+{
+    return base << dimension | axes;
+}
 
 /// Cells as bits by their numbers.
 using CellSet = std::uint64_t;
@@ -46,11 +49,12 @@ inline bool is_allowed(const TileRegions& regions, CellSet cells, const TilePosi
     return cells >> cell_at(regions, position) & 1;
 }
 
-/// A position out of the region of its corner, edge or face, by the shortest way; in an interior, the same position.
+/// A position out of the region of its corner, edge or face, by the shortest way; in an interior, the same
+/// position.
 TilePosition pushed_out(const TileRegions& regions, const TilePosition& position);
 
-/// Where a movement from an allowed position ends. What would end where it is not allowed slides out of regions by the
-/// shortest way, three times at most, or is shortened to the last position that is allowed.
+/// Where a movement from an allowed position ends. What would end where it is not allowed slides out of
+/// regions by the shortest way, three times at most, or is shortened to the last position that is allowed.
 TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
                          const TilePosition& movement, bool slides);
 

@@ -65,7 +65,8 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
-        return generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
+        return generator_ ? generator_->generate_torus(tiling, side_)
+                          : reference::torus_points(tiles_, tiling, side_);
     }
 
     std::uint32_t tiles_along_axis() const override { return side_; }
@@ -82,7 +83,8 @@ private:
     std::optional<TilePointGenerator> generator_;
 };
 
-ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum, std::string symbol)
+ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum,
+                           std::string symbol)
 {
     ParameterSpec spec;
     spec.key = std::move(key);
@@ -100,9 +102,10 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
     if (method.kind == PoissonTileKind::frame) {
         specs.push_back(integer_spec("tiles", "T, tiles of the set", 1, max_tiles, "T"));
     } else {
-        const char* what = method.kind == PoissonTileKind::edge ? "C, colours of edges; the set has C^12 tiles"
-                           : method.dimension == 3              ? "C, colours of corners; the set has C^8 tiles"
-                                                                : "C, colours of corners; the set has C^4 tiles";
+        const char* what = method.kind == PoissonTileKind::edge
+                               ? "C, colours of edges; the set has C^12 tiles"
+                           : method.dimension == 3 ? "C, colours of corners; the set has C^8 tiles"
+                                                   : "C, colours of corners; the set has C^4 tiles";
         const double most = method.kind == PoissonTileKind::edge ? 3 : method.dimension == 3 ? 4 : 32;
         specs.push_back(integer_spec("colors", what, 1, most, "C"));
     }
@@ -124,7 +127,8 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
     filling.choices = {"dart-throwing", "relaxation-dart-throwing"};
     specs.push_back(filling);
 
-    specs.push_back(integer_spec("lloyd_iterations", "Lloyd iterations of each piece; default 20", 0, 100'000, "lloyd"));
+    specs.push_back(
+        integer_spec("lloyd_iterations", "Lloyd iterations of each piece; default 20", 0, 100'000, "lloyd"));
 
     ParameterSpec repulsion;
     repulsion.key = "repulsion";
@@ -150,8 +154,9 @@ void check_parameters(const TileMethod& method, const std::string& sampler, cons
         throw InputError(to_string(parameters.has(key) ? parameters.location(key) : where) + ": " + message);
     }
     if (tiling_side(request.points, tiles.points_per_tile, method.dimension) > 65'536)
-        throw InputError(fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
-                                     to_string(where), sampler, request.points));
+        throw InputError(
+            fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
+                        to_string(where), sampler, request.points));
 }
 
 SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string title, std::string summary)
@@ -172,8 +177,8 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
     };
     spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
-        return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request, engine,
-                                             device);
+        return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request,
+                                             engine, device);
     };
     return spec;
 }
@@ -185,20 +190,22 @@ std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int
     const auto wanted = static_cast<double>(points) / points_per_tile;
     const double root = std::floor(dimension == 2 ? std::sqrt(wanted) : std::cbrt(wanted));
     const double below = std::max(1.0, root);
-    const bool above_is_nearer = std::pow(below + 1, dimension) - wanted < wanted - std::pow(below, dimension);
+    const bool above_is_nearer =
+        std::pow(below + 1, dimension) - wanted < wanted - std::pow(below, dimension);
     return static_cast<std::uint32_t>(above_is_nearer ? below + 1 : below);
 }
 
 std::vector<SamplerSpec> tile_samplers()
 {
-    return {tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
-                         "a tiling with Poisson disk tiles by the colours of their corners"),
-            tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
-                         "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
-            tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
-                         "a tiling with tiles that have the same points near their borders"),
-            tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
-                         "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
+    return {
+        tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
+                     "a tiling with Poisson disk tiles by the colours of their corners"),
+        tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
+                     "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
+        tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
+                     "a tiling with tiles that have the same points near their borders"),
+        tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
+                     "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
 }
 
 }

@@ -1,8 +1,8 @@
-// The samplers "corner-tiles", "edge-tiles", "template-tiles" and "sphere-tiles": toroidal tilings with Poisson disk
-// (sphere) tiles.
+// The samplers "corner-tiles", "edge-tiles", "template-tiles" and "sphere-tiles": toroidal tilings with
+// Poisson disk (sphere) tiles.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6 and 6.9 to 6.11, 6.15. All realizations are
-// tilings with one tile set, which is built once and kept, see tile_set_cache.hpp.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6 and 6.9 to 6.11, 6.15. All
+// realizations are tilings with one tile set, which is built once and kept, see tile_set_cache.hpp.
 #pragma once
 
 #include "sampling/sampler.hpp"

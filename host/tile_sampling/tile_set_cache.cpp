@@ -16,13 +16,15 @@ namespace {
 /// Of the construction: another one gives other tiles for the same parameters.
 constexpr int construction_version = 1;
 
-std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file, const PoissonTileParameters& parameters)
+std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file,
+                                         const PoissonTileParameters& parameters)
 {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
     try {
         PoissonTileSet set = read_tile_set(file);
-        if (set.parameters == parameters && set.squared_min_distance >= asked_squared_distance(parameters)) return set;
+        if (set.parameters == parameters && set.squared_min_distance >= asked_squared_distance(parameters))
+            return set;
     } catch (const InputError&) {
         // Built again below, which replaces it.
     }
@@ -42,8 +44,8 @@ void try_to_store(const std::filesystem::path& file, const PoissonTileSet& set)
 
 }
 
-ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
-                                  const ConstructionOptions& options)
+ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                                  const DeviceProvider& device, const ConstructionOptions& options)
 {
     check(parameters);
     const FillSettings settings = fill_settings(parameters);
@@ -72,14 +74,14 @@ std::string tile_cache_name(const PoissonTileParameters& p, Engine engine)
 {
     return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-v{}.ptiles", kind_name(p),
                        p.kind == PoissonTileKind::frame ? "t" : "c",
-                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile, p.relative_radius,
-                       p.filling == TileFilling::dart_throwing ? "darts" : "relaxation", p.attempts, p.factor,
-                       p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed,
+                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile,
+                       p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
+                       p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed,
                        engine == Engine::opencl ? "opencl" : "reference", construction_version);
 }
 
-PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
-                               const std::filesystem::path& folder)
+PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                               const DeviceProvider& device, const std::filesystem::path& folder)
 {
     if (folder.empty()) return build_tile_set(parameters, engine, device).set;
     const std::filesystem::path file = folder / tile_cache_name(parameters, engine);

@@ -13,19 +13,20 @@ namespace poissonlab {
 
 /// Constructs a tile set and proves its minimum distance, which the set then states. Throws InputError where
 /// construct_tile_set() does.
-ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
-                                  const ConstructionOptions& options = {});
+ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                                  const DeviceProvider& device, const ConstructionOptions& options = {});
 
-/// Where built tile sets are kept: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else ~/.cache/poissonlab; empty
-/// where the environment has none of these.
+/// Where built tile sets are kept: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else
+/// ~/.cache/poissonlab; empty where the environment has none of these.
 std::filesystem::path tile_cache_folder();
 
 /// The name of a tile set's file there: all its parameters, and the engine.
 std::string tile_cache_name(const PoissonTileParameters& parameters, Engine engine);
 
-/// The tile set from `folder`, or built and put there. A file that cannot be read, is damaged or holds something else
-/// is replaced; where nothing can be written, the set is not kept. An empty folder: always built.
-PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
-                               const std::filesystem::path& folder);
+/// The tile set from `folder`, or built and put there. A file that cannot be read, is damaged or holds
+/// something else is replaced; where nothing can be written, the set is not kept. An empty folder: always
+/// built.
+PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                               const DeviceProvider& device, const std::filesystem::path& folder);
 
 }

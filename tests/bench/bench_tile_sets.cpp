@@ -1,7 +1,8 @@
-// Building Poisson tile sets, all stages and the certificate included, and kernels against the sequential reference.
+// Building Poisson tile sets, all stages and the certificate included, and kernels against the sequential
+// reference.
 //
-// The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8 colours: those of
-// tiles, which are 95 of 100.
+// The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8
+// colours: those of tiles, which are 95 of 100.
 #include "bench/ratio_reporter.hpp"
 #include "support/small_tile_sets.hpp"
 #include "tile_sampling/tile_set_cache.hpp"
@@ -66,7 +67,8 @@ struct Tori
 class NotingFiller final : public TileFiller
 {
 public:
-    explicit NotingFiller(Tori& tori) : tori_(tori), filler_(make_tile_filler(fill_settings(parameters_of(corner_8)), device()))
+    explicit NotingFiller(Tori& tori)
+        : tori_(tori), filler_(make_tile_filler(fill_settings(parameters_of(corner_8)), device()))
     {}
 
     std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,

@@ -1,5 +1,5 @@
-// Whole tile sets: what was asked for, proven and, on random tilings, seen by CGAL; the same from kernels and from their
-// plain twin.
+// Whole tile sets: what was asked for, proven and, on random tilings, seen by CGAL; the same from kernels and
+// from their plain twin.
 #include "tile_construction/tile_construction.hpp"
 
 #include "errors/errors.hpp"
@@ -33,7 +33,8 @@ PoissonTileSet built_by_reference(const PoissonTileParameters& parameters)
     return construct_tile_set(parameters, *filler).set;
 }
 
-/// The shortest edge of the Delaunay triangulation, squared, in squared units: the distance of the two nearest points.
+/// The shortest edge of the Delaunay triangulation, squared, in squared units: the distance of the two
+/// nearest points.
 double squared_distance_by_cgal(const std::vector<TestPosition>& points)
 {
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -55,7 +56,8 @@ protected:
 TEST_P(TileConstruction, EveryTilingKeepsTheDistance)
 {
     const PoissonTileSet set = built(p_);
-    ASSERT_EQ(set.points.size(), std::size_t{p_.tiles} * p_.points_per_tile * static_cast<unsigned>(p_.dimension));
+    ASSERT_EQ(set.points.size(),
+              std::size_t{p_.tiles} * p_.points_per_tile * static_cast<unsigned>(p_.dimension));
     const TileCertificate proof = certify(set);
     EXPECT_GE(proof.squared_min_distance, asked_squared_distance(p_));
 
@@ -104,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& set) { return std::string(set.param.name); });
 
 class TileConstructionTwins : public TileConstruction
-{};
+{
+};
 
 TEST_P(TileConstructionTwins, KernelsAndReferenceMakeTheSameTiles)
 {
@@ -113,11 +116,12 @@ TEST_P(TileConstructionTwins, KernelsAndReferenceMakeTheSameTiles)
 
 INSTANTIATE_TEST_SUITE_P(
     Sets, TileConstructionTwins,
-    testing::Values(SmallSet{"corner", with_repulsion(with_lloyd(tile_set_parameters(corner, 2, 2, 16, 0.8), 4))},
-                    SmallSet{"edge", with_lloyd(tile_set_parameters(edge, 2, 1, 16, 0.6), 3)},
-                    SmallSet{"template", with_repulsion(with_lloyd(tile_set_parameters(frame, 2, 4, 24, 0.85), 4))},
-                    SmallSet{"darts", by_darts()},
-                    SmallSet{"sphere", with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 1, 32, 0.55), 1))}),
+    testing::Values(
+        SmallSet{"corner", with_repulsion(with_lloyd(tile_set_parameters(corner, 2, 2, 16, 0.8), 4))},
+        SmallSet{"edge", with_lloyd(tile_set_parameters(edge, 2, 1, 16, 0.6), 3)},
+        SmallSet{"template", with_repulsion(with_lloyd(tile_set_parameters(frame, 2, 4, 24, 0.85), 4))},
+        SmallSet{"darts", by_darts()},
+        SmallSet{"sphere", with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 1, 32, 0.55), 1))}),
     [](const auto& set) { return std::string(set.param.name); });
 
 TEST(TileConstructionSeeds, MakeOtherTiles)
@@ -142,9 +146,60 @@ TEST(TileConstructionErrors, NameThePieceAndWhatItReached)
     EXPECT_THROW(built(p), InputError);
 }
 
+/// Lets one tile fail so many times.
+class StubbornFiller final : public TileFiller
+{
+public:
+    StubbornFiller(const PoissonTileParameters& parameters, std::uint32_t tile, int failures)
+        : filler_(make_tile_filler(fill_settings(parameters), Device::open())), tile_(tile),
+          failures_(failures)
+    {}
+
+    std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
+                                  std::uint32_t attempt) override
+    {
+        std::vector<FilledTorus> filled = filler_->fill(stage, problems, attempt);
+        const bool is_of_tiles = stage.active.extent < tile_units;
+        for (std::size_t i = 0; i < problems.size() && is_of_tiles; ++i) {
+            if (problems[i].stream == tile_ && failures_-- > 0) filled[i].squared_min_distance = 5000 * 5000;
+        }
+        return filled;
+    }
+
+private:
+    std::unique_ptr<TileFiller> filler_;
+    std::uint32_t tile_;
+    int failures_;
+};
+
+TEST(TileConstructionErrors, NameTheTileAndWhatItReached)
+{
+    const PoissonTileParameters p = tile_set_parameters(corner, 2, 2, 16, 0.7);
+    StubbornFiller filler(p, 5, 1'000'000);
+    try {
+        construct_tile_set(p, filler);
+        FAIL() << "a set without tile 5 was built";
+    } catch (const InputError& error) {
+        const std::string reached = std::to_string(relative_radius_of(5000 * 5000, p)).substr(0, 4);
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("tile 5 "), HasSubstr("reached " + reached)));
+    }
+}
+
+TEST(TileConstructionErrors, TilesThatCannotBeFilledGetNewPieces)
+{
+    for (const PoissonTileParameters& p :
+         {tile_set_parameters(corner, 2, 2, 16, 0.7), tile_set_parameters(edge, 2, 1, 16, 0.6),
+          tile_set_parameters(frame, 2, 8, 16, 0.7)}) {
+        StubbornFiller filler(p, p.tiles > 5 ? 5 : 0, 20); // two rounds of eight, and a few more
+        const ConstructedTileSet built_set = construct_tile_set(p, filler);
+        EXPECT_EQ(built_set.report.remade, 2u) << kind_name(p);
+        EXPECT_GE(certify(built_set.set).squared_min_distance, asked_squared_distance(p));
+    }
+}
+
 TEST(TileConstructionErrors, RefuseWhatDoesNotFitIntoTiles)
 {
-    EXPECT_THROW(built(tile_set_parameters(corner, 2, 2, 4, 0.75)), InputError);   // corners meet
+    EXPECT_THROW(built(tile_set_parameters(corner, 2, 2, 4, 0.75)), InputError); // corners meet
     EXPECT_THROW(built(tile_set_parameters(corner, 3, 2, 16, 0.75)), InputError);
     EXPECT_THROW(built(tile_set_parameters(corner, 2, 300, 16, 0.75)), InputError); // more than 2^32 tiles
     EXPECT_THROW(built(tile_set_parameters(corner, 2, 2, 3, 0.3)), InputError);

@@ -1,7 +1,7 @@
 // Points are as dense near corners and edges as in interiors: a seam would show here first.
 #include "poisson_tiles/tile_certificate.hpp"
-#include "support/statistics.hpp"
 #include "support/small_tile_sets.hpp"
+#include "support/statistics.hpp"
 #include "tile_construction/tile_construction.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,8 @@ std::unique_ptr<TileFiller> filler_for(const PoissonTileParameters& p)
     return make_tile_filler(fill_settings(p), Device::open());
 }
 
-/// How much the number of points in a whole region varies in untiled sets of the same method: the standard deviation, for
-/// corners and for edges.
+/// How much the number of points in a whole region varies in untiled sets of the same method: the standard
+/// deviation, for corners and for edges.
 std::array<double, 2> spread_of_counts()
 {
     const PoissonTileParameters p = parameters(99);
@@ -52,7 +52,8 @@ std::array<double, 2> spread_of_counts()
     }
     std::array<double, 2> spread{};
     for (std::size_t i = 0; i < 2; ++i)
-        spread[i] = test::mean_of(counts[i]).standard_error * std::sqrt(static_cast<double>(counts[i].size()));
+        spread[i] =
+            test::mean_of(counts[i]).standard_error * std::sqrt(static_cast<double>(counts[i].size()));
     return spread;
 }
 
@@ -70,7 +71,8 @@ const std::vector<PoissonTileSet>& sets()
     return all;
 }
 
-/// A set has few corners and edges, so that their mean is not known better than their spread allows. Over many sets it is.
+/// A set has few corners and edges, so that their mean is not known better than their spread allows. Over
+/// many sets it is.
 TEST(TileDensity, IsTheSameInAllRegions)
 {
     const auto count = static_cast<double>(sets().size());
@@ -81,7 +83,8 @@ TEST(TileDensity, IsTheSameInAllRegions)
     std::array<double, 3> excess{}; // of corners, edges and interiors, relative
     for (const PoissonTileSet& set : sets()) {
         const TileCertificate proof = certify(set);
-        // A tile has one whole corner, and two whole edges; a set has `colors` and colors^2 of either direction.
+        // A tile has one whole corner, and two whole edges; a set has `colors` and colors^2 of either
+        // direction.
         const double corner_excess = proof.regions[0].mean - corner_mean;
         const double edge_excess = proof.regions[1].mean - 2 * edge_mean;
         EXPECT_LT(std::abs(corner_excess), 3 * spread[0] / std::sqrt(colors));
@@ -95,9 +98,9 @@ TEST(TileDensity, IsTheSameInAllRegions)
     EXPECT_LT(std::abs(excess[2]), 0.01);
 }
 
-/// The density at distances from the border, in strips of a radius. Points of interiors that would enter strips stop at
-/// their border, where they gather, and leave room behind: the construction of the papers has that as well. Over a strip
-/// it is a tenth at most.
+/// The density at distances from the border, in strips of a radius. Points of interiors that would enter
+/// strips stop at their border, where they gather, and leave room behind: the construction of the papers has
+/// that as well. Over a strip it is a tenth at most.
 TEST(TileDensity, ChangesLittleWithTheDistanceFromTheBorder)
 {
     const int strip = regions_of(parameters(1)).width;

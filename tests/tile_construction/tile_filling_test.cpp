@@ -60,7 +60,8 @@ protected:
                 for (std::int32_t offset : {-3000, 0}) {
                     TilePosition position{};
                     for (int k = 0; k < c.dimension; ++k)
-                        position[k] = wrapped((base >> k & 1) * tile_units + (k == 0 ? 3 * offset : offset + 11));
+                        position[k] =
+                            wrapped((base >> k & 1) * tile_units + (k == 0 ? 3 * offset : offset + 11));
                     problem.held.push_back(position);
                 }
             }

@@ -90,7 +90,8 @@ TEST_P(TileTorus, PushedOutPositionsLeaveTheirCellByTheShortestWay)
         }
         EXPECT_NE(cell_at(regions_, out), cell);
         const auto extent_of = [&](unsigned number) { return std::popcount(number & all_axes(dimension_)); };
-        // No shorter movement leads out, but into cells of lower dimension at the ends: tried in many directions.
+        // No shorter movement leads out, but into cells of lower dimension at the ends: tried in many
+        // directions.
         const double length = std::sqrt(static_cast<double>(squared_distance(position, out, dimension_)));
         std::normal_distribution<double> normal;
         for (int direction = 0; direction < 8; ++direction) {

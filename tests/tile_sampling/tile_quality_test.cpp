@@ -34,11 +34,11 @@ Spectrum spectrum_of(PoissonTileKind kind, std::uint32_t number)
 {
     const PoissonTileParameters p =
         with_repulsion(with_lloyd(tile_set_parameters(kind, 2, number, points_per_tile, 0.75), 8));
-    const PoissonTileSet tiles =
-        build_tile_set(p, Engine::opencl, []() -> Device& { return device(); }).set;
+    const PoissonTileSet tiles = build_tile_set(p, Engine::opencl, []() -> Device& { return device(); }).set;
     TilePointGenerator generator(device(), tiles);
     SpectrumEstimate estimate(2, frequencies, true);
-    for (std::uint32_t seed = 1; seed <= realizations; ++seed) estimate.add(generator.generate_torus(seed, side));
+    for (std::uint32_t seed = 1; seed <= realizations; ++seed)
+        estimate.add(generator.generate_torus(seed, side));
     return estimate.mean();
 }
 
@@ -104,8 +104,9 @@ Spectrum untiled_spectrum()
     return estimate.mean();
 }
 
-/// Apart from its peaks a tiling has nearly the radial power of the untiled method. Nearly: beside pieces that were there
-/// before points are less ordered, which takes a tenth off the first peak and fills what is below and between peaks.
+/// Apart from its peaks a tiling has nearly the radial power of the untiled method. Nearly: beside pieces
+/// that were there before points are less ordered, which takes a tenth off the first peak and fills what is
+/// below and between peaks.
 TEST(TileQuality, OutsideOfPeaksPowerIsNearlyThatOfTheUntiledMethod)
 {
     const std::vector<double> tiled = power_outside_peaks(spectrum_of(PoissonTileKind::corner, 8));

@@ -74,8 +74,9 @@ TEST_F(TileSamplers, KeepTheRelativeRadiusOfTheSet)
         const char* sampler;
         std::pair<std::string, ParameterValue> size;
     };
-    for (const Case& c : {Case{"corner-tiles", {"colors", whole(3)}}, Case{"edge-tiles", {"colors", whole(1)}},
-                          Case{"template-tiles", {"tiles", whole(5)}}}) {
+    for (const Case& c :
+         {Case{"corner-tiles", {"colors", whole(3)}}, Case{"edge-tiles", {"colors", whole(1)}},
+          Case{"template-tiles", {"tiles", whole(5)}}}) {
         const auto sampler =
             create(c.sampler, {c.size, {"points_per_tile", whole(16)}, {"relative_radius", 0.7}}, 1024);
         for (std::uint32_t realization = 0; realization < 2; ++realization) {
@@ -85,8 +86,12 @@ TEST_F(TileSamplers, KeepTheRelativeRadiusOfTheSet)
         }
         EXPECT_EQ(sampler->tiles_along_axis(), 8u);
     }
-    const auto spheres = create("sphere-tiles", {{"colors", whole(1)}, {"points_per_tile", whole(32)},
-                                                 {"relative_radius", 0.5}, {"lloyd_iterations", whole(2)}}, 800);
+    const auto spheres = create("sphere-tiles",
+                                {{"colors", whole(1)},
+                                 {"points_per_tile", whole(32)},
+                                 {"relative_radius", 0.5},
+                                 {"lloyd_iterations", whole(2)}},
+                                800);
     const PointSet set = spheres->sample(0);
     EXPECT_EQ(set.size(), 27u * 32);
     EXPECT_GE(relative_radius(test::brute_force_min_distance(set), set.size(), 3), 0.5);
@@ -104,7 +109,9 @@ TEST_F(TileSamplers, RealizationsAreOtherTilingsOfTheSameSet)
 
 TEST_F(TileSamplers, BothEnginesMakeTheSamePoints)
 {
-    const Values values{{"colors", whole(2)}, {"points_per_tile", whole(12)}, {"relative_radius", 0.65},
+    const Values values{{"colors", whole(2)},
+                        {"points_per_tile", whole(12)},
+                        {"relative_radius", 0.65},
                         {"lloyd_iterations", whole(2)}};
     EXPECT_EQ(create("corner-tiles", values, 700)->sample(3),
               create("corner-tiles", values, 700, Engine::reference)->sample(3));
@@ -130,7 +137,8 @@ TEST_F(TileSamplers, RefuseWhatCannotBe)
     EXPECT_EQ(refusal("corner-tiles", {{"colors", whole(2)}}), "accepted");
     EXPECT_THAT(refusal("corner-tiles", {}), AllOf(StartsWith("test.toml:9"), HasSubstr("needs colors")));
     EXPECT_THAT(refusal("template-tiles", {}), HasSubstr("needs tiles"));
-    EXPECT_THAT(refusal("corner-tiles", {{"colors", whole(2)}, {"points_per_tile", whole(4)}, {"relative_radius", 0.8}}),
+    EXPECT_THAT(refusal("corner-tiles",
+                        {{"colors", whole(2)}, {"points_per_tile", whole(4)}, {"relative_radius", 0.8}}),
                 AllOf(StartsWith("test.toml:12: relative_radius = 0.8"), HasSubstr("at most 0.54")));
     EXPECT_THAT(refusal("corner-tiles", {{"colors", whole(32)}, {"points_per_tile", whole(4096)}}),
                 HasSubstr("more than 4 GiB"));

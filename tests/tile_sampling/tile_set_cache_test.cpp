@@ -19,10 +19,14 @@ class TileSetCache : public testing::Test
 protected:
     PoissonTileSet cached(const PoissonTileParameters& p = parameters)
     {
-        return cached_tile_set(p, Engine::opencl, [this]() -> Device& { return ++opened_, device_; }, folder_.path());
+        return cached_tile_set(
+            p, Engine::opencl, [this]() -> Device& { return ++opened_, device_; }, folder_.path());
     }
 
-    std::filesystem::path file() const { return folder_.path() / tile_cache_name(parameters, Engine::opencl); }
+    std::filesystem::path file() const
+    {
+        return folder_.path() / tile_cache_name(parameters, Engine::opencl);
+    }
 
     TemporaryFolder folder_;
     Device device_ = Device::open();
@@ -52,8 +56,8 @@ TEST_F(TileSetCache, ReplacesDamagedAndForeignFiles)
     unproven.squared_min_distance = 0;
     PoissonTileSet foreign = built;
     foreign.parameters.seed = 3;
-    for (const std::string& content :
-         {std::string(), bytes.substr(0, bytes.size() / 2), flipped, encode_tile_set(unproven), encode_tile_set(foreign)}) {
+    for (const std::string& content : {std::string(), bytes.substr(0, bytes.size() / 2), flipped,
+                                       encode_tile_set(unproven), encode_tile_set(foreign)}) {
         folder_.write(file().filename().string(), content);
         EXPECT_EQ(cached(), built);
         EXPECT_EQ(read_tile_set(file()), built);

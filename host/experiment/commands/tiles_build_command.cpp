@@ -1,4 +1,5 @@
-// poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and writes it.
+// poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and
+// writes it.
 #include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
 #include "experiment/interrupt.hpp"
@@ -32,9 +33,10 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     const bool is_template = o.kind == "template";
     if (is_template ? o.colors != 0 || o.tiles == 0 : o.tiles != 0 || o.colors == 0)
         throw InputError(fmt::format("tiles build: {} tiles need {} and have no {}", o.kind,
-                                     is_template ? "--tiles" : "--colors", is_template ? "--colors" : "--tiles"));
+                                     is_template ? "--tiles" : "--colors",
+                                     is_template ? "--colors" : "--tiles"));
     PoissonTileParameters p;
-    p.kind = is_template       ? PoissonTileKind::frame
+    p.kind = is_template        ? PoissonTileKind::frame
              : o.kind == "edge" ? PoissonTileKind::edge
                                 : PoissonTileKind::corner;
     p.dimension = o.kind == "sphere" ? 3 : 2;
@@ -81,7 +83,8 @@ void tiles_build_command(const TilesBuildOptions& options)
                options.out.string(), parameters.tiles, parameters.points_per_tile,
                relative_radius_of(built.set.squared_min_distance, parameters), duration_text(seconds));
     if (built.report.failures > 0)
-        fmt::print("{} of {} fillings did not reach the minimum distance and were repeated; {} pieces were made again\n",
+        fmt::print("{} of {} fillings did not reach the minimum distance and were repeated; {} pieces were "
+                   "made again\n",
                    built.report.failures, built.report.tori, built.report.remade);
 }
 

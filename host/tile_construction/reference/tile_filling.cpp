@@ -1,8 +1,8 @@
 // Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
+#include "tile_construction/tile_filling.hpp"
 #include "geometry/point_set.hpp"
 #include "sampling/reference/voronoi_cells.hpp"
 #include "sampling/voronoi_cells.hpp"
-#include "tile_construction/tile_filling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,8 @@ public:
         return smallest;
     }
 
-    /// Keeps the last iterate where repulsion follows; else the last that has the wanted distance, or the best one.
+    /// Keeps the last iterate where repulsion follows; else the last that has the wanted distance, or the
+    /// best one.
     void relax()
     {
         const bool keeps_last = settings_.repulsion_passes > 0;
@@ -242,13 +243,13 @@ private:
     {
         Filling filling(settings_, stage, problem);
         FilledTorus result;
-        const bool is_filled =
-            filling.throw_darts(stage.active, problem.active, settings_.attempts, problem.stream, attempt, 2 * stage.number);
+        const bool is_filled = filling.throw_darts(stage.active, problem.active, settings_.attempts,
+                                                   problem.stream, attempt, 2 * stage.number);
         filling.mark_active_end();
         result.thrown = filling.active();
         if (!is_filled) return result;
-        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts, problem.stream,
-                            attempt, 2 * stage.number + 1);
+        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts,
+                            problem.stream, attempt, 2 * stage.number + 1);
         filling.relax();
         if (settings_.repulsion_passes > 0) filling.repel();
         result.active = filling.active();
