@@ -19,6 +19,10 @@ public:
     {
         const SamplerChoice start =
             parameters.has("start") ? parameters.sampler("start") : SamplerChoice{find_sampler("random"), {}};
+        if (engine == Engine::opencl) {
+            device_ = &device();
+            built_before_ = device_->build_seconds();
+        }
         start_ = start.spec->create(start.parameters, request, engine, device);
         request_.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
         if (parameters.has("until_relative_radius")) {
@@ -26,14 +30,12 @@ public:
         }
         request_.keep_best = parameters.has("keep") && parameters.text("keep") == "best";
         repels_ = parameters.has("repulsion") && parameters.flag("repulsion");
-        if (engine == Engine::opencl) device_ = &device();
     }
 
     PointSet sample(std::uint32_t realization) override
     {
         const Domain torus;
         const PointSet start = start_->sample(realization);
-        const double built = device_ ? device_->build_seconds() : 0;
         LloydResult result = device_ ? LloydRelaxation(*device_).relax(start, torus, request_)
                                      : reference::relax(start, torus, request_);
         iterations_ = std::move(result.iterations);
@@ -43,20 +45,20 @@ public:
             result.points = device_ ? Repulsion(*device_).repel(result.points, torus, repulsion).points
                                     : reference::repel(result.points, torus, repulsion).points;
         }
-        if (device_) own_build_seconds_ += device_->build_seconds() - built;
         return std::move(result.points);
     }
 
     bool sizes_vary() const override { return start_->sizes_vary(); }
     std::vector<IterationRecord> iterations() const override { return iterations_; }
-    double build_seconds() const override { return start_->build_seconds() + own_build_seconds_; }
+    /// The start's among them: it uses the same device.
+    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 private:
     std::unique_ptr<Sampler> start_;
     LloydRequest request_;
     bool repels_ = false;
     Device* device_ = nullptr;
-    double own_build_seconds_ = 0;
+    double built_before_ = 0; ///< by earlier users of the device
     std::vector<IterationRecord> iterations_;
 };
 

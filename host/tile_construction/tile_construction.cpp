@@ -307,7 +307,7 @@ private:
     {
         const std::string reached =
             squared_reached == 0 ? "its points did not fit"
-                                 : fmt::format("reached {:.3f}", relative_radius_of(squared_reached, p_));
+                                 : fmt::format("reached {:.4f}", relative_radius_of(squared_reached, p_));
         const std::string advice = p_.repulsion
                                        ? "a smaller relative_radius"
                                        : "repulsion, more lloyd_iterations or a smaller relative_radius";
