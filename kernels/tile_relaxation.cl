@@ -34,6 +34,13 @@ typedef struct
     uint copies; // images of each point
 } TorusPoints;
 
+/// The points of a problem, which has `capacity` entries for each axis.
+TorusPoints points_of(global int* all, uint problem, uint capacity, uint count, uint copies)
+{
+    const TorusPoints points = {all + (ulong)problem * DIMENSION * capacity, capacity, count * copies, copies};
+    return points;
+}
+
 Position point_at(const TorusPoints* points, uint entry)
 {
     Position position;
@@ -214,27 +221,25 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 }
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
-/// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance from
-/// all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for Voronoi neighbours, one after the other;
-/// where none is enough, a point stays. For the first box, each point has a list of LIST_WORDS of the points in a box
-/// that is `slack` larger, for as long as movements cannot have brought in others. Points themselves end as the last
-/// iterate.
+/// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
+/// from all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for Voronoi
+/// neighbours, one after the other; where none is enough, a point stays. For the first box, each point has a list of
+/// LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have brought in others.
+/// Points themselves end as the last iterate.
 kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
                         ulong cells, global const uint* counts, global const uint* held_counts,
                         global const uint* active_counts, uint iterations, uint keeps_last, uint wanted,
-                        global const int* reaches,
-                        uint reach_count, int slack, double spacing, global ushort* all_lists,
-                        uint max_active, global int* all_points, global double* all_doubles,
-                        global int* all_moved, global int* all_kept, global uint* squared_kept)
+                        global const int* reaches, uint reach_count, int slack, double spacing,
+                        global ushort* all_lists, uint max_active, global int* all_points,
+                        global double* all_doubles, global int* all_moved, global int* all_kept, global uint* squared_kept)
 {
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
-    const ulong from = (ulong)problem * DIMENSION * capacity;
-    const TorusPoints points = {all_points + from, capacity, counts[problem] * copies, copies};
-    const TorusPoints moved = {all_moved + from, capacity, 0, 1};
-    const TorusPoints kept = {all_kept + from, capacity, 0, 1};
-    global double* doubles = all_doubles + from;
+    const TorusPoints points = points_of(all_points, problem, capacity, counts[problem], copies);
+    const TorusPoints moved = points_of(all_moved, problem, capacity, 0, 1);
+    const TorusPoints kept = points_of(all_kept, problem, capacity, 0, 1);
+    global double* doubles = all_doubles + (ulong)problem * DIMENSION * capacity;
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
     const Regions regions = regions_at(region_values);
@@ -351,10 +356,9 @@ kernel void repel_tiles(global const uint* problems, uint capacity, uint copies,
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
-    const ulong from = (ulong)problem * DIMENSION * capacity;
-    const TorusPoints points = {all_points + from, capacity, counts[problem] * copies, copies};
-    const TorusPoints moved = {all_moved + from, capacity, 0, 1};
-    const TorusPoints kept = {all_kept + from, capacity, 0, 1};
+    const TorusPoints points = points_of(all_points, problem, capacity, counts[problem], copies);
+    const TorusPoints moved = points_of(all_moved, problem, capacity, 0, 1);
+    const TorusPoints kept = points_of(all_kept, problem, capacity, 0, 1);
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
     const Regions regions = regions_at(region_values);

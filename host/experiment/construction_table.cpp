@@ -79,7 +79,7 @@ PoissonTileParameters read_parameters(const ConfigTable& table, const std::strin
     p.tiles = is_template ? static_cast<std::uint32_t>(read_integer(table, "tiles", 2, max_colors, 8))
                           : tile_count(p.kind, p.dimension, p.colors);
     p.points_per_tile = static_cast<std::uint32_t>(
-        read_integer(table, "points_per_tile", 4, 65536, p.dimension == 2 ? 32 : 64));
+        read_integer(table, "points_per_tile", min_points_per_tile, max_points_per_tile, p.dimension == 2 ? 32 : 64));
     p.relative_radius = read_number(table, "relative_radius", 0, 1, p.dimension == 2 ? 0.7 : 0.6);
     if (is_second_word(table, "filling", {"relaxation-dart-throwing", "dart-throwing"})) {
         p.filling = TileFilling::dart_throwing;

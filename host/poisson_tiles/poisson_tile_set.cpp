@@ -23,19 +23,28 @@ double max_radius(const PoissonTileParameters& parameters)
     return parameters.dimension == 2 ? 1 / (4 + 2 * root) : 1 / (4 + 4 * root);
 }
 
+/// The largest number of colours whose tiles can be counted.
+std::uint32_t most_colors(PoissonTileKind kind, int dimension)
+{
+    if (kind == PoissonTileKind::frame) return 1;
+    std::uint32_t colors = 1;
+    while (tile_count(kind, dimension, colors + 1) != 0) ++colors;
+    return colors;
+}
+
 void check_numbers(const PoissonTileParameters& p)
 {
     if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
         throw InputError(
             fmt::format("dimension = {}: {} tiles have no such dimension", p.dimension, kind_name(p)));
-    if (p.colors < 1 || tile_count(p.kind, p.dimension, p.colors) == 0)
-        throw InputError(fmt::format("colors = {}: must be at least 1, and not too many to count {} tiles",
-                                     p.colors, kind_name(p)));
-    if (p.kind == PoissonTileKind::frame && p.colors != 1)
-        throw InputError(fmt::format("colors = {}: must be 1, as template tiles have none", p.colors));
-    if (p.points_per_tile < 4 || p.points_per_tile > 4096)
-        throw InputError(
-            fmt::format("points_per_tile = {}: must be an integer from 4 to 4096", p.points_per_tile));
+    const std::uint32_t most = most_colors(p.kind, p.dimension);
+    if (p.colors < 1 || p.colors > most)
+        throw InputError(fmt::format("colors = {}: must be {} for {} tiles", p.colors,
+                                     most == 1 ? "1" : fmt::format("an integer from 1 to {}", most),
+                                     kind_name(p)));
+    if (p.points_per_tile < min_points_per_tile || p.points_per_tile > max_points_per_tile)
+        throw InputError(fmt::format("points_per_tile = {}: must be an integer from {} to {}",
+                                     p.points_per_tile, min_points_per_tile, max_points_per_tile));
     if (!(p.relative_radius > 0 && p.relative_radius < 1))
         throw InputError(
             fmt::format("relative_radius = {}: must be a number between 0 and 1", p.relative_radius));

@@ -14,6 +14,10 @@
 
 namespace poissonlab {
 
+/// N is limited: tori are searched point by point.
+inline constexpr std::uint32_t min_points_per_tile = 4;
+inline constexpr std::uint32_t max_points_per_tile = 4096;
+
 enum class PoissonTileKind : std::uint32_t
 {
     corner =

@@ -109,7 +109,8 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
         const double most = method.kind == PoissonTileKind::edge ? 3 : method.dimension == 3 ? 4 : 32;
         specs.push_back(integer_spec("colors", what, 1, most, "C"));
     }
-    specs.push_back(integer_spec("points_per_tile", "N, points of each tile; default 64", 4, 4096, "N"));
+    specs.push_back(integer_spec("points_per_tile", "N, points of each tile; default 64", min_points_per_tile,
+                                 max_points_per_tile, "N"));
 
     ParameterSpec radius;
     radius.key = "relative_radius";
@@ -138,10 +139,22 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
     return specs;
 }
 
+/// The size of the tile set is what every config has to name.
+const char* size_key(const TileMethod& method)
+{
+    return method.kind == PoissonTileKind::frame ? "tiles" : "colors";
+}
+
+/// Where a parameter was set or, where its default holds, the size of the tile set.
+const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const TileMethod& method)
+{
+    return parameters.location(parameters.has(key) ? key : size_key(method));
+}
+
 void check_parameters(const TileMethod& method, const std::string& sampler, const Parameters& parameters,
                       const SampleRequest& request, const SourceLocation& where)
 {
-    const char* size = method.kind == PoissonTileKind::frame ? "tiles" : "colors";
+    const char* size = size_key(method);
     if (!parameters.has(size))
         throw InputError(fmt::format("{}: sampler = \"{}\": needs {}", to_string(where), sampler, size));
     const PoissonTileParameters tiles = tile_parameters(method, parameters, request.seed);
@@ -151,7 +164,7 @@ void check_parameters(const TileMethod& method, const std::string& sampler, cons
         // The message begins with the parameter's name.
         const std::string message = error.what();
         const std::string key = message.substr(0, message.find(' '));
-        throw InputError(to_string(parameters.has(key) ? parameters.location(key) : where) + ": " + message);
+        throw InputError(to_string(place_of(parameters, key, method)) + ": " + message);
     }
     if (tiling_side(request.points, tiles.points_per_tile, method.dimension) > 65'536)
         throw InputError(
@@ -173,12 +186,17 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
     };
     // With a single tile there is a single tiling.
     spec.is_deterministic = [method](const Parameters& parameters) {
-        return parameters.integer(method.kind == PoissonTileKind::frame ? "tiles" : "colors") == 1;
+        return parameters.integer(size_key(method)) == 1;
     };
     spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
-        return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request,
-                                             engine, device);
+        try {
+            return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request,
+                                                 engine, device);
+        } catch (const InputError& error) { // the radius could not be reached
+            throw InputError(to_string(place_of(parameters, "relative_radius", method)) + ": " +
+                             error.what());
+        }
     };
     return spec;
 }

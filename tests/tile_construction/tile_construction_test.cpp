@@ -70,11 +70,13 @@ TEST_P(TileConstruction, EveryTilingKeepsTheDistance)
     EXPECT_GE(squared_distance_by_cgal(points), static_cast<double>(proof.squared_min_distance));
 }
 
-TEST_P(TileConstruction, WorkGroupsOfAnySizeMakeTheSameTiles)
+TEST_P(TileConstruction, AnyWorkGroupSizeAndNumberOfThreadsMakeTheSameTiles)
 {
     const PoissonTileSet expected = built(p_, 1);
     EXPECT_EQ(built(p_, 7), expected);
     EXPECT_EQ(built(p_, 64), expected);
+    const auto one_thread = make_tile_filler(fill_settings(p_), Device::open({}, 1));
+    EXPECT_EQ(construct_tile_set(p_, *one_thread).set, expected) << "on one thread";
 }
 
 constexpr auto corner = PoissonTileKind::corner;

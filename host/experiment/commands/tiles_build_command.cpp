@@ -56,11 +56,21 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     return p;
 }
 
+/// Building takes up to minutes, which a folder that is not there would waste.
+void check_folder_of(const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (!std::filesystem::is_directory(folder))
+        throw InputError(
+            fmt::format("tiles build: --out {}: there is no folder {}", file.string(), folder.string()));
+}
+
 }
 
 void tiles_build_command(const TilesBuildOptions& options)
 {
     const PoissonTileParameters parameters = checked_parameters(options);
+    check_folder_of(options.out);
     Progress progress(Progress::detect(options.quiet));
     const auto begin = std::chrono::steady_clock::now();
     ConstructionOptions construction;
