@@ -17,3 +17,22 @@ if(POISSONLAB_SANITIZE)
   target_link_options(lab_options INTERFACE -fsanitize=address,undefined)
 endif()
 target_include_directories(lab_options INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR})
+
+# Most of the time to build a library goes into the headers of the standard library and of fmt: they are compiled once,
+# here, for all that link fmt.
+add_library(lab_precompiled STATIC ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+target_link_libraries(lab_precompiled PRIVATE lab_options fmt::fmt)
+target_precompile_headers(lab_precompiled PRIVATE
+  <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numeric> <optional> <set>
+  <span> <sstream> <stdexcept> <string> <string_view> <tuple> <utility> <variant> <vector> <fmt/format.h>)
+
+# lab_precompile(TARGETS...): libraries that link fmt and whose own definitions are none.
+function(lab_precompile)
+  foreach(target IN LISTS ARGN)
+    target_precompile_headers(${target} REUSE_FROM lab_precompiled)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # Like -Wrestrict above: with precompiled headers GCC 12 no longer sees that std::string is not ours.
+      target_compile_options(${target} PRIVATE -Wno-stringop-overflow -Wno-array-bounds)
+    endif()
+  endforeach()
+endfunction()
