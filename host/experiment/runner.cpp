@@ -202,17 +202,20 @@ std::vector<Scene> run_constructions(const Experiment& experiment, const ResultF
 
 }
 
-void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+std::vector<std::string> folder_names(const Experiment& experiment)
 {
     std::vector<std::string> names;
-    std::uint64_t total = 0;
-    for (const SeriesTask& task : experiment.series) {
-        names.push_back(task.name);
-        total += task.realizations;
-    }
+    for (const SeriesTask& task : experiment.series) names.push_back(task.name);
     for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
     for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
-    ResultFolder folder(out, names);
+    return names;
+}
+
+void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+{
+    std::uint64_t total = 0;
+    for (const SeriesTask& task : experiment.series) total += task.realizations;
+    ResultFolder folder(out, folder_names(experiment));
     progress.start(total);
     std::vector<SeriesResult> results;
     for (const SeriesTask& task : experiment.series)
