@@ -37,7 +37,7 @@ std::map<std::string, std::string> lasting(const fs::path& out)
     json.erase("machine");
     for (auto& series : json["series"]) series.erase("timing");
     files["results.json"] = json.dump();
-    files.erase("index.html"); // shows the times
+    std::erase_if(files, [](const auto& file) { return file.first.ends_with(".html"); }); // they show the times
     return files;
 }
 
