@@ -16,6 +16,12 @@ std::string read_integrand(const StoredObject& integral)
     return name;
 }
 
+std::optional<double> optional_number(const StoredObject& object, const std::string& name)
+{
+    if (!object.has(name)) return std::nullopt;
+    return object.number(name);
+}
+
 }
 
 StoredMeasures read_measures(const StoredObject& series)
@@ -23,10 +29,12 @@ StoredMeasures read_measures(const StoredObject& series)
     StoredMeasures measures;
     if (!series.has("measures")) return measures;
     const auto object = series.object("measures");
-    if (object.has("effective_nyquist")) measures.effective_nyquist = object.number("effective_nyquist");
+    measures.effective_nyquist = optional_number(object, "effective_nyquist");
+    measures.effective_nyquist_error = optional_number(object, "effective_nyquist_standard_error");
     if (object.has("oscillation")) {
         const auto oscillation = object.object("oscillation");
-        measures.oscillation = {oscillation.number("value"), oscillation.number("noise_floor")};
+        measures.oscillation = {oscillation.number("value"), oscillation.number("noise_floor"),
+                                optional_number(oscillation, "standard_error")};
     }
     if (object.has("low_frequency_power")) {
         const auto fit = object.object("low_frequency_power");
@@ -36,7 +44,12 @@ StoredMeasures read_measures(const StoredObject& series)
     if (object.has("lattice_peaks")) {
         const auto peaks = object.object("lattice_peaks");
         measures.lattice_peaks = {peaks.integer("tiles", 2), peaks.number("max_ratio"), peaks.number("mean_ratio"),
-                                  peaks.integer("peaks", 0)};
+                                  peaks.integer("peaks", 0), optional_number(peaks, "mean_ratio_standard_error")};
+    }
+    if (object.has("peak_anisotropy")) {
+        const auto peak = object.object("peak_anisotropy");
+        measures.peak_anisotropy = {peak.number("db"), peak.number("frequency"),
+                                    optional_number(peak, "standard_error_db"), peak.integer("samples", 1)};
     }
     if (object.has("integration"))
         for (const auto& integral : object.objects("integration"))

@@ -21,6 +21,14 @@ struct StoredMeasures
     struct Oscillation
     {
         double value = 0, noise_floor = 0;
+        std::optional<double> standard_error;
+    };
+    /// The ring whose power varies most with direction, of those with enough samples.
+    struct PeakAnisotropy
+    {
+        double db = 0, frequency = 0;
+        std::optional<double> standard_error_db;
+        std::int64_t samples = 0;
     };
     struct Cells
     {
@@ -33,6 +41,7 @@ struct StoredMeasures
         std::int64_t tiles = 0;
         double max_ratio = 0, mean_ratio = 0;
         std::int64_t peaks = 0;
+        std::optional<double> mean_ratio_error; ///< standard error
     };
     struct Integral
     {
@@ -42,9 +51,11 @@ struct StoredMeasures
     };
 
     std::optional<double> effective_nyquist;
+    std::optional<double> effective_nyquist_error; ///< standard error, of several realizations
     std::optional<Oscillation> oscillation;
     std::optional<Fit> low_frequency_power;
     std::optional<Peaks> lattice_peaks;
+    std::optional<PeakAnisotropy> peak_anisotropy;
     std::vector<Integral> integration;
     std::optional<double> largest_empty_radius; ///< relative to the largest minimum distance
     std::optional<Cells> voronoi;

@@ -37,7 +37,9 @@ std::optional<StoredStatistic> read_statistic(const StoredObject& series, const 
 {
     if (!series.has(name)) return std::nullopt;
     const auto object = series.object(name);
-    return StoredStatistic{object.number("min"), object.number("mean"), object.number("max")};
+    StoredStatistic statistic{object.number("min"), object.number("mean"), object.number("max"), {}};
+    if (object.has("each")) statistic.each = object.numbers("each");
+    return statistic;
 }
 
 NamedTexts read_named_texts(const StoredObject& parent, const std::string& name)
@@ -102,6 +104,17 @@ std::optional<StoredZonePlate> read_zone_plate_members(const StoredObject& serie
                            read_statistic(object, "resolved_rms_error")};
 }
 
+StoredTileSet read_tile_set(const StoredObject& object)
+{
+    StoredTileSet set;
+    set.tiles = object.integer("tiles", 1);
+    set.points_per_tile = object.integer("points_per_tile", 1);
+    if (object.has("build_seconds")) set.build_seconds = object.number("build_seconds");
+    if (object.has("device")) set.device = object.text("device");
+    if (object.has("cached")) set.cached = object.boolean("cached");
+    return set;
+}
+
 StoredSeries read_series(const StoredObject& object)
 {
     StoredSeries series;
@@ -124,9 +137,13 @@ StoredSeries read_series(const StoredObject& object)
     series.covered_fraction = read_statistic(object, "covered_fraction");
 
     read_spectrum_members(object, series);
-    const auto radial = object.object("radial");
-    series.radial_file = radial.file_name("file");
-    series.background_anisotropy_db = radial.number("background_anisotropy_db");
+    if (object.has("radial")) {
+        const auto radial = object.object("radial");
+        series.radial_file = radial.file_name("file");
+        series.background_anisotropy_db = radial.number("background_anisotropy_db");
+    } else if (!series.spectrum_file.empty()) {
+        throw object.error("radial", "is missing, though there is a spectrum");
+    }
     if (object.has("pair_correlation"))
         series.pair_correlation_file = object.object("pair_correlation").file_name("file");
     series.iterations = read_iterations(object);
@@ -140,15 +157,47 @@ StoredSeries read_series(const StoredObject& object)
         if (timing.has("sample_seconds")) series.sample_seconds = timing.numbers("sample_seconds");
         if (timing.has("build_seconds")) series.build_seconds = timing.number("build_seconds");
     }
+    if (object.has("tile_set")) series.tile_set = read_tile_set(object.object("tile_set"));
     return series;
 }
 
-std::vector<StoredSeries> read_all_series(const StoredObject& root)
+std::vector<StoredMethod> read_methods(const StoredObject& root)
+{
+    std::vector<StoredMethod> methods;
+    if (!root.has("methods")) return methods;
+    for (const auto& object : root.objects("methods")) {
+        StoredMethod method;
+        method.sampler = object.text("sampler");
+        if (object.has("label")) method.label = object.text("label");
+        if (object.has("axes"))
+            for (const auto& axis : object.objects("axes"))
+                method.axes.push_back({axis.text("key"), axis.text("symbol"), axis.texts("values")});
+        methods.push_back(std::move(method));
+    }
+    return methods;
+}
+
+// Where a series stands in the grid of its method.
+void read_place(const StoredObject& object, const std::vector<StoredMethod>& methods, StoredSeries& series)
+{
+    if (!object.has("method")) return;
+    series.method = static_cast<std::size_t>(object.integer("method", 0));
+    if (*series.method >= methods.size()) throw object.error("method", "must be the number of one of the methods");
+    if (object.has("place"))
+        for (const double index : object.numbers("place")) series.place.push_back(static_cast<std::size_t>(index));
+    const auto& axes = methods[*series.method].axes;
+    bool inside = series.place.size() == axes.size();
+    for (std::size_t i = 0; inside && i < axes.size(); ++i) inside = series.place[i] < axes[i].values.size();
+    if (!inside) throw object.error("place", "must be an index on each axis of the method");
+}
+
+std::vector<StoredSeries> read_all_series(const StoredObject& root, const std::vector<StoredMethod>& methods)
 {
     std::vector<StoredSeries> result;
     std::set<std::string> names;
     for (const auto& object : root.objects("series")) {
         result.push_back(read_series(object));
+        read_place(object, methods, result.back());
         if (!names.insert(result.back().name).second)
             throw object.error("name", "'" + result.back().name + "' is used twice");
     }
@@ -183,7 +232,8 @@ StoredRun read_stored_run(const std::filesystem::path& folder)
     run.dimension = static_cast<int>(root.integer("dimension", 2));
     if (run.dimension > 3) throw root.error("dimension", "must be 2 or 3");
     run.machine = read_named_texts(root, "machine");
-    run.series = read_all_series(root);
+    run.methods = read_methods(root);
+    run.series = read_all_series(root, run.methods);
     run.tilings = read_tilings(root);
     run.constructions = read_constructions(root);
     if (run.series.empty() && run.tilings.empty() && run.constructions.empty())

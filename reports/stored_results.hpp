@@ -6,6 +6,7 @@
 #include "reports/stored_tilings.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ struct StoredStatistic
     double min = 0;
     double mean = 0;
     double max = 0;
+    std::vector<double> each; ///< of every realization; empty: not stored
 };
 
 /// A quantity after each iteration, over the realizations that got there.
@@ -52,6 +54,32 @@ struct StoredZonePlate
     std::optional<StoredStatistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
 };
 
+/// How long the tile set of a series took to build, which may have been in an earlier run.
+struct StoredTileSet
+{
+    std::int64_t tiles = 0;
+    std::int64_t points_per_tile = 0;
+    std::optional<double> build_seconds; ///< empty: not known
+    std::string device;
+    bool cached = false; ///< read from the cache this time
+};
+
+/// A parameter of a method that has a list of values: an axis of the grid of its series.
+struct StoredAxis
+{
+    std::string key;
+    std::string symbol; ///< its short name
+    std::vector<std::string> values;
+};
+
+/// One [[method]] table of a config.
+struct StoredMethod
+{
+    std::string sampler;
+    std::string label; ///< as configured, or empty
+    std::vector<StoredAxis> axes;
+};
+
 /// Names and values in the order in which they are shown.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
@@ -62,6 +90,8 @@ struct StoredSeries
     std::string label;
     std::string sampler;
     NamedTexts parameters;
+    std::optional<std::size_t> method; ///< which of the run's methods it is of
+    std::vector<std::size_t> place;    ///< its index on each axis of that
     bool deterministic = false;
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
     std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
@@ -73,15 +103,18 @@ struct StoredSeries
     int spectrum_size = 0;     ///< frequency samples along each axis
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
     std::string volume_file;   ///< all of a 3D spectrum; empty: not stored
-    std::string radial_file;
+    std::string radial_file; ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
     std::string pair_correlation_file; ///< empty: sets of one point
     std::optional<StoredIterations> iterations;
     std::optional<StoredZonePlate> zone_plate;
     StoredMeasures measures;
     std::vector<std::string> point_files;
-    std::vector<double> sample_seconds; ///< one a realization
+    std::vector<double> sample_seconds; ///< of timed runs; at least one a realization, but for imported sets
     double build_seconds = 0;
+    std::optional<StoredTileSet> tile_set;
+
+    bool has_spectrum() const { return !radial_file.empty(); }
 
     /// The number of points of the first realization, the one that is drawn.
     std::size_t points_of_first() const { return points_each.empty() ? points : points_each.front(); }
@@ -100,6 +133,7 @@ struct StoredRun
     std::string engine; ///< "opencl" or "reference"; empty when nothing was sampled
     int dimension = 2;
     NamedTexts machine; ///< the members of "machine" that are there
+    std::vector<StoredMethod> methods; ///< empty: not known, as in imported results
     std::vector<StoredSeries> series;
     std::vector<StoredTiling> tilings; ///< and tile sets
     std::vector<StoredConstruction> constructions; ///< at least one of these, or a tiling or a series
