@@ -1,19 +1,24 @@
-// The HTML page of a report, from the template in reports/templates/.
+// The pages of a report, from the templates in reports/templates/.
 #pragma once
 
-#include "reports/report_layout.hpp"
-#include "reports/stored_results.hpp"
+#include "reports/site.hpp"
 
-#include <filesystem>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 
-/// The whole page, with every picture inside; the pictures of all series and tilings must have been drawn.
-/// `out` is the folder that the page will lie in: links to stored files are relative to it.
-std::string render_page(const std::vector<StoredRun>& runs, const std::vector<ReportSeries>& series,
-                        const std::vector<ReportTiling>& tilings,
-                        const std::vector<ReportConstruction>& constructions, const std::filesystem::path& out);
+/// The overview: what there is, and all series in a table that sorts. Of a report over one run all that the page of
+/// a run has as well; else links to these.
+std::string render_overview_page(const Site& site);
+
+/// Curves of all series, chosen and laid over each other by the reader.
+std::string render_compare_page(const Site& site);
+
+/// A run of several.
+std::string render_run_page(const Site& site, std::size_t index);
+
+/// All about one series: number `index` of the run.
+std::string render_series_page(const Site& site, const ReportRun& run, std::size_t index);
 
 }

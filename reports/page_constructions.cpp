@@ -81,7 +81,7 @@ PageData facts_of(const StoredConstruction& stored)
 }
 
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
-                              const std::filesystem::path& out)
+                              const std::filesystem::path& page_folder)
 {
     const StoredConstruction& stored = *construction.stored;
     const std::string caption = caption_of(construction);
@@ -95,10 +95,10 @@ PageData construction_section(const ReportConstruction& construction, std::size_
     data.set("width", fmt::format("{:.0f}", size[0]));
     data.set("caption", caption);
     data.set("alt", fmt::format("{}. {}", stored.label, caption));
-    data.set("source", data_uri(construction.pictures / "construction.svg"));
-    data.set("svg", relative_link(out, construction.pictures / "construction.svg"));
-    data.set("png", relative_link(out, construction.pictures / "construction.png"));
-    data.set("json", relative_link(out, construction.run->folder / stored.file));
+    data.set("source", relative_link(page_folder, construction.pictures / "construction.svg"));
+    data.set("svg", relative_link(page_folder, construction.pictures / "construction.svg"));
+    data.set("png", relative_link(page_folder, construction.pictures / "construction.png"));
+    data.set("json", relative_link(page_folder, construction.run->folder / stored.file));
     return data;
 }
 

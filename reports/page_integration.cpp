@@ -27,7 +27,7 @@ std::string meaning_of(const std::string& integrand)
 
 }
 
-PageData integration_panels(const std::vector<ReportSeries>& series, const std::filesystem::path& out)
+PageData integration_panels(const std::vector<ReportSeries>& series, const OverlayPlace& place)
 {
     PageData list{PageData::type::list};
     const auto curves = integration_curves(series);
@@ -40,9 +40,9 @@ PageData integration_panels(const std::vector<ReportSeries>& series, const std::
         data.set("title", integrand);
         data.set("meaning", meaning_of(integrand));
         data.set("alt", alt);
-        data.set("source", data_uri(out / (stem + ".svg")));
-        data.set("svg", stem + ".svg");
-        data.set("png", stem + ".png");
+        data.set("source", relative_link(place.page_folder, place.plots / (stem + ".svg")));
+        data.set("svg", relative_link(place.page_folder, place.plots / (stem + ".svg")));
+        data.set("png", relative_link(place.page_folder, place.plots / (stem + ".png")));
         list << data;
     }
     return list;

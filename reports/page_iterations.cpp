@@ -32,7 +32,7 @@ std::string from_to(const StoredSpread& spread, std::size_t count)
 
 }
 
-PageData relative_radius_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData relative_radius_panel(const ReportSeries& series)
 {
     if (!series.stored->iterations) return false;
     const auto& iterations = *series.stored->iterations;
@@ -42,16 +42,16 @@ PageData relative_radius_panel(const ReportSeries& series, const std::filesystem
     if (best != means.end() - 1)
         caption += fmt::format("Largest {} after {}. ", format_fixed(*best, 4),
                                format_count(static_cast<std::uint64_t>(best - means.begin())));
-    return picture_panel(series, out, "relative-radius.svg", "relative-radius.png",
+    return picture_panel(series, {"relative-radius.svg", "relative-radius.png", "is_radius"},
                          "Relative radius over iterations", caption + means_of_what(iterations));
 }
 
-PageData energy_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData energy_panel(const ReportSeries& series)
 {
     if (!series.stored->iterations) return false;
     const auto& iterations = *series.stored->iterations;
     const auto caption = from_to(iterations.energy, iterations.count()) + means_of_what(iterations);
-    return picture_panel(series, out, "energy.svg", "energy.png", "Energy over iterations", caption);
+    return picture_panel(series, {"energy.svg", "energy.png", "is_energy"}, "Energy over iterations", caption);
 }
 
 }

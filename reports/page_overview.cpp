@@ -1,104 +1,83 @@
-// The overview table, and what identifies a series wherever it is mentioned.
+// The overview: the ranking of all series, and the runs.
+#include "reports/embedding.hpp"
 #include "reports/number_format.hpp"
+#include "reports/page.hpp"
+#include "reports/page_frame.hpp"
 #include "reports/page_parts.hpp"
-#include "reports/plot_style.hpp"
+#include "reports/thumbnails.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace poissonlab {
 
 namespace {
 
-enum class Notation
-{
-    fixed,
-    significant
-};
-
-std::string format(double value, Notation notation, int digits)
-{
-    return notation == Notation::fixed ? format_fixed(value, digits) : format_significant(value, digits);
-}
-
-// A mean with its exact value for programs, and the range where realizations differ visibly.
-PageData statistic(const std::optional<StoredStatistic>& value, Notation notation, int digits)
-{
-    if (!value) return false;
-    PageData data;
-    data.set("exact", format_exact(value->mean));
-    data.set("mean", format(value->mean, notation, digits));
-    const auto low = format(value->min, notation, digits);
-    const auto high = format(value->max, notation, digits);
-    data.set("range", low == high ? PageData(false) : PageData(low + " to " + high));
-    return data;
-}
-
-PageData sample_time(const std::vector<double>& seconds)
-{
-    if (seconds.empty()) return false;
-    const auto [low, high] = std::ranges::minmax(seconds);
-    const double middle = median(seconds);
-    PageData data;
-    data.set("exact", format_exact(middle));
-    data.set("median", format_seconds(middle));
-    data.set("range", seconds.size() == 1 ? PageData(false)
-                                          : PageData(format_seconds(low) + " to " + format_seconds(high)));
-    return data;
-}
-
-std::string parameters_text(const NamedTexts& parameters)
+// "63 series, 2 tilings".
+std::string contents_of(const ReportRun& run)
 {
     std::string text;
-    for (const auto& [name, value] : parameters)
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
+        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", format_count(count), count == 1 ? one : many);
+    };
+    add(run.series.size(), "series", "series");
+    add(run.tilings.size(), "tiling", "tilings");
+    add(run.constructions.size(), "construction", "constructions");
     return text;
 }
 
-}
-
-PageData optional_text(const std::string& text) { return text.empty() ? PageData(false) : PageData(text); }
-
-/// "1,708 to 1,754" where realizations differ in size.
-std::string points_range(const StoredSeries& series)
-{
-    if (series.points_each.empty()) return {};
-    const auto [fewest, most] = std::ranges::minmax_element(series.points_each);
-    return fmt::format("{} to {}", format_count(*fewest), format_count(*most));
-}
-
-PageData series_identity(const ReportSeries& series, std::size_t index)
+PageData figure(const Site& site, const ReportRun& run)
 {
     PageData data;
-    data.set("label", series.label);
-    data.set("anchor", fmt::format("series-{}", index + 1));
-    data.set("color", curve_color(index));
-    data.set("sampler", series.stored->sampler);
-    data.set("parameters", optional_text(parameters_text(series.stored->parameters)));
-    data.set("points", format_count(series.stored->points));
-    data.set("points_range", optional_text(points_range(*series.stored)));
-    data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
-    data.set("device", optional_text(series.run->machine_member("device")));
+    data.set("title", run.stored->title);
+    data.set("what", contents_of(run));
+    data.set("link", relative_link(site.out, page_of(run)));
+    data.set("source", relative_link(site.out, run.root / run_thumbnail));
+    data.set("image_class", "framed");
+    data.set("alt", "A picture of " + run.stored->title);
     return data;
 }
 
-PageData overview_row(const ReportSeries& series, std::size_t index)
+PageData figures(const Site& site)
 {
-    auto data = series_identity(series, index);
-    const auto& stored = *series.stored;
-    data.set("relative_radius", statistic(stored.relative_radius, Notation::fixed, 4));
-    data.set("min_distance", statistic(stored.min_distance, Notation::significant, 4));
-    data.set("covered_fraction", statistic(stored.covered_fraction, Notation::fixed, 4));
-    const auto plate = stored.zone_plate.value_or(StoredZonePlate{});
-    data.set("plate_error",
-             stored.zone_plate ? statistic(plate.rms_error, Notation::fixed, 4) : PageData(false));
-    data.set("plate_resolved_error", statistic(plate.resolved_rms_error, Notation::fixed, 4));
-    data.set("sample_time", sample_time(stored.sample_seconds));
-    if (stored.relative_radius)
-        data.set("radius_percent",
-                 fmt::format("{:.1f}", 100 * std::clamp(stored.relative_radius->mean, 0.0, 1.0)));
-    return data;
+    PageData list{PageData::type::list};
+    for (const auto& run : site.runs) list << figure(site, run);
+    return list;
+}
+
+// What a page over several runs has not got of its own.
+void clear_run_parts(PageData& page)
+{
+    for (const char* part : {"compared", "integrated", "has_cards", "has_tilings", "has_constructions"})
+        page.set(part, false);
+    page.set("content", "");
+}
+
+}
+
+std::string render_overview_page(const Site& site)
+{
+    PageData page;
+    std::vector<const ReportRun*> runs;
+    for (const auto& run : site.runs) runs.push_back(&run);
+    page.set("title", site.title);
+    page.set("summary", summary_of(runs));
+    page.set("has_figures", site.has_several_runs());
+    if (site.has_several_runs()) {
+        clear_run_parts(page);
+        page.set("figures", figures(site));
+    } else {
+        auto content = render_run(site, site.runs.front(), site.out, page);
+        page.set("content", content);
+    }
+    set_ranking(page, site);
+    PageData provenances{PageData::type::list};
+    for (const auto& run : site.runs) {
+        PageData from;
+        set_provenance(from, *run.stored);
+        provenances << from;
+    }
+    page.set("provenances", provenances);
+    return render_in_frame(site, {site.out / overview_page, site.title, {"ranking.js", "matrix.js"}}, "overview", page);
 }
 
 }

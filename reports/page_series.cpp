@@ -1,11 +1,13 @@
-// One series' section of the page: panels, their captions, and the stored files.
+// The page of a series: panels, their captions, measures, and the stored files.
 #include "geometry/relative_radius.hpp"
 #include "reports/embedding.hpp"
 #include "reports/number_format.hpp"
+#include "reports/page_frame.hpp"
 #include "reports/page_parts.hpp"
 #include "reports/radial_table.hpp"
 #include "reports/series_pictures.hpp"
 #include "reports/spectrum_image.hpp"
+#include "reports/tone_mapping.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,7 +26,7 @@ const char* spectrum_word(const ReportSeries& series)
     return series.stored->is_estimate ? "Power spectrum estimate" : "Periodogram";
 }
 
-PageData points_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData points_panel(const ReportSeries& series)
 {
     const auto& view = series.view;
     const auto side = format_significant(view.window, 2);
@@ -37,7 +39,7 @@ PageData points_panel(const ReportSeries& series, const std::filesystem::path& o
     if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.stored->realizations > 1)
         part += fmt::format(" (first of {} realizations)", series.stored->realizations);
-    auto data = picture_panel(series, out, "points.svg", "points.png", "Points", part + ".");
+    auto data = picture_panel(series, {"points.svg", "points.png", "is_points", "ink framed"}, "Points", part + ".");
     data.set("window", side);
     return data;
 }
@@ -83,43 +85,44 @@ PageData spectrum_axis(const ReportSeries& series)
     return data;
 }
 
-PageData spectrum_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData spectrum_panel(const ReportSeries& series)
 {
     if (series.stored->spectrum_file.empty()) return false;
-    auto data = picture_panel(series, out, "spectrum-small.png", "spectrum.png", spectrum_word(series),
-                              spectrum_caption(series));
+    auto data = picture_panel(series, {"spectrum-small.png", "spectrum.png", "is_spectrum", "framed"},
+                              spectrum_word(series), spectrum_caption(series));
     data.set("spectrum_axis", spectrum_axis(series));
     return data;
 }
 
-PageData cube_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData cube_panel(const ReportSeries& series)
 {
     if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
-    return picture_panel(series, out, "spectrum-cube.png", "spectrum-cube.png", "Cube of frequencies",
+    return picture_panel(series, {"spectrum-cube.png", "spectrum-cube.png", "", ""}, "Cube of frequencies",
                          "x to the lower left, y to the lower right, z upwards; the eighth where all are positive is cut "
                          "away down to frequency 0.");
 }
 
-PageData slices_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData slices_panel(const ReportSeries& series)
 {
     if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
     const auto slices = spectrum_slices(series);
     if (slices.empty()) return false;
-    return picture_panel(series, out, "spectrum-slices.png", "spectrum-slices.png", "Slices",
+    return picture_panel(series, {"spectrum-slices.png", "spectrum-slices.png", "", "", "row"}, "Slices",
                          fmt::format("Planes where the frequency along z is {}.", fmt::join(slices, ", ")));
 }
 
-PageData close_ups_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData close_ups_panel(const ReportSeries& series)
 {
     if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
     const int reach = std::max(1, 5 * series.stored->spectrum_size / 16);
-    return picture_panel(series, out, "spectrum-close-ups.png", "spectrum-close-ups.png", "Close-ups",
+    return picture_panel(series, {"spectrum-close-ups.png", "spectrum-close-ups.png", "", "", "row"}, "Close-ups",
                          fmt::format("The middle of the planes through frequency 0, from {} to {}.",
                                      format_fixed(-reach, 0), format_fixed(reach - 1, 0)));
 }
 
-PageData radial_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData radial_panel(const ReportSeries& series)
 {
+    if (!series.stored->has_spectrum()) return false;
     const auto& curve = series.curve;
     const auto peak = peak_power(curve.bins);
     auto caption = fmt::format("Highest {} at frequency {}. ", format_significant(peak.power, 3),
@@ -129,19 +132,20 @@ PageData radial_panel(const ReportSeries& series, const std::filesystem::path& o
     else
         caption += fmt::format("Principal frequency {}{}.", format_significant(*curve.principal_frequency, 4),
                                *curve.principal_frequency > curve.max_frequency ? ", beyond the axis" : "");
-    return picture_panel(series, out, "radial.svg", "radial.png", "Radially averaged power", caption);
+    return picture_panel(series, {"radial.svg", "radial.png", "is_radial"}, "Radially averaged power", caption);
 }
 
-PageData anisotropy_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData anisotropy_panel(const ReportSeries& series)
 {
+    if (!series.stored->has_spectrum()) return false;
     const auto& curve = series.curve;
     return picture_panel(
-        series, out, "anisotropy.svg", "anisotropy.png", "Anisotropy",
+        series, {"anisotropy.svg", "anisotropy.png", "is_anisotropy"}, "Anisotropy",
         fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
                     format_fixed(curve.background_db, 1), curve.realizations));
 }
 
-PageData pair_correlation_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData pair_correlation_panel(const ReportSeries& series)
 {
     if (series.pair_correlation.empty()) return false;
     const auto& bins = series.pair_correlation;
@@ -150,15 +154,15 @@ PageData pair_correlation_panel(const ReportSeries& series, const std::filesyste
     const auto caption = fmt::format("Highest {} at {} of the largest possible minimum distance, {}.",
                                      format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
                                      format_significant(unit, 4));
-    return picture_panel(series, out, "pair-correlation.svg", "pair-correlation.png", "Pair correlation", caption);
+    return picture_panel(series, {"pair-correlation.svg", "pair-correlation.png", "is_pairs"}, "Pair correlation",
+                         caption);
 }
 
-PageData file_link(const std::string& text, const std::filesystem::path& out,
-                   const std::filesystem::path& file)
+PageData file_link(const std::string& text, const ReportSeries& series, const std::filesystem::path& file)
 {
     PageData data;
     data.set("text", text);
-    data.set("link", relative_link(out, file));
+    data.set("link", relative_link(series.pictures, file));
     return data;
 }
 
@@ -173,14 +177,14 @@ PageData file_group(const std::string& title, const std::vector<PageData>& links
 }
 
 // Pictures lie in the report's folder, stored results in the run's.
-PageData file_groups(const ReportSeries& series, const std::filesystem::path& out)
+PageData file_groups(const ReportSeries& series)
 {
     const auto& stored = *series.stored;
     const auto picture = [&](const std::string& text, const char* name) {
-        return file_link(text, out, series.pictures / name);
+        return file_link(text, series, series.pictures / name);
     };
     const auto result = [&](const std::string& text, const std::string& name) {
-        return file_link(text, out, series.run->folder / name);
+        return file_link(text, series, series.run->folder / name);
     };
     const auto spectrum_links = [&] {
         std::vector<PageData> links = {result("exr", stored.spectrum_file), picture("png", "spectrum.png")};
@@ -191,11 +195,13 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
     groups << file_group("Points", {picture("svg", "points.svg"), picture("png", "points.png")});
     if (!stored.spectrum_file.empty())
         groups << file_group(spectrum_word(series), spectrum_links());
-    groups << file_group(
-        "Radially averaged power",
-        {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
-    groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
-                                        picture("png", "anisotropy.png")});
+    if (stored.has_spectrum()) {
+        groups << file_group(
+            "Radially averaged power",
+            {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
+        groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
+                                            picture("png", "anisotropy.png")});
+    }
 
     if (!stored.pair_correlation_file.empty())
         groups << file_group("Pair correlation", {result("csv", stored.pair_correlation_file),
@@ -227,36 +233,89 @@ PageData file_groups(const ReportSeries& series, const std::filesystem::path& ou
 
 }
 
-PageData picture_panel(const ReportSeries& series, const std::filesystem::path& out, const std::string& shown,
-                       const std::string& linked, const std::string& title, const std::string& caption)
+PageData tone_scale()
+{
+    PageData ticks{PageData::type::list};
+    for (const double power : {0.01, 0.1, 1.0, 10.0}) {
+        PageData tick;
+        tick.set("power", format_exact(power));
+        tick.set("percent", fmt::format("{:.2f}", 100 * report_tone_mapping.position(power)));
+        ticks << tick;
+    }
+    PageData data;
+    data.set("scale_ticks", ticks);
+    data.set("black_power", format_exact(report_tone_mapping.black_power));
+    data.set("white_power", format_exact(report_tone_mapping.white_power));
+    return data;
+}
+
+PageData guide_kind(const std::string& kind)
+{
+    if (kind.empty()) return false;
+    PageData data;
+    data.set(kind, true);
+    return data;
+}
+
+PageData picture_panel(const ReportSeries& series, const PanelPicture& picture, const std::string& title,
+                       const std::string& caption)
 {
     PageData data;
     data.set("title", title);
     data.set("caption", caption);
     data.set("alt", fmt::format("{}: {}. {}", series.label, title, caption));
-    data.set("source", data_uri(series.pictures / shown));
-    data.set("link", relative_link(out, series.pictures / linked));
+    data.set("source", picture.shown);
+    data.set("link", picture.linked);
+    data.set("image_class", picture.image_class);
+    data.set("figure_class", optional_text(picture.figure_class));
+    data.set("guide_kind", guide_kind(picture.guide));
+    for (const char* name : {"window", "spectrum_axis", "cell_key"}) data.set(name, false);
     return data;
 }
 
-PageData series_section(const ReportSeries& series, std::size_t index, const std::filesystem::path& out)
+namespace {
+
+// The panels that a series has, in the order of the page.
+PageData panels_of(const ReportSeries& series)
 {
-    auto data = overview_row(series, index);
-    data.set("points_panel", points_panel(series, out));
-    data.set("spectrum_panel", spectrum_panel(series, out));
-    data.set("cube_panel", cube_panel(series, out));
-    data.set("slices_panel", slices_panel(series, out));
-    data.set("close_ups_panel", close_ups_panel(series, out));
-    data.set("radial_panel", radial_panel(series, out));
-    data.set("anisotropy_panel", anisotropy_panel(series, out));
-    data.set("pair_correlation_panel", pair_correlation_panel(series, out));
-    data.set("relative_radius_panel", relative_radius_panel(series, out));
-    data.set("energy_panel", energy_panel(series, out));
-    data.set("zone_plate_panel", zone_plate_panel(series, out));
-    data.set("zone_plate_error_panel", zone_plate_error_panel(series, out));
-    data.set("measures", measures_list(series.stored->measures));
-    data.set("file_groups", file_groups(series, out));
+    PageData list{PageData::type::list};
+    for (const auto panel : {points_panel, spectrum_panel, radial_panel, anisotropy_panel, pair_correlation_panel,
+                             cube_panel, slices_panel, close_ups_panel, relative_radius_panel, energy_panel,
+                             zone_plate_panel, zone_plate_error_panel})
+        if (auto data = panel(series); !data.is_false()) list << data;
+    return list;
+}
+
+PageData neighbour(const std::vector<ReportSeries>& all, std::size_t index, const std::filesystem::path& from)
+{
+    if (index >= all.size()) return false;
+    PageData data;
+    data.set("label", all[index].label);
+    data.set("link", relative_link(from, page_of(all[index])));
     return data;
+}
+
+}
+
+std::string render_series_page(const Site& site, const ReportRun& run, std::size_t index)
+{
+    const ReportSeries& series = run.series[index];
+    auto data = series_identity(series, index);
+    set_dimension_words(data, {&run});
+    data.set("overview", relative_link(series.pictures, site.out / overview_page));
+    data.set("run_link", site.has_several_runs() ? PageData(relative_link(series.pictures, page_of(run)))
+                                                 : PageData(false));
+    data.set("previous", neighbour(run.series, index - 1, series.pictures)); // of the first there is none
+    data.set("next", neighbour(run.series, index + 1, series.pictures));
+    data.set("panels", panels_of(series));
+    data.set("plate_reference", relative_link(series.pictures, run.root / zone_plate_reference_picture));
+    data.set("tone_scale", series.stored->spectrum_file.empty() ? PageData(false) : tone_scale());
+    data.set("relative_radius", shown_mean(series.stored->relative_radius, 4));
+    data.set("min_distance", shown_mean(series.stored->min_distance, 4));
+    data.set("measures", measures_list(series));
+    data.set("file_groups", file_groups(series));
+    set_provenance(data, *run.stored);
+    return render_in_frame(site, {page_of(series), series.label + " · " + site.title, {}}, "series", data);
 }
 
 }

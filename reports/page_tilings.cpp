@@ -13,7 +13,7 @@ namespace poissonlab {
 
 namespace {
 
-PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path& out,
+PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path& page_folder,
                         const std::string& shown, const std::string& linked, const std::string& title,
                         const std::string& caption)
 {
@@ -21,8 +21,8 @@ PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path&
     data.set("title", title);
     data.set("caption", caption);
     data.set("alt", fmt::format("{}: {}. {}", tiling.stored->label, title, caption));
-    data.set("source", data_uri(tiling.pictures / shown));
-    data.set("link", relative_link(out, tiling.pictures / linked));
+    data.set("source", relative_link(page_folder, tiling.pictures / shown));
+    data.set("link", relative_link(page_folder, tiling.pictures / linked));
     return data;
 }
 
@@ -113,21 +113,21 @@ PageData measures_of(const StoredTiling& stored)
 
 }
 
-PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& out)
+PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder)
 {
     const auto& stored = *tiling.stored;
     PageData data;
     data.set("label", stored.label);
     data.set("anchor", fmt::format("tiles-{}", index + 1));
     data.set("facts", facts_of(stored));
-    data.set("picture", tiling_picture(tiling, out, "tiles.svg", "tiles.svg",
+    data.set("picture", tiling_picture(tiling, page_folder, "tiles.svg", "tiles.svg",
                                        stored.set.empty() ? "Tiling" : "Tile set", picture_caption(stored)));
     PageData pictures{PageData::type::list};
     if (stored.statistics)
         for (const StoredColors& colors : stored.statistics->colors) {
             const auto name = autocorrelation_picture(colors);
             pictures << tiling_picture(
-                tiling, out, name, name, "Autocorrelation of " + colors.name,
+                tiling, page_folder, name, name, "Autocorrelation of " + colors.name,
                 fmt::format(
                     "Displacements up to {0} along each axis, over {1} × {1} tiles; black −{2}, white {2} "
                     "standard deviations.",
@@ -135,9 +135,9 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
         }
     data.set("autocorrelations", pictures);
     data.set("measures", measures_of(stored));
-    data.set("png", relative_link(out, tiling.pictures / "tiles.png"));
-    data.set("svg", relative_link(out, tiling.pictures / "tiles.svg"));
-    data.set("text", relative_link(out, tiling.run->folder / stored.file));
+    data.set("png", relative_link(page_folder, tiling.pictures / "tiles.png"));
+    data.set("svg", relative_link(page_folder, tiling.pictures / "tiles.svg"));
+    data.set("text", relative_link(page_folder, tiling.run->folder / stored.file));
     return data;
 }
 

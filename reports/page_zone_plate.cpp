@@ -22,7 +22,7 @@ std::string with_range(const StoredStatistic& value)
 
 }
 
-PageData zone_plate_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData zone_plate_panel(const ReportSeries& series)
 {
     if (!series.stored->zone_plate) return false;
     const auto side = format_count(static_cast<std::uint64_t>(series.stored->zone_plate->size));
@@ -30,27 +30,29 @@ PageData zone_plate_panel(const ReportSeries& series, const std::filesystem::pat
         fmt::format("{0} × {0} pixels, {1} samples", side, format_count(series.stored->points_of_first()));
     if (series.stored->realizations > 1)
         caption += fmt::format(" (first of {} realizations)", series.stored->realizations);
-    return picture_panel(series, out, "zone-plate.png", "zone-plate.png", "Zone plate", caption + ".");
+    return picture_panel(series, {"zone-plate.png", "zone-plate.png", "is_plate", "plate framed", "wide"}, "Zone plate",
+                         caption + ".");
 }
 
-PageData zone_plate_error_panel(const ReportSeries& series, const std::filesystem::path& out)
+PageData zone_plate_error_panel(const ReportSeries& series)
 {
     if (!series.stored->zone_plate) return false;
     const auto& plate = *series.stored->zone_plate;
     auto caption = fmt::format("RMS error {} over the picture", with_range(plate.rms_error));
     if (plate.resolved_rms_error)
         caption += fmt::format(", {} up to half a cycle per pixel", with_range(*plate.resolved_rms_error));
-    return picture_panel(series, out, "zone-plate-error.svg", "zone-plate-error.png", "Zone plate error",
-                         caption + ".");
+    return picture_panel(series, {"zone-plate-error.svg", "zone-plate-error.png", "is_plate_error"},
+                         "Zone plate error", caption + ".");
 }
 
-PageData zone_plate_reference_panel(const std::vector<ReportSeries>& series, const std::filesystem::path& out)
+PageData zone_plate_reference_panel(const ReportRun& run, const std::filesystem::path& page_folder)
 {
-    const auto curves = zone_plate_curves(series);
+    const auto curves = zone_plate_curves(run.series);
     if (curves.empty()) return false;
     PageData data;
-    data.set("source", data_uri(out / zone_plate_reference_picture));
-    data.set("link", std::string(zone_plate_reference_picture));
+    const auto link = relative_link(page_folder, run.root / zone_plate_reference_picture);
+    data.set("source", link);
+    data.set("link", link);
     data.set("size", format_count(static_cast<std::uint64_t>(curves.front().size)));
     return data;
 }

@@ -4,13 +4,20 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 #include "reports/page.hpp"
-#include "reports/report_layout.hpp"
+#include "reports/plots.hpp"
 #include "reports/series_pictures.hpp"
+#include "reports/site.hpp"
+#include "reports/stored_collection.hpp"
 #include "reports/stored_results.hpp"
+#include "reports/thumbnails.hpp"
 #include "reports/zone_plate_image.hpp"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <iterator>
 
 namespace poissonlab {
 
@@ -18,110 +25,70 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void create_folders(const fs::path& out, const std::vector<ReportSeries>& series,
-                    const std::vector<ReportTiling>& tilings,
-                    const std::vector<ReportConstruction>& constructions)
+void create_folders(const Site& site)
 {
     try {
-        fs::create_directories(out);
-        for (const auto& entry : series) fs::create_directories(entry.pictures);
-        for (const auto& entry : tilings) fs::create_directories(entry.pictures);
-        for (const auto& entry : constructions) fs::create_directories(entry.pictures);
+        fs::create_directories(site.out / asset_folder);
+        for (const auto& run : site.runs) {
+            fs::create_directories(run.root);
+            for (const auto& entry : run.series) fs::create_directories(entry.pictures);
+            for (const auto& entry : run.tilings) fs::create_directories(entry.pictures);
+            for (const auto& entry : run.constructions) fs::create_directories(entry.pictures);
+        }
     } catch (const fs::filesystem_error& error) {
         throw StorageError(error.what());
     }
 }
 
-// Radially averaged power and anisotropy of every series, and of all.
-void add_frequency_plots(const std::vector<ReportSeries>& series, const fs::path& out,
-                         std::vector<GnuplotPicture>& pictures)
+// What perfect sampling makes of the plate, in the size of the run's first picture.
+void draw_zone_plate_reference(const ReportRun& run)
 {
-    const auto curves = frequency_curves(series);
-    const auto scales = common_scales(curves);
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        pictures.push_back(plot_radial_power(curves[i], scales, series[i].pictures / "radial"));
-        pictures.push_back(plot_anisotropy(curves[i], scales, series[i].pictures / "anisotropy"));
-    }
-    if (series.size() > 1) {
-        pictures.push_back(overlay_radial_power(curves, scales, out / power_overlay));
-        pictures.push_back(overlay_anisotropy(curves, scales, out / anisotropy_overlay));
-    }
-    if (const auto principal = principal_curves(curves); principal.size() > 1)
-        pictures.push_back(overlay_principal_power(principal, scales, out / principal_overlay));
-}
-
-// The pair correlation of every series, and of all.
-void add_pair_correlation_plots(const std::vector<ReportSeries>& series, const fs::path& out,
-                                std::vector<GnuplotPicture>& pictures)
-{
-    const auto curves = pair_correlation_curves(series);
-    const auto scales = common_pair_correlation_scales(curves);
-    for (const auto& curve : curves)
-        pictures.push_back(
-            plot_pair_correlation(curve, scales, series[curve.index].pictures / "pair-correlation"));
-    if (curves.size() > 1)
-        pictures.push_back(overlay_pair_correlation(curves, scales, out / pair_correlation_overlay));
-}
-
-// Errors of integrals against the number of points, a plot an integrand.
-void add_integration_plots(const std::vector<ReportSeries>& series, const fs::path& out,
-                           std::vector<GnuplotPicture>& pictures)
-{
-    const auto curves = integration_curves(series);
-    for (const auto& integrand : integrands_of(curves))
-        pictures.push_back(plot_integration_error(curves, integrand, out / (integration_prefix + integrand)));
-}
-
-// Relative radius and energy of every series that has iterations, and of all of these.
-void add_iteration_plots(const std::vector<ReportSeries>& series, const fs::path& out,
-                         std::vector<GnuplotPicture>& pictures)
-{
-    const auto curves = iteration_curves(series);
+    const auto curves = zone_plate_curves(run.series);
     if (curves.empty()) return;
-    const auto scales = common_iteration_scales(curves);
-    for (const auto& curve : curves) {
-        const auto& folder = series[curve.index].pictures;
-        pictures.push_back(plot_relative_radius(curve, scales, folder / "relative-radius"));
-        pictures.push_back(plot_energy(curve, scales, folder / "energy"));
-    }
-    if (curves.size() > 1) {
-        pictures.push_back(overlay_relative_radius(curves, scales, out / radius_overlay));
-        pictures.push_back(overlay_energy(curves, scales, out / energy_overlay));
-    }
+    write_png(run.root / zone_plate_reference_picture, draw_zone_plate(zone_plate_reference(curves.front().size)));
 }
 
-// The error of the zone plate of every series that has sampled it, and of all of these.
-void add_zone_plate_plots(const std::vector<ReportSeries>& series, const fs::path& out,
-                          std::vector<GnuplotPicture>& pictures)
-{
-    const auto curves = zone_plate_curves(series);
-    if (curves.empty()) return;
-    const auto scales = common_zone_plate_scales(curves);
-    for (const auto& curve : curves)
-        pictures.push_back(
-            plot_zone_plate_error(curve, scales, series[curve.index].pictures / "zone-plate-error"));
-    if (curves.size() > 1)
-        pictures.push_back(overlay_zone_plate_error(curves, scales, out / zone_plate_overlay));
-}
-
-// What perfect sampling makes of the plate, in the size of the first picture.
-void draw_zone_plate_reference(const std::vector<ReportSeries>& series, const fs::path& out)
-{
-    const auto curves = zone_plate_curves(series);
-    if (curves.empty()) return;
-    write_png(out / zone_plate_reference_picture, draw_zone_plate(zone_plate_reference(curves.front().size)));
-}
-
-std::vector<GnuplotPicture> all_plots(const std::vector<ReportSeries>& series, const fs::path& out)
+std::vector<GnuplotPicture> all_plots(const Site& site)
 {
     std::vector<GnuplotPicture> pictures;
-    if (series.empty()) return pictures;
-    add_frequency_plots(series, out, pictures);
-    add_pair_correlation_plots(series, out, pictures);
-    add_integration_plots(series, out, pictures);
-    add_iteration_plots(series, out, pictures);
-    add_zone_plate_plots(series, out, pictures);
+    const auto add = [&](std::vector<GnuplotPicture> more) {
+        std::ranges::move(more, std::back_inserter(pictures));
+    };
+    for (const auto& run : site.runs) {
+        add(series_plots(run.series));
+        add(overlay_plots(run.series, run.root));
+    }
+    if (site.has_several_runs()) add(overlay_plots(all_series_with_full_labels(site), site.out));
     return pictures;
+}
+
+void draw_images(ReportRun& run)
+{
+    const auto scales = common_scales(frequency_curves(run.series));
+    tbb::parallel_for_each(run.series, [&](ReportSeries& series) {
+        draw_points_pictures(series);
+        draw_spectrum_pictures(series);
+        draw_radial_thumbnail(series, scales);
+        draw_zone_plate_picture(series);
+    });
+    tbb::parallel_for_each(run.tilings, draw_tiling_pictures);
+    tbb::parallel_for_each(run.constructions, draw_construction_picture);
+    draw_zone_plate_reference(run);
+    draw_run_thumbnail(run);
+}
+
+void write_pages(const Site& site)
+{
+    write_assets(site);
+    write_whole_file(site.out / overview_page, render_overview_page(site));
+    if (site.series().size() > 1) write_whole_file(site.out / compare_page, render_compare_page(site));
+    for (std::size_t i = 0; i < site.runs.size(); ++i) {
+        const ReportRun& run = site.runs[i];
+        if (site.has_several_runs()) write_whole_file(page_of(run), render_run_page(site, i));
+        tbb::parallel_for(std::size_t{0}, run.series.size(), [&](std::size_t index) {
+            write_whole_file(page_of(run.series[index]), render_series_page(site, run, index));
+        });
+    }
 }
 
 }
@@ -136,29 +103,17 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
 
     say("reading results");
     std::vector<StoredRun> runs;
-    for (const auto& folder : result_folders) runs.push_back(read_stored_run(folder));
-    auto series = lay_out(runs, out);
-    for (auto& entry : series) read_curves(entry);
-    const auto tilings = lay_out_tilings(runs, out);
-    const auto constructions = lay_out_constructions(runs, out);
-    create_folders(out, series, tilings, constructions);
+    for (const auto& folder : folders_of_runs(result_folders)) runs.push_back(read_stored_run(folder));
+    auto site = make_site(runs, out, title_of_collection(result_folders));
+    create_folders(site);
 
     // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
-    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(series, out)); },
-                         [&] {
-                             tbb::parallel_for_each(series, [](ReportSeries& entry) {
-                                 draw_points_pictures(entry);
-                                 draw_spectrum_pictures(entry);
-                                 draw_zone_plate_picture(entry);
-                             });
-                             tbb::parallel_for_each(tilings, draw_tiling_pictures);
-                             tbb::parallel_for_each(constructions, draw_construction_picture);
-                             draw_zone_plate_reference(series, out);
-                         });
+    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site)); },
+                         [&] { tbb::parallel_for_each(site.runs, draw_images); });
 
-    say("writing the page");
-    write_whole_file(out / "index.html", render_page(runs, series, tilings, constructions, out));
+    say("writing the pages");
+    write_pages(site);
 }
 
 }

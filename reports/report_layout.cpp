@@ -38,53 +38,59 @@ std::vector<fs::path> picture_roots(const std::vector<StoredRun>& runs, const fs
 
 }
 
-std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const fs::path& out)
+namespace {
+
+ReportRun lay_out_run(const StoredRun& run, const fs::path& root)
+{
+    ReportRun result;
+    result.stored = &run;
+    result.root = root;
+    for (const auto& series : run.series) {
+        ReportSeries entry;
+        entry.run = &run;
+        entry.stored = &series;
+        entry.label = entry.full_label = with_formatted_points(series.label);
+        entry.pictures = root / series.name;
+        result.series.push_back(std::move(entry));
+    }
+    for (const auto& tiling : run.tilings) result.tilings.push_back({&run, &tiling, root / tiling.name});
+    for (const auto& stored : run.constructions)
+        result.constructions.push_back({&run, &stored, read_scene(run.folder / stored.file), root / stored.name});
+    return result;
+}
+
+}
+
+std::vector<ReportRun> lay_out(const std::vector<StoredRun>& runs, const fs::path& out)
 {
     const auto roots = picture_roots(runs, out);
+    std::vector<ReportRun> result;
     std::map<std::string, int> uses;
-    for (const auto& run : runs)
-        for (const auto& series : run.series) ++uses[series.label];
-
-    std::vector<ReportSeries> result;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        for (const auto& series : runs[i].series) {
-            ReportSeries entry;
-            entry.run = &runs[i];
-            entry.stored = &series;
-            const bool ambiguous = runs.size() > 1 && uses[series.label] > 1;
-            entry.label = with_formatted_points(series.label);
-            if (ambiguous) entry.label += " (" + roots[i].filename().string() + ")";
-            entry.pictures = roots[i] / series.name;
-            result.push_back(std::move(entry));
-        }
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        result.push_back(lay_out_run(runs[i], roots[i]));
+        for (const auto& series : result.back().series) ++uses[series.label];
+    }
+    if (runs.size() == 1) return result;
+    for (auto& run : result)
+        for (auto& series : run.series)
+            if (uses[series.label] > 1) series.full_label += " (" + run.root.filename().string() + ")";
     return result;
 }
 
-std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, const fs::path& out)
+bool sizes_differ(const std::vector<ReportSeries>& series)
 {
-    const auto roots = picture_roots(runs, out);
-    std::vector<ReportTiling> result;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        for (const auto& tiling : runs[i].tilings) result.push_back({&runs[i], &tiling, roots[i] / tiling.name});
-    return result;
-}
-
-std::vector<ReportConstruction> lay_out_constructions(const std::vector<StoredRun>& runs, const fs::path& out)
-{
-    const auto roots = picture_roots(runs, out);
-    std::vector<ReportConstruction> result;
-    for (std::size_t i = 0; i < runs.size(); ++i)
-        for (const auto& stored : runs[i].constructions)
-            result.push_back({&runs[i], &stored, read_scene(runs[i].folder / stored.file), roots[i] / stored.name});
-    return result;
+    std::vector<Curve> curves;
+    for (const auto& entry : series) curves.push_back(entry.curve);
+    return sizes_differ(curves);
 }
 
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
 {
     std::vector<Curve> curves;
-    for (const auto& entry : series) {
-        curves.push_back(entry.curve);
-        curves.back().index = curves.size() - 1;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (!series[i].stored->has_spectrum()) continue;
+        curves.push_back(series[i].curve);
+        curves.back().index = i;
     }
     return curves;
 }
@@ -101,7 +107,7 @@ std::string key_label(const ReportSeries& series, bool with_points)
 
 std::vector<PairCorrelationCurve> pair_correlation_curves(const std::vector<ReportSeries>& series)
 {
-    const bool with_points = sizes_differ(frequency_curves(series));
+    const bool with_points = sizes_differ(series);
     std::vector<PairCorrelationCurve> curves;
     for (std::size_t i = 0; i < series.size(); ++i) {
         if (series[i].pair_correlation.empty()) continue;
@@ -161,7 +167,7 @@ std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>
 
 std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series)
 {
-    const bool with_points = sizes_differ(frequency_curves(series));
+    const bool with_points = sizes_differ(series);
     std::vector<IterationCurve> curves;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const auto& stored = *series[i].stored;
@@ -173,7 +179,7 @@ std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& se
 
 std::vector<ZonePlateCurve> zone_plate_curves(const std::vector<ReportSeries>& series)
 {
-    const bool with_points = sizes_differ(frequency_curves(series));
+    const bool with_points = sizes_differ(series);
     std::vector<ZonePlateCurve> curves;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const auto& stored = *series[i].stored;

@@ -32,32 +32,39 @@ inline constexpr auto integration_prefix = "integration-";
 /// The picture of the zone plate that others are compared with, in the report's folder.
 inline constexpr auto zone_plate_reference_picture = "zone-plate-reference.png";
 
-/// One series of the report: what is stored, and what was read or drawn for the page.
+/// One series of the report: what is stored, and what was read or drawn for its page.
 struct ReportSeries
 {
     const StoredRun* run = nullptr; ///< the runs outlive this
     const StoredSeries* stored = nullptr;
-    std::string label; ///< as stored, numbers of points formatted; with the run's folder where several runs
-                       ///< use the same label
-    std::filesystem::path pictures; ///< folder of its pictures
+    std::string label;      ///< as stored, numbers of points formatted
+    std::string full_label; ///< the same, with the run's folder where several runs use that label
+    std::filesystem::path pictures; ///< folder of its pictures and its page
     Curve curve;
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
     std::vector<ErrorBin> zone_plate; ///< empty for series without the sampling test
     PointsView view;
 };
 
-/// The series of all runs in order. With one run that lies in `out`, pictures go to out/<series>, else to
-/// out/<name of the run's folder>/<series>; equal folder names are told apart by a number.
-std::vector<ReportSeries> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+/// One run of the report.
+struct ReportRun
+{
+    const StoredRun* stored = nullptr;
+    std::filesystem::path root; ///< folder of its page, and of the plots of all its series
+    std::vector<ReportSeries> series;
+    std::vector<ReportTiling> tilings;
+    std::vector<ReportConstruction> constructions; ///< with what they show, which lay_out() reads
+};
 
-/// The tile sets and tilings of all runs in order, with pictures in the same places as those of series.
-std::vector<ReportTiling> lay_out_tilings(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+/// The runs in order, as they are stored. With one run that lies in `out`, its pictures go to out and
+/// out/<series>, else to out/<name of the run's folder> and below; equal folder names are told apart by a number.
+std::vector<ReportRun> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
 
-/// The pictures of constructions of all runs in order, with what they show, which is read here.
-std::vector<ReportConstruction> lay_out_constructions(const std::vector<StoredRun>& runs,
-                                                      const std::filesystem::path& out);
+/// Whether the sets of some series are larger than those of others by more than a tenth, or of another
+/// dimension; keys then say how many points a series has.
+bool sizes_differ(const std::vector<ReportSeries>& series);
 
-/// The curves of all series, once they are read.
+/// The curves of the series that have a spectrum, once they are read.
 std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series);
 
 /// The pair correlations of the series that have one; labels as for iterations.

@@ -13,6 +13,13 @@ namespace {
 
 std::string joined(const std::string& run, const std::string& series) { return run.empty() ? series : run + "/" + series; }
 
+std::vector<StoredRun> read_runs(const std::filesystem::path& folder)
+{
+    std::vector<StoredRun> runs;
+    for (const auto& run : folders_of_runs({folder})) runs.push_back(read_stored_run(run));
+    return runs;
+}
+
 // The runs by name: the folder's in a collection. One run on either side is matched whatever its folder is called.
 std::map<std::string, const StoredRun*> by_name(const std::vector<StoredRun>& runs)
 {
@@ -105,8 +112,8 @@ std::size_t RunComparison::count(Verdict verdict) const
 RunComparison compare_results(const std::filesystem::path& before, const std::filesystem::path& after)
 {
     RunComparison comparison;
-    comparison.before = read_stored_runs(before);
-    comparison.after = read_stored_runs(after);
+    comparison.before = read_runs(before);
+    comparison.after = read_runs(after);
     match_runs(comparison);
     tbb::parallel_for_each(comparison.series, [](SeriesComparison& pair) { pair.numbers = compare_series(pair); });
     std::vector<NumberComparison*> numbers;

@@ -12,12 +12,21 @@
 #include "reports/plane_image.hpp"
 #include "reports/radial_table.hpp"
 #include "reports/spectrum_image.hpp"
+#include "reports/thumbnails.hpp"
 #include "reports/zone_plate_image.hpp"
 #include "reports/zone_plate_table.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace poissonlab {
+
+namespace {
+
+constexpr int thumbnail_size = 256; // pixels
+
+}
 
 void read_curves(ReportSeries& series)
 {
@@ -26,12 +35,15 @@ void read_curves(ReportSeries& series)
     curve.label = series.label;
     curve.points = stored.points;
     curve.dimension = series.run->dimension;
-    curve.bins = read_radial_table(series.run->folder / stored.radial_file);
+    if (stored.has_spectrum()) curve.bins = read_radial_table(series.run->folder / stored.radial_file);
     curve.background_db = stored.background_anisotropy_db;
     curve.realizations = stored.realizations;
     if (stored.min_distance && stored.min_distance->mean > 0)
         curve.principal_frequency = 1 / stored.min_distance->mean;
-    curve.max_frequency = stored.spectrum_size > 0 ? stored.spectrum_size / 2 : curve.bins.back().frequency;
+    if (stored.spectrum_size > 0)
+        curve.max_frequency = stored.spectrum_size / 2;
+    else if (stored.has_spectrum())
+        curve.max_frequency = curve.bins.back().frequency;
     if (!stored.pair_correlation_file.empty())
         series.pair_correlation = read_pair_correlation_table(series.run->folder / stored.pair_correlation_file);
     if (stored.zone_plate)
@@ -47,7 +59,9 @@ void draw_points_pictures(ReportSeries& series)
         throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +
                          std::to_string(series.run->dimension) + " coordinates, as results.json says");
     series.view = choose_points_view(sets.front());
-    write_png(series.pictures / "points.png", draw_points(series.view));
+    const auto picture = draw_points(series.view);
+    write_png(series.pictures / "points.png", picture);
+    write_png(series.pictures / "points-thumbnail.png", smaller_image(picture, thumbnail_size));
     write_whole_file(series.pictures / "points.svg", points_svg(series.view));
 }
 
@@ -105,7 +119,16 @@ void draw_spectrum_pictures(const ReportSeries& series)
     const int block = spectrum_page_block(series.stored->spectrum_size, series.run->dimension);
     write_png(series.pictures / "spectrum.png", draw(1));
     write_png(series.pictures / "spectrum-small.png", draw(block));
+    const int small_block = block * std::max(1, series.stored->spectrum_size / block / thumbnail_size);
+    write_png(series.pictures / "spectrum-thumbnail.png", in_space ? smaller_image(draw(block), 2 * thumbnail_size)
+                                                                   : draw(small_block));
     if (in_space) draw_space_pictures(series, planes);
+}
+
+void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales)
+{
+    if (!series.stored->has_spectrum()) return;
+    write_whole_file(series.pictures / "radial-thumbnail.svg", radial_thumbnail_svg(series.curve, scales));
 }
 
 void draw_zone_plate_picture(const ReportSeries& series)
@@ -117,7 +140,9 @@ void draw_zone_plate_picture(const ReportSeries& series)
     if (image.size != stored.size)
         throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
                                      stored.size, stored.size));
-    write_png(series.pictures / "zone-plate.png", draw_zone_plate(image));
+    const auto picture = draw_zone_plate(image);
+    write_png(series.pictures / "zone-plate.png", picture);
+    write_png(series.pictures / "zone-plate-thumbnail.png", smaller_image(picture, thumbnail_size));
 }
 
 }

@@ -9,11 +9,11 @@ namespace poissonlab {
 /// series.pair_correlation and series.zone_plate. Throws InputError.
 void read_curves(ReportSeries& series);
 
-/// Reads the first realization, sets series.view, and writes points.png and points.svg.
+/// Reads the first realization, sets series.view, and writes points.png, points.svg and points-thumbnail.png.
 /// Throws InputError when the set is not what results.json says.
 void draw_points_pictures(ReportSeries& series);
 
-/// Reads spectrum.exr and writes spectrum.png and, for the page, spectrum-small.png, both with the report's
+/// Reads spectrum.exr and writes spectrum.png and, for the pages, spectrum-small.png and spectrum-thumbnail.png, all with the report's
 /// tone mapping; of a 3D spectrum spectrum-cube.png, spectrum-slices.png and spectrum-close-ups.png as well. Nothing
 /// for a series without.
 void draw_spectrum_pictures(const ReportSeries& series);
@@ -21,7 +21,10 @@ void draw_spectrum_pictures(const ReportSeries& series);
 /// The frequencies along z of the slices in spectrum-slices.png; none for spectra of a few frequencies.
 std::vector<int> spectrum_slices(const ReportSeries& series);
 
-/// Reads zone-plate.exr and writes zone-plate.png; nothing for a series without.
+/// Writes radial-thumbnail.svg; nothing for a series without spectrum.
+void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales);
+
+/// Reads zone-plate.exr and writes zone-plate.png and zone-plate-thumbnail.png; nothing for a series without.
 void draw_zone_plate_picture(const ReportSeries& series);
 
 }

@@ -11,8 +11,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int supported_format_version = 1;
-
 nlohmann::json parse(const fs::path& file)
 {
     try {
@@ -24,32 +22,44 @@ nlohmann::json parse(const fs::path& file)
 
 }
 
-std::vector<fs::path> run_folders(const fs::path& folder)
+std::optional<StoredCollection> read_stored_collection(const fs::path& folder)
 {
     const auto file = folder / "collection.json";
-    if (!fs::is_regular_file(file)) return {folder};
+    std::error_code error;
+    if (!fs::exists(file, error)) return std::nullopt;
     const auto json = parse(file);
     const StoredObject root(json, file);
     if (!root.has("format") || root.text("format") != "poissonlab-collection")
         throw root.error("format", "must be \"poissonlab-collection\"; this file is of another kind");
-    if (const auto version = root.integer("format_version", 1); version != supported_format_version)
-        throw root.error("format_version", std::to_string(version) + ": this program reads version " +
-                                               std::to_string(supported_format_version));
-    std::vector<fs::path> folders;
+    if (const auto version = root.integer("format_version", 1); version != 1)
+        throw root.error("format_version", std::to_string(version) + ": this program reads version 1");
+    StoredCollection collection{root.text("title"), {}};
     for (const auto& name : root.texts("runs")) {
-        if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
-            throw root.error("runs", "'" + name + "' must be the name of a folder");
-        folders.push_back(folder / name);
+        if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.'))
+            throw root.error("runs", "'" + name + "' must be the name of a folder in here");
+        collection.folders.push_back(folder / name);
     }
-    if (folders.empty()) throw root.error("runs", "must name at least one folder");
-    return folders;
+    if (collection.folders.empty()) throw root.error("runs", "must name at least one folder");
+    return collection;
 }
 
-std::vector<StoredRun> read_stored_runs(const fs::path& folder)
+std::vector<fs::path> folders_of_runs(const std::vector<fs::path>& folders)
 {
-    std::vector<StoredRun> runs;
-    for (const auto& run : run_folders(folder)) runs.push_back(read_stored_run(run));
-    return runs;
+    std::vector<fs::path> result;
+    for (const auto& folder : folders) {
+        if (const auto collection = read_stored_collection(folder))
+            result.insert(result.end(), collection->folders.begin(), collection->folders.end());
+        else
+            result.push_back(folder);
+    }
+    return result;
+}
+
+std::string title_of_collection(const std::vector<fs::path>& folders)
+{
+    if (folders.size() != 1) return {};
+    const auto collection = read_stored_collection(folders.front());
+    return collection ? collection->title : std::string();
 }
 
 }

@@ -1,19 +1,26 @@
-// A folder of results that may hold several runs: collection.json of docs/output-folder.md.
+// A collection: several runs in one folder, with a collection.json that lists them (docs/output-folder.md).
 #pragma once
 
-#include "reports/stored_results.hpp"
-
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
 
-/// The run folders of a collection, in order, or `folder` itself where it is none. Throws InputError for a
-/// collection.json that cannot be understood.
-std::vector<std::filesystem::path> run_folders(const std::filesystem::path& folder);
+struct StoredCollection
+{
+    std::string title;
+    std::vector<std::filesystem::path> folders; ///< of its runs, in order
+};
 
-/// All runs in `folder`. Throws InputError as read_stored_run() does.
-std::vector<StoredRun> read_stored_runs(const std::filesystem::path& folder);
+/// What folder/collection.json says; nothing where there is none. Throws InputError that names the file and the member.
+std::optional<StoredCollection> read_stored_collection(const std::filesystem::path& folder);
+
+/// The folders with those of collections in their place.
+std::vector<std::filesystem::path> folders_of_runs(const std::vector<std::filesystem::path>& folders);
+
+/// The title of the collection, where there is one and nothing else; else empty.
+std::string title_of_collection(const std::vector<std::filesystem::path>& folders);
 
 }
