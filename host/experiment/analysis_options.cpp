@@ -21,6 +21,23 @@ int read_spectrum_size(const ConfigTable& table, int dimension)
     return size;
 }
 
+/// How periodograms are computed; nothing where there are none, and then no key that is about them.
+std::optional<PeriodogramMethod> read_periodogram_method(const ConfigTable& table)
+{
+    switch (read_word(table, "spectrum", {"fast", "exact", "none"})) {
+    case 0:
+        return PeriodogramMethod::fast;
+    case 1:
+        return PeriodogramMethod::exact;
+    default:
+        break;
+    }
+    for (const char* key : {"spectrum_size", "bin_width", "volume", "tiles"})
+        if (const ConfigNode* node = find(table, key))
+            throw invalid_node(key, *node, "does not go with spectrum = \"none\"; leave it out");
+    return std::nullopt;
+}
+
 /// A flag that only means something in one dimension.
 bool read_flag_for(const ConfigTable& table, const std::string& key, int dimension, int needed,
                    const char* why)
@@ -35,21 +52,23 @@ bool read_flag_for(const ConfigTable& table, const std::string& key, int dimensi
 
 const std::vector<std::string>& analysis_option_keys()
 {
-    static const std::vector<std::string> keys = {"spectrum", "spectrum_size", "bin_width",
-                                                  "volume",   "zone_plate",    "tiles"};
+    static const std::vector<std::string> keys = {"spectrum",   "spectrum_size", "bin_width", "volume",
+                                                  "zone_plate", "tiles",         "measures",  "point_files"};
     return keys;
 }
 
 AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension)
 {
     AnalysisOptions options;
-    if (is_second_word(analysis, "spectrum", {"fast", "exact"})) options.spectrum = PeriodogramMethod::exact;
+    options.spectrum = read_periodogram_method(analysis);
     options.spectrum_size = read_spectrum_size(analysis, dimension);
     options.bin_width = read_number(analysis, "bin_width", 1, 100, options.bin_width);
     options.volume = read_flag_for(analysis, "volume", dimension, 3, "spectra of 2D sets are stored whole");
     options.zone_plate =
         read_flag_for(analysis, "zone_plate", dimension, 2, "the zone plate is a function of the plane");
     options.tiles = static_cast<int>(read_integer(analysis, "tiles", 2, most_tiles, 0));
+    options.distances_only = is_second_word(analysis, "measures", {"all", "distances"});
+    options.first_points_only = is_second_word(analysis, "point_files", {"all", "first"});
     return options;
 }
 

@@ -4,6 +4,7 @@
 #include "experiment/commands/commands.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/nearest_key.hpp"
+#include "io/shell_words.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -355,15 +356,7 @@ std::vector<std::string> CommandLine::command_names() const
 std::string typed_command(int argc, const char* const* argv)
 {
     std::string text = "poissonlab";
-    for (int i = 1; i < argc; ++i) {
-        const std::string argument = argv[i];
-        const bool plain = !argument.empty() &&
-                           argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                      "0123456789_-+=./:,@%") == std::string::npos;
-        std::string quoted = "'";
-        for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        text += " " + (plain ? argument : quoted + "'");
-    }
+    for (int i = 1; i < argc; ++i) text += " " + shell_word(argv[i]);
     return text;
 }
 

@@ -61,7 +61,10 @@ Config parse_config(const std::string& text, const std::string& file,
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction"});
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
+                     "include"});
+    if (const ConfigNode* include = find(top, "include"))
+        throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
     Config config;
     config.file = file;

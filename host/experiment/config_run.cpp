@@ -50,6 +50,7 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     task.parameters = series.parameters;
     task.deterministic = series.deterministic;
     task.realizations = series.realizations;
+    task.place = series.place;
     task.create = [series, engine, device] {
         return series.sampler->create(series.parameters, series.request, engine,
                                       [device]() -> Device& { return device->get(); });
@@ -108,6 +109,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.dimension = config.dimension;
     experiment.analysis = config.analysis;
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
+    experiment.methods = method_grids(config);
     for (const SeriesPlan& series : make_plan(config))
         experiment.series.push_back(make_task(series, config.engine, lazy));
     std::set<std::string> names; // folders of the series come first

@@ -10,6 +10,7 @@
 #include "analysis/voronoi_diagram.hpp"
 #include "experiment/analysis_options.hpp"
 #include "experiment/construction_run.hpp"
+#include "experiment/method_grid.hpp"
 #include "experiment/tiling_table.hpp"
 #include "sampling/sampler.hpp"
 
@@ -31,6 +32,7 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
+    std::optional<GridPlace> place; ///< none: not of a method of a config
     std::function<std::unique_ptr<Sampler>()> create;
 };
 
@@ -70,6 +72,7 @@ struct Experiment
     int dimension = 2;
     AnalysisOptions analysis;
     std::uint32_t realizations = 0; ///< K as asked for
+    std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
     std::vector<ConstructionTask> constructions;
@@ -106,7 +109,7 @@ struct SeriesResult
     std::vector<double> min_distance; ///< unit lengths; infinite for a set of one point
     std::vector<double> relative_radius;
     std::vector<double> covered_fraction;
-    int spectrum_size = 0;
+    int spectrum_size = 0; ///< 0: no spectrum
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
     SeriesMeasures measures;

@@ -102,10 +102,22 @@ bool same_series(const SeriesPlan& a, const SeriesPlan& b)
            same_parameters(a.parameters, b.parameters);
 }
 
-SeriesPlan make_series(const Config& config, const MethodConfig& method, const Combination& chosen)
+/// Which choice of each setting with several choices is taken.
+std::vector<std::size_t> indices_of(const MethodConfig& method, const Combination& chosen)
 {
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (const auto& choices = method.settings[i].choices; choices.size() > 1)
+            indices.push_back(static_cast<std::size_t>(chosen[i] - choices.data()));
+    return indices;
+}
+
+SeriesPlan make_series(const Config& config, std::size_t method_index, const Combination& chosen)
+{
+    const MethodConfig& method = config.methods[method_index];
     const SamplerSpec& sampler = *method.sampler;
     SeriesPlan series;
+    series.place = {method_index, indices_of(method, chosen)};
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
     series.label = series_label(method, chosen);
     series.sampler = &sampler;
@@ -126,9 +138,10 @@ std::vector<SeriesPlan> make_plan(const Config& config)
 {
     std::vector<SeriesPlan> plan;
     std::set<std::string> names;
-    for (const MethodConfig& method : config.methods) {
+    for (std::size_t i = 0; i < config.methods.size(); ++i) {
+        const MethodConfig& method = config.methods[i];
         for (const Combination& chosen : combinations(method.settings, method.where, "[[method]]")) {
-            SeriesPlan series = make_series(config, method, chosen);
+            SeriesPlan series = make_series(config, i, chosen);
             for (const SeriesPlan& other : plan)
                 if (same_series(other, series))
                     throw InputError(fmt::format("{}: [[method]]: the series \"{}\" is there twice",
@@ -144,6 +157,22 @@ std::vector<SeriesPlan> make_plan(const Config& config)
         }
     }
     return plan;
+}
+
+std::vector<MethodGrid> method_grids(const Config& config)
+{
+    std::vector<MethodGrid> grids;
+    for (const MethodConfig& method : config.methods) {
+        MethodGrid grid{method.sampler->name, method.label, {}};
+        for (const ParameterSetting& setting : method.settings) {
+            if (setting.choices.size() < 2) continue;
+            MethodAxis axis{setting.parameter->key, symbol_of(*setting.parameter), {}};
+            for (const ParameterChoice& choice : setting.choices) axis.values.push_back(choice.shown);
+            grid.axes.push_back(std::move(axis));
+        }
+        grids.push_back(std::move(grid));
+    }
+    return grids;
 }
 
 std::string safe_name(const std::string& text)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "experiment/config.hpp"
+#include "experiment/method_grid.hpp"
 
 #include <cstdint>
 #include <string>
@@ -19,12 +20,16 @@ struct SeriesPlan
     SampleRequest request;
     bool deterministic = false;     ///< all realizations are one set
     std::uint32_t realizations = 0; ///< as asked; 1 for deterministic series; what there is for files
+    GridPlace place;
 };
 
 /// Every method's series in order; of lists, the last parameter varies fastest. Throws InputError for
 /// combinations that the sampler refuses, for two series that would be the same, and for more than 1,000
 /// series.
 std::vector<SeriesPlan> make_plan(const Config& config);
+
+/// The grid of every method, in the order of the config.
+std::vector<MethodGrid> method_grids(const Config& config);
 
 /// Text as (part of) a folder name: what is not a letter, digit, '.', '_' or '-' becomes '-'; never empty,
 /// never starting with a dot.

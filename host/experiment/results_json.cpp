@@ -129,6 +129,15 @@ Json measures_json(const SeriesMeasures& measures)
     return json;
 }
 
+/// A method as a grid of series.
+Json method_json(const MethodGrid& grid)
+{
+    Json axes = Json::array();
+    for (const MethodAxis& axis : grid.axes)
+        axes.push_back({{"key", axis.key}, {"symbol", axis.symbol}, {"values", axis.values}});
+    return {{"sampler", grid.sampler}, {"label", grid.label}, {"axes", axes}};
+}
+
 Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_volume)
 {
     const auto count = static_cast<int>(result.points.size());
@@ -139,6 +148,10 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     json["label"] = task.label;
     json["sampler"] = task.sampler;
     json["parameters"] = parameters_json(task.parameters);
+    if (task.place) {
+        json["method"] = task.place->method;
+        json["place"] = task.place->indices;
+    }
     json["deterministic"] = task.deterministic;
     // Sets of a method that does not hit the number of points exactly differ: their mean, and each.
     json["points"] = count > 0 ? (total + count / 2) / count : 0;
@@ -149,12 +162,14 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     json["relative_radius"] = spread(result.relative_radius);
     json["covered_fraction"] = spread(result.covered_fraction);
     json["measures"] = measures_json(result.measures);
-    json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
-                        {"size", result.spectrum_size},
-                        {"file", task.name + "/spectrum.exr"}};
-    if (has_volume) json["spectrum"]["volume_file"] = task.name + "/spectrum-volume.exr";
-    json["radial"] = {{"file", task.name + "/radial.csv"},
-                      {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
+    if (result.spectrum_size > 0) {
+        json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
+                            {"size", result.spectrum_size},
+                            {"file", task.name + "/spectrum.exr"}};
+        if (has_volume) json["spectrum"]["volume_file"] = task.name + "/spectrum-volume.exr";
+        json["radial"] = {{"file", task.name + "/radial.csv"},
+                          {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
+    }
     if (result.has_pair_correlation)
         json["pair_correlation"] = {{"file", task.name + "/pair-correlation.csv"}};
     if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
@@ -275,6 +290,7 @@ std::string results_json(const Experiment& experiment, const std::vector<SeriesR
     json["dimension"] = experiment.dimension;
     json["realizations"] = experiment.realizations;
     json["machine"] = machine_json(machine);
+    for (const MethodGrid& grid : experiment.methods) json["methods"].push_back(method_json(grid));
     json["series"] = Json::array();
     for (std::size_t i = 0; i < results.size(); ++i)
         json["series"].push_back(series_json(experiment.series[i], results[i], experiment.analysis.volume));

@@ -108,6 +108,17 @@ AnalysisOptions analysis_of(const Sampler& sampler, AnalysisOptions options)
     return options;
 }
 
+/// Stores the mean spectrum, what is measured on it and its curves.
+void store_spectrum(SeriesAnalysis& analysis, const AnalysisOptions& options,
+                    const std::map<std::string, std::string>& metadata, const std::filesystem::path& folder)
+{
+    const Spectrum spectrum = analysis.mean_spectrum();
+    write_spectrum(folder / "spectrum.exr", spectrum, metadata);
+    if (options.volume) write_spectrum_volume(folder / "spectrum-volume.exr", spectrum, metadata);
+    write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
+    analysis.measure_spectrum(spectrum);
+}
+
 /// Makes, analyses and stores one series in `folder`.
 SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
                         const std::filesystem::path& folder, Progress& progress)
@@ -126,21 +137,19 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         const PointSet points = timed_sample(*sampler, k, seconds);
         sample_seconds.push_back(seconds);
         iterations.push_back(sampler->iterations());
-        const std::string file = fmt::format("realization-{:03}.dat", k);
         analysis.add(points);
         if (experiment.analysis.zone_plate) zone_plate.add(points);
-        write_points(folder / file, points, point_file_comment(experiment, task, k));
-        point_files.push_back(task.name + "/" + file);
+        if (k == 0 || !experiment.analysis.first_points_only) {
+            const std::string file = fmt::format("realization-{:03}.dat", k);
+            write_points(folder / file, points, point_file_comment(experiment, task, k));
+            point_files.push_back(task.name + "/" + file);
+        }
         progress.realization_done(points.size(), seconds);
     }
 
     const auto averaging = Clock::now();
-    const Spectrum spectrum = analysis.mean_spectrum();
-    write_spectrum(folder / "spectrum.exr", spectrum, image_metadata(experiment, task));
-    if (experiment.analysis.volume)
-        write_spectrum_volume(folder / "spectrum-volume.exr", spectrum, image_metadata(experiment, task));
-    write_whole_file(folder / "radial.csv", radial_csv(analysis.radial_curve(spectrum)));
-    analysis.measure(spectrum);
+    if (analysis.has_spectrum())
+        store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
     if (const auto pairs = analysis.pair_correlation(); !pairs.empty())
         write_whole_file(folder / "pair-correlation.csv", pair_correlation_csv(pairs));
 
@@ -193,17 +202,20 @@ std::vector<Scene> run_constructions(const Experiment& experiment, const ResultF
 
 }
 
-void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+std::vector<std::string> folder_names(const Experiment& experiment)
 {
     std::vector<std::string> names;
-    std::uint64_t total = 0;
-    for (const SeriesTask& task : experiment.series) {
-        names.push_back(task.name);
-        total += task.realizations;
-    }
+    for (const SeriesTask& task : experiment.series) names.push_back(task.name);
     for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
     for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
-    ResultFolder folder(out, names);
+    return names;
+}
+
+void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+{
+    std::uint64_t total = 0;
+    for (const SeriesTask& task : experiment.series) total += task.realizations;
+    ResultFolder folder(out, folder_names(experiment));
     progress.start(total);
     std::vector<SeriesResult> results;
     for (const SeriesTask& task : experiment.series)

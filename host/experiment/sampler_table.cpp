@@ -10,8 +10,6 @@ namespace {
 
 using Kind = ParameterSpec::Kind;
 
-std::string symbol(const ParameterSpec& spec) { return spec.symbol.empty() ? spec.key : spec.symbol; }
-
 /// The sampler that a text names; `key` is whose value it is.
 const SamplerSpec& sampler_named(const std::string& key, const ConfigNode& node,
                                  const SamplerRegistry& registry)
@@ -124,6 +122,8 @@ Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, cons
     return parameters;
 }
 
+std::string symbol_of(const ParameterSpec& spec) { return spec.symbol.empty() ? spec.key : spec.symbol; }
+
 std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetting>& settings,
                     const Combination& chosen)
 {
@@ -134,9 +134,9 @@ std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetti
         if (spec.kind == Kind::sampler)
             name += fmt::format("-{}", value); // its name says enough
         else if (spec.kind != Kind::boolean)
-            name += fmt::format("-{}-{}", symbol(spec), value);
+            name += fmt::format("-{}-{}", symbol_of(spec), value);
         else if (std::get<bool>(chosen[i]->value))
-            name += fmt::format("-{}", symbol(spec));
+            name += fmt::format("-{}", symbol_of(spec));
     }
     return name;
 }
@@ -149,9 +149,9 @@ std::string values_text(const std::vector<ParameterSetting>& settings, const Com
         const ParameterSpec& spec = *settings[i].parameter;
         if (only_varying && settings[i].choices.size() == 1) continue;
         if (spec.kind != Kind::boolean)
-            parts.push_back(fmt::format("{} = {}", symbol(spec), chosen[i]->shown));
+            parts.push_back(fmt::format("{} = {}", symbol_of(spec), chosen[i]->shown));
         else if (std::get<bool>(chosen[i]->value))
-            parts.push_back(symbol(spec));
+            parts.push_back(symbol_of(spec));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -54,6 +54,9 @@ std::vector<ParameterChoice> sampler_choices(const ParameterSpec& spec, const Co
 /// The chosen values as parameters of the sampler; `points` is none.
 Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, const Combination& chosen);
 
+/// The short form of a parameter for names and labels, for example "rho".
+std::string symbol_of(const ParameterSpec& spec);
+
 /// For example "dart-throwing-rho-0.70", "lloyd-i-16-dart-throwing-rho-0.70-repulsion": for names of folders.
 std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetting>& settings,
                     const Combination& chosen);

@@ -24,48 +24,66 @@ constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so t
 
 }
 
+/// A set must be like the first one.
+void SeriesAnalysis::check(const PointSet& points) const
+{
+    const std::string name = fmt::format("{}: realization {}", label_, result_.points.size());
+    if (points.size() == 0) throw InputError(name + " has no points");
+    if (result_.points.empty()) return;
+    if (points.dimension != dimension_)
+        throw InputError(
+            fmt::format("{} has dimension {} where the first has {}", name, points.dimension, dimension_));
+    if (!sizes_vary_ && points.size() != result_.points.front())
+        throw InputError(fmt::format("{} has {} points where the first has {}", name, points.size(),
+                                     result_.points.front()));
+}
+
 /// What is averaged over the sets, for sets like the first one.
 void SeriesAnalysis::start(const PointSet& first)
 {
     const std::size_t n = first.size();
-    const int dimension = first.dimension;
-    result_.spectrum_size = options_.spectrum_size > 0
-                                ? options_.spectrum_size
-                                : spectrum_size(std::max<std::size_t>(n, 1), dimension);
+    dimension_ = first.dimension;
+    if (has_spectrum()) start_spectrum(first);
+    if (options_.distances_only) return;
+    integration_.emplace(dimension_, shift_seed);
+    if (n < 2) return;
+    const double step = max_min_distance(n, dimension_) / bins_per_distance;
+    const double end =
+        std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
+    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)));
+}
+
+void SeriesAnalysis::start_spectrum(const PointSet& first)
+{
+    result_.spectrum_size =
+        options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(first.size(), dimension_);
     if (RadialBins(result_.spectrum_size, options_.bin_width).count() < 2)
         throw InputError(
             fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
                         "size {}",
                         label_, options_.bin_width, result_.spectrum_size / 2 - 1,
-                        dimension == 2 ? "annulus" : "shell", result_.spectrum_size));
-    estimate_.emplace(dimension, result_.spectrum_size, sizes_vary_, options_.spectrum, options_.bin_width);
-    integration_.emplace(dimension, shift_seed);
-    if (n < 2) return;
-    const double step = max_min_distance(n, dimension) / bins_per_distance;
-    const double end =
-        std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension));
-    pairs_.emplace(dimension, end, static_cast<std::size_t>(std::ceil(end / step)));
+                        dimension_ == 2 ? "annulus" : "shell", result_.spectrum_size));
+    estimate_.emplace(dimension_, result_.spectrum_size, sizes_vary_, *options_.spectrum, options_.bin_width);
 }
 
 void SeriesAnalysis::add(const PointSet& points)
 {
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t n = points.size();
-    if (!estimate_) start(points);
-    try {
-        estimate_->add(points);
-    } catch (const InputError& error) {
-        throw InputError(label_ + ": " + error.what());
-    }
-    integration_->add(points);
+    check(points);
+    if (result_.points.empty()) start(points);
+    if (estimate_) estimate_->add(points);
+    if (integration_) integration_->add(points);
     if (n < 2) pairs_.reset();
     if (pairs_) pairs_->add(points);
     const double distance = min_toroidal_distance(points);
-    if (result_.points.empty()) measure_first(points);
+    if (result_.points.empty() && !options_.distances_only) measure_first(points);
     result_.points.push_back(n);
     result_.min_distance.push_back(distance);
     result_.relative_radius.push_back(relative_radius(distance, n, points.dimension));
     result_.covered_fraction.push_back(covered_fraction(distance, n, points.dimension));
+    result_.has_pair_correlation = pairs_.has_value();
+    if (integration_) result_.measures.integration = integration_->mean();
     result_.analysis_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -80,7 +98,7 @@ void SeriesAnalysis::measure_first(const PointSet& points)
     if (points.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(points));
 }
 
-void SeriesAnalysis::measure(const Spectrum& mean)
+void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
 {
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
@@ -90,8 +108,6 @@ void SeriesAnalysis::measure(const Spectrum& mean)
     measures.oscillation = oscillation(radial, n, mean.dimension, static_cast<int>(result_.points.size()));
     measures.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
     if (options_.tiles > 0) measures.lattice_peaks = lattice_peaks(mean, options_.tiles);
-    measures.integration = integration_->mean();
-    result_.has_pair_correlation = pairs_.has_value();
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const

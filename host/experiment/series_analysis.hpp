@@ -12,8 +12,11 @@
 
 namespace poissonlab {
 
-/// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which realizations come. The number of points
-/// and the dimension of the first one decide the size of the spectrum.
+/// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
+/// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
+///
+/// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
+/// packing, the largest empty ball and Voronoi cells.
 class SeriesAnalysis
 {
 public:
@@ -26,7 +29,10 @@ public:
     /// not vary.
     void add(const PointSet& points);
 
-    /// The mean of the periodograms; at least one set must have been added.
+    /// Whether the options ask for spectra.
+    bool has_spectrum() const { return options_.spectrum.has_value(); }
+
+    /// The mean of the periodograms; at least one set must have been added, and there must be spectra.
     Spectrum mean_spectrum() const;
 
     /// radial_statistics() of a mean spectrum of this series, with errors.
@@ -36,20 +42,23 @@ public:
     /// it; empty where a set has one point only.
     std::vector<PairCorrelationBin> pair_correlation() const;
 
-    /// Adds the measures of the mean spectrum and those of all sets to the result.
-    void measure(const Spectrum& mean);
+    /// Adds the measures of the mean spectrum to the result.
+    void measure_spectrum(const Spectrum& mean);
 
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
 private:
+    void check(const PointSet& points) const;
     void start(const PointSet& first);
+    void start_spectrum(const PointSet& first);
     void measure_first(const PointSet& points);
 
     std::string label_;
     bool sizes_vary_;
     AnalysisOptions options_;
     SeriesResult result_;
+    int dimension_ = 0; ///< of the first set
     std::optional<SpectrumEstimate> estimate_;
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<IntegrationErrorEstimate> integration_;

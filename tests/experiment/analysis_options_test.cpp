@@ -22,6 +22,8 @@ TEST(AnalysisOptions, HaveDefaults)
     EXPECT_FALSE(options.volume);
     EXPECT_FALSE(options.zone_plate);
     EXPECT_EQ(options.tiles, 0);
+    EXPECT_FALSE(options.distances_only);
+    EXPECT_FALSE(options.first_points_only);
 }
 
 TEST(AnalysisOptions, TakeEveryKey)
@@ -36,6 +38,20 @@ TEST(AnalysisOptions, TakeEveryKey)
     const AnalysisOptions space = options_of({"analysis.volume=true", "analysis.spectrum_size=512"}, 3);
     EXPECT_TRUE(space.volume);
     EXPECT_EQ(space.spectrum_size, 512);
+    const AnalysisOptions little =
+        options_of({"analysis.spectrum=none", "analysis.measures=distances", "analysis.point_files=first"});
+    EXPECT_FALSE(little.spectrum.has_value());
+    EXPECT_TRUE(little.distances_only);
+    EXPECT_TRUE(little.first_points_only);
+}
+
+TEST(AnalysisOptions, ThatNeedSpectraDoNotGoWithNone)
+{
+    for (const char* key : {"spectrum_size=512", "bin_width=2", "tiles=8"})
+        EXPECT_THAT(message_of([&] { options_of({"analysis.spectrum=none", std::string("analysis.") + key}); }),
+                    testing::HasSubstr("does not go with spectrum = \"none\""));
+    EXPECT_THAT(message_of([&] { options_of({"analysis.spectrum=none", "analysis.volume=true"}, 3); }),
+                testing::HasSubstr("does not go with spectrum = \"none\""));
 }
 
 TEST(AnalysisOptions, SayWhatIsAllowed)
@@ -46,12 +62,14 @@ TEST(AnalysisOptions, SayWhatIsAllowed)
     EXPECT_THAT(error_of("spectrum_size=7"), testing::HasSubstr("spectrum_size = 7: must be even"));
     EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 4 to 8192"));
     EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 4 to 512"));
-    EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\""));
+    EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\" or \"none\""));
     EXPECT_THAT(error_of("bin_width=0.5"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("bin_width=wide"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("tiles=1"), testing::HasSubstr("must be an integer from 2 to 4096"));
     EXPECT_THAT(error_of("zone_plate=true", 3), testing::HasSubstr("needs dimension = 2"));
     EXPECT_THAT(error_of("volume=true"), testing::HasSubstr("needs dimension = 3"));
+    EXPECT_THAT(error_of("measures=few"), testing::HasSubstr("must be \"all\" or \"distances\""));
+    EXPECT_THAT(error_of("point_files=none"), testing::HasSubstr("must be \"all\" or \"first\""));
     EXPECT_THAT(error_of("tile=4"), testing::HasSubstr("did you mean \"tiles\"?"));
 }
 

@@ -30,28 +30,29 @@ TEST(ConfigError, UnknownTopLevelKey)
 {
     EXPECT_EQ(error_of("title = \"x\"\nsede = 1\n" + good_method),
               "c.toml:2: sede = 1: unknown key; did you mean \"seed\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownKeyThatIsLikeNoOther)
 {
     EXPECT_EQ(error_of("wavelength = \"long\"\n" + good_method),
               "c.toml:1: wavelength = \"long\": unknown key; "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownTable)
 {
     EXPECT_EQ(error_of(good_method + "[analisys]\npoints = 3\n"),
               "c.toml:3: analisys = {...}: unknown key; did you mean \"analysis\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownAnalysisKey)
 {
     EXPECT_EQ(error_of("[analysis]\npoint = 16384\n" + good_method),
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
-              "known keys: points, realizations, dimension, spectrum, spectrum_size, bin_width, volume, zone_plate, tiles");
+              "known keys: points, realizations, dimension, spectrum, spectrum_size, bin_width, volume, zone_plate, tiles, "
+              "measures, point_files");
 }
 
 TEST(ConfigError, UnknownMethodKey)
@@ -150,7 +151,7 @@ TEST(ConfigError, Dimension)
     EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method),
               "c.toml:2: dimension = 4: must be an integer from 2 to 3");
     EXPECT_EQ(error_of("[analysis]\nspectrum = \"exakt\"\n" + good_method),
-              "c.toml:2: spectrum = \"exakt\": must be \"fast\" or \"exact\"; did you mean \"exact\"?");
+              "c.toml:2: spectrum = \"exakt\": must be \"fast\" or \"exact\" or \"none\"; did you mean \"exact\"?");
     EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
               "c.toml:2: dimension = 2.0: must be an integer from 2 to 3");
 }

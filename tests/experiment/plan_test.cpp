@@ -79,6 +79,45 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
                 ElementsAre("L, a = 1, c = 4", "L, a = 1, c = 5", "L, a = 2, c = 4", "L, a = 2, c = 5"));
 }
 
+TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
+{
+    const Config config = parse_config("[[method]]\nsampler = \"random\"\n"
+                                       "[[method]]\nsampler = \"lloyd\"\nlabel = \"L\"\npoints = [64, 128]\n"
+                                       "iterations = 2\nrepulsion = [false, true]\nuntil_relative_radius = 0.70\n"
+                                       "start = [\"random\", { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }]\n",
+                                       "c.toml");
+    const auto plan = make_plan(config);
+    ASSERT_EQ(plan.size(), 1U + 2 * 3 * 2);
+    EXPECT_EQ(plan[0].place.method, 0U);
+    EXPECT_THAT(plan[0].place.indices, ElementsAre());
+
+    const auto grids = method_grids(config);
+    ASSERT_EQ(grids.size(), 2U);
+    EXPECT_EQ(grids[0].sampler, "random");
+    EXPECT_TRUE(grids[0].axes.empty());
+    EXPECT_EQ(grids[1].sampler, "lloyd");
+    EXPECT_EQ(grids[1].label, "L");
+    ASSERT_EQ(grids[1].axes.size(), 3U) << "lists of at least two values only";
+    EXPECT_EQ(grids[1].axes[0].key, "points");
+    EXPECT_EQ(grids[1].axes[0].symbol, "N");
+    EXPECT_THAT(grids[1].axes[0].values, ElementsAre("64", "128"));
+    // Every place is there once, the last axis fastest, and says the values that the series has.
+    std::size_t series = 1;
+    for (std::size_t i = 0; i < grids[1].axes[0].values.size(); ++i)
+        for (std::size_t j = 0; j < grids[1].axes[1].values.size(); ++j)
+            for (std::size_t k = 0; k < grids[1].axes[2].values.size(); ++k, ++series) {
+                EXPECT_EQ(plan[series].place.method, 1U);
+                EXPECT_THAT(plan[series].place.indices, ElementsAre(i, j, k));
+                EXPECT_EQ(std::to_string(plan[series].request.points), grids[1].axes[0].values[i]);
+            }
+    // In the order of the sampler's parameters; tables make a value of each of their own combinations.
+    const auto axis = [&](const char* key) {
+        return std::ranges::find(grids[1].axes, key, &MethodAxis::key)->values;
+    };
+    EXPECT_THAT(axis("start"), ElementsAre("Random", "Dart throwing (rho = 0.6)", "Dart throwing (rho = 0.7)"));
+    EXPECT_THAT(axis("repulsion"), ElementsAre("false", "true"));
+}
+
 TEST(Plan, AMethodCanHaveItsOwnNumberOfPoints)
 {
     const auto plan = plan_of("[[method]]\nsampler = \"random\"\n"

@@ -119,6 +119,32 @@ TEST(ResultsJson, SamplersAmongTheParametersAreObjects)
                                                            "start": {"sampler": "random"}}})"));
 }
 
+TEST(ResultsJson, HasTheGridsOfMethods)
+{
+    Experiment experiment = one_series();
+    const json without = written(experiment, two_realizations());
+    EXPECT_FALSE(without.contains("methods"));
+    EXPECT_FALSE(without["series"][0].contains("method"));
+    experiment.methods = {{"random", "R", {}},
+                          {"corner-tiles", "", {{"colors", "C", {"2", "3"}}, {"points_per_tile", "N", {"32", "64"}}}}};
+    experiment.series[0].place = GridPlace{1, {1, 0}};
+    const json root = written(experiment, two_realizations());
+    EXPECT_EQ(root["methods"], json::parse(R"([{"sampler": "random", "label": "R", "axes": []},
+        {"sampler": "corner-tiles", "label": "", "axes": [{"key": "colors", "symbol": "C", "values": ["2", "3"]},
+                                                          {"key": "points_per_tile", "symbol": "N", "values": ["32", "64"]}]}])"));
+    EXPECT_EQ(root["series"][0]["method"], 1);
+    EXPECT_EQ(root["series"][0]["place"], json({1, 0}));
+}
+
+TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)
+{
+    SeriesResult result = two_realizations();
+    result.spectrum_size = 0;
+    const json series = written(one_series(), result)["series"][0];
+    EXPECT_FALSE(series.contains("spectrum"));
+    EXPECT_FALSE(series.contains("radial"));
+}
+
 TEST(ResultsJson, HasTheSamplingTestWhereThereWasOne)
 {
     SeriesResult result = two_realizations();

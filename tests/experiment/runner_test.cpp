@@ -128,7 +128,46 @@ TEST(Runner, SetsThatCannotBeAnalysed)
         return k == 0 ? diagonal(1, 0) : PointSet{3, {0.1, 0.2, 0.3}};
     })});
     EXPECT_EQ(message_of([&] { run(mixed, folder.path()); }),
-              "s: realization 1 has dimension 3, the spectrum 2");
+              "s: realization 1 has dimension 3 where the first has 2");
+}
+
+TEST(Runner, LeavesOutWhatIsNotAskedFor)
+{
+    const TemporaryFolder folder;
+    Experiment experiment = experiment_of({task("s", 3, [](std::uint32_t k) { return diagonal(100, k); })});
+    run(experiment, folder.path() / "all");
+    experiment.analysis.spectrum.reset();
+    experiment.analysis.distances_only = true;
+    experiment.analysis.first_points_only = true;
+    experiment.analysis.zone_plate = true;
+    run(experiment, folder.path() / "few");
+    const auto files = files_below(folder.path() / "few/s");
+    std::vector<std::string> names;
+    for (const auto& [name, content] : files) names.push_back(name);
+    EXPECT_EQ(names, (std::vector<std::string>{"realization-000.dat", "zone-plate.csv", "zone-plate.exr"}));
+
+    const auto series_of = [&](const char* name) {
+        return nlohmann::json::parse(content_of(folder.path() / name / "results.json"))["series"][0];
+    };
+    const auto all = series_of("all"), few = series_of("few");
+    EXPECT_EQ(few["point_files"], nlohmann::json({"s/realization-000.dat"}));
+    EXPECT_EQ(few["realizations"], 3);
+    EXPECT_TRUE(few["measures"].empty());
+    for (const char* member : {"spectrum", "radial", "pair_correlation"}) {
+        EXPECT_TRUE(all.contains(member)) << member;
+        EXPECT_FALSE(few.contains(member)) << member;
+    }
+    for (const char* member : {"points", "min_distance", "relative_radius", "covered_fraction"})
+        EXPECT_EQ(few[member], all[member]) << member;
+}
+
+TEST(Runner, SetsAreCheckedWithoutSpectraToo)
+{
+    const TemporaryFolder folder;
+    auto mistake = experiment_of({task("s", 2, [](std::uint32_t k) { return diagonal(16 + k, k); })});
+    mistake.analysis.spectrum.reset();
+    EXPECT_EQ(message_of([&] { run(mistake, folder.path()); }),
+              "s: realization 1 has 17 points where the first has 16");
 }
 
 TEST(Runner, OnePointIsEnough)

@@ -1,6 +1,7 @@
 // What each subcommand does, once its arguments are known. command_line.cpp says what the arguments are.
 #pragma once
 
+#include "experiment/collection.hpp"
 #include "experiment/command_line.hpp"
 #include "experiment/progress.hpp"
 
@@ -118,6 +119,9 @@ void tiles_points_command(const TilesPointsOptions& options);
 /// Prints what a file of a Poisson disk (sphere) tile set holds and what is proven of it. Throws InputError for files
 /// that are none, are damaged, or promise more than is proven, the last after printing.
 void tiles_verify_command(const TilesVerifyOptions& options);
+
+/// Runs every config of a collection, see docs/output-folder.md, and writes one report over all.
+void run_collection(const Collection& collection, const RunOptions& options, const ReportWriter& write_report);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
