@@ -37,7 +37,9 @@ std::optional<StoredStatistic> read_statistic(const StoredObject& series, const 
 {
     if (!series.has(name)) return std::nullopt;
     const auto object = series.object(name);
-    return StoredStatistic{object.number("min"), object.number("mean"), object.number("max")};
+    StoredStatistic statistic{object.number("min"), object.number("mean"), object.number("max"), {}};
+    if (object.has("each")) statistic.each = object.numbers("each");
+    return statistic;
 }
 
 NamedTexts read_named_texts(const StoredObject& parent, const std::string& name)

@@ -21,6 +21,7 @@ struct StoredStatistic
     double min = 0;
     double mean = 0;
     double max = 0;
+    std::vector<double> each; ///< of every realization; empty: not stored
 };
 
 /// A quantity after each iteration, over the realizations that got there.

@@ -42,6 +42,15 @@ struct ReportOptions
     bool quiet = false;
 };
 
+struct DiffOptions
+{
+    std::filesystem::path before;
+    std::filesystem::path after;
+    std::filesystem::path out; ///< empty: no page
+    bool json = false;
+    bool all = false; ///< list numbers that did not change as well
+};
+
 struct TilingOptions
 {
     std::string kind; ///< "corner", "wang" or "cube"
@@ -88,6 +97,9 @@ struct TilesVerifyOptions
 void run_command(const RunOptions& options, const ReportWriter& write_report);
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
 void report_command(const ReportOptions& options, const ReportWriter& write_report);
+
+/// Prints what changed between two results; true where something did.
+bool diff_command(const DiffOptions& options, const RunComparer& compare_runs);
 
 /// Prints what OpenCL offers on this machine. Throws DeviceError when that is nothing.
 void devices_command();
