@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -133,6 +134,12 @@ Json measures_json(const SeriesMeasures& measures)
 Json tile_set_json(const TileSetRecord& record)
 {
     Json json = {{"tiles", record.tiles}, {"points_per_tile", record.points_per_tile}, {"cached", record.cached}};
+    constexpr std::array in_plane{"corners", "edges", "interior"};
+    constexpr std::array in_space{"corners", "edges", "faces", "interior"};
+    for (std::size_t i = 0; i < record.regions.size(); ++i) {
+        const char* name = record.regions.size() == in_plane.size() ? in_plane[i] : in_space[i];
+        json["regions"][name] = {{"points", record.regions[i].mean}, {"expected", record.regions[i].expected}};
+    }
     if (!record.build) return json;
     json["build_seconds"] = record.build->seconds;
     if (!record.build->device.empty()) json["device"] = record.build->device;

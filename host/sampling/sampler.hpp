@@ -48,6 +48,13 @@ struct TileSetBuild
     int threads = 0;    ///< of the host
 };
 
+/// The points of a tile in the regions of its corners, edges, faces or in its interior, on average over the tile set.
+struct RegionPoints
+{
+    double mean = 0;
+    double expected = 0; ///< of as many points spread evenly: by area (volume)
+};
+
 /// The tile set that a tiling method takes its points from.
 struct TileSetRecord
 {
@@ -55,6 +62,7 @@ struct TileSetRecord
     std::uint32_t points_per_tile = 0;
     bool cached = false;               ///< read from the cache, not built this time
     std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
+    std::vector<RegionPoints> regions; ///< of corners first, the interior last; empty for templates
 };
 
 /// Makes the point sets of one series.
