@@ -56,8 +56,10 @@ constexpr double tolerance = 4 * 0.107;
 
 TEST(MeasureErrors, AgreeWithTheSpreadOfDartThrowing)
 {
+    // Dense sets: looser ones have a mean power near 0.1 at all low frequencies, between which the effective Nyquist
+    // frequency, the last one with less than 0.1, jumps.
     Parameters parameters;
-    parameters.set("relative_radius", 0.65);
+    parameters.set("relative_radius", 0.74);
     const auto series = measures_of("dart-throwing", parameters);
     EXPECT_NEAR(claimed_over_true(series, nyquist, nyquist_error), 1, tolerance);
     EXPECT_NEAR(claimed_over_true(series, ratio, ratio_error), 1.07, tolerance) << "see lattice_peaks.hpp";
