@@ -106,6 +106,9 @@ struct SamplerSpec
     std::vector<int> dimensions;
     std::vector<ParameterSpec> parameters;
 
+    /// The label of series to which the user gives none; empty: the title and all parameters.
+    std::function<std::string(const Parameters&)> label;
+
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;
 
