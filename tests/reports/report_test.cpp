@@ -80,8 +80,8 @@ TEST_F(ReportTest, ScriptsAndStylesNameNothingElse)
 TEST_F(ReportTest, EveryPictureShowsSomething)
 {
     for (const char* series : {"random", "jittered", "regular"})
-        EXPECT_EQ(test::count_of(page(series + std::string("/index.html")), "<figure"), 4);
-    EXPECT_EQ(test::count_of(page(), "<figure"), 3) << "plots of all series";
+        EXPECT_EQ(test::count_of(page(series + std::string("/index.html")), "<figure"), 5);
+    EXPECT_EQ(test::count_of(page(), "<figure"), 2) << "plots of all series";
     for (const auto& entry : fs::recursive_directory_iterator(folder())) {
         if (entry.path().extension() == ".png") {
             EXPECT_GT(test::decode_png(read_whole_file(entry.path())).variance(), 1) << entry.path();
