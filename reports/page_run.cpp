@@ -77,6 +77,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     const OverlayPlace place{run.root, page_folder};
     set_dimension_words(page, {&run});
     page.set("matrices", matrices(run, page_folder));
+    page.set("has_matrices", std::ranges::any_of(run.series, is_in_matrix));
     page.set("has_cards", !std::ranges::all_of(run.series, is_in_matrix));
     page.set("cards", cards(run, page_folder));
     page.set("compared", run.series.size() > 1);
