@@ -23,10 +23,8 @@ const std::vector<PaperClaim>& paper_claims()
     static const std::vector<PaperClaim> claims = [] {
         auto all = claims_about_untiled_sets();
         std::ranges::move(claims_about_tiles(), std::back_inserter(all));
-        const auto section = [](const PaperClaim& claim) { return std::stoi(claim.section.substr(2)) * 1000 + [&] {
-            const auto dot = claim.section.find('.', 2);
-            return dot == std::string::npos ? 0 : std::stoi(claim.section.substr(dot + 1));
-        }(); };
+        // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
+        const auto section = [](const PaperClaim& claim) { return std::stoi(claim.section.substr(2)); };
         std::ranges::stable_sort(all, {}, section);
         return all;
     }();
