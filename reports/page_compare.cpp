@@ -116,6 +116,25 @@ PageData groups(const Site& site)
     return list;
 }
 
+// What there are curves of.
+PageData quantities(const Site& site)
+{
+    PageData list{PageData::type::list};
+    const auto add = [&](const char* value, const char* text, const auto& has) {
+        const auto series = site.series();
+        if (!std::ranges::any_of(series, has)) return;
+        PageData quantity;
+        quantity.set("value", value);
+        quantity.set("text", text);
+        list << quantity;
+    };
+    const auto has_spectrum = [](const ReportSeries* series) { return series->stored->has_spectrum(); };
+    add("power", "Radially averaged power", has_spectrum);
+    add("anisotropy", "Anisotropy", has_spectrum);
+    add("pairs", "Pair correlation", [](const ReportSeries* series) { return !series->pair_correlation.empty(); });
+    return list;
+}
+
 }
 
 std::string render_compare_page(const Site& site)
@@ -127,6 +146,7 @@ std::string render_compare_page(const Site& site)
     page.set("title", "Compare");
     page.set("report", site.title);
     page.set("groups", groups(site));
+    page.set("quantities", quantities(site));
     page.set("both_dimensions", has_dimension(runs, 2) && has_dimension(runs, 3));
     page.set("json", site_json(site));
     set_dimension_words(page, runs);

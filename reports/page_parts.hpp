@@ -49,6 +49,9 @@ struct PanelPicture
 PageData picture_panel(const ReportSeries& series, const PanelPicture& picture, const std::string& title,
                        const std::string& caption);
 
+/// The panel of Voronoi cells; false in 3D.
+PageData cells_panel(const ReportSeries& series);
+
 /// The panels of relative radius and energy over iterations; false for methods without any.
 PageData relative_radius_panel(const ReportSeries& series);
 PageData energy_panel(const ReportSeries& series);

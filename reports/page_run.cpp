@@ -52,6 +52,14 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
+// To the compare page with this run's series ticked.
+PageData compare_link(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder)
+{
+    if (!site.has_curves_to_compare()) return false;
+    const auto page = relative_link(page_folder, site.out / compare_page);
+    return site.has_several_runs() ? fmt::format("{}#run-{}", page, &run - site.runs.data()) : page;
+}
+
 PageData neighbour(const Site& site, std::size_t index, const std::filesystem::path& from)
 {
     if (index >= site.runs.size()) return false;
@@ -72,8 +80,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("has_cards", !std::ranges::all_of(run.series, is_in_matrix));
     page.set("cards", cards(run, page_folder));
     page.set("compared", run.series.size() > 1);
-    page.set("compare_link", site.series().size() > 1 ? PageData(relative_link(page_folder, site.out / compare_page))
-                                                      : PageData(false));
+    page.set("compare_link", compare_link(site, run, page_folder));
     page.set("overlays", overlays(run.series, place));
     page.set("integration", integration_panels(run.series, place));
     page.set("integrated", !integration_curves(run.series).empty());

@@ -193,6 +193,7 @@ PageData file_groups(const ReportSeries& series)
     };
     PageData groups{PageData::type::list};
     groups << file_group("Points", {picture("svg", "points.svg"), picture("png", "points.png")});
+    if (series.cells) groups << file_group("Voronoi cells", {picture("svg", "cells.svg"), picture("png", "cells.png")});
     if (!stored.spectrum_file.empty())
         groups << file_group(spectrum_word(series), spectrum_links());
     if (stored.has_spectrum()) {
@@ -279,7 +280,7 @@ namespace {
 PageData panels_of(const ReportSeries& series)
 {
     PageData list{PageData::type::list};
-    for (const auto panel : {points_panel, spectrum_panel, radial_panel, anisotropy_panel, pair_correlation_panel,
+    for (const auto panel : {points_panel, spectrum_panel, radial_panel, anisotropy_panel, pair_correlation_panel, cells_panel,
                              cube_panel, slices_panel, close_ups_panel, relative_radius_panel, energy_panel,
                              zone_plate_panel, zone_plate_error_panel})
         if (auto data = panel(series); !data.is_false()) list << data;

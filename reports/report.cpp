@@ -81,7 +81,11 @@ void write_pages(const Site& site)
 {
     write_assets(site);
     write_whole_file(site.out / overview_page, render_overview_page(site));
-    if (site.series().size() > 1) write_whole_file(site.out / compare_page, render_compare_page(site));
+    std::error_code ignored;
+    if (site.has_curves_to_compare())
+        write_whole_file(site.out / compare_page, render_compare_page(site));
+    else
+        fs::remove(site.out / compare_page, ignored); // of an earlier report
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
         const ReportRun& run = site.runs[i];
         if (site.has_several_runs()) write_whole_file(page_of(run), render_run_page(site, i));

@@ -1,6 +1,7 @@
 // Which series a report shows, under what name, and where its pictures go.
 #pragma once
 
+#include "reports/cells_image.hpp"
 #include "reports/construction_pictures.hpp"
 #include "reports/curves.hpp"
 #include "reports/integration_curves.hpp"
@@ -12,6 +13,7 @@
 #include "reports/zone_plate_curves.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,7 @@ struct ReportSeries
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
     std::vector<ErrorBin> zone_plate; ///< empty for series without the sampling test
     PointsView view;
+    std::optional<CellsView> cells; ///< 2D only
 };
 
 /// One run of the report.

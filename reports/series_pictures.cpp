@@ -25,6 +25,7 @@ namespace poissonlab {
 namespace {
 
 constexpr int thumbnail_size = 256; // pixels
+constexpr int cells_pixels = 1280;
 
 }
 
@@ -50,6 +51,19 @@ void read_curves(ReportSeries& series)
         series.zone_plate = read_zone_plate_table(series.run->folder / stored.zone_plate->error_file);
 }
 
+namespace {
+
+void draw_cells_pictures(ReportSeries& series, const PointSet& points)
+{
+    if (points.dimension != 2) return;
+    series.cells = choose_cells_view(points);
+    const auto drawing = draw_cells(*series.cells);
+    write_whole_file(series.pictures / "cells.svg", drawing_svg(drawing));
+    write_drawing_png(series.pictures / "cells.png", drawing, cells_pixels);
+}
+
+}
+
 void draw_points_pictures(ReportSeries& series)
 {
     const auto file = series.run->folder / series.stored->point_files.front();
@@ -63,6 +77,7 @@ void draw_points_pictures(ReportSeries& series)
     write_png(series.pictures / "points.png", picture);
     write_png(series.pictures / "points-thumbnail.png", smaller_image(picture, thumbnail_size));
     write_whole_file(series.pictures / "points.svg", points_svg(series.view));
+    draw_cells_pictures(series, sets.front());
 }
 
 namespace {

@@ -9,7 +9,8 @@ namespace poissonlab {
 /// series.pair_correlation and series.zone_plate. Throws InputError.
 void read_curves(ReportSeries& series);
 
-/// Reads the first realization, sets series.view, and writes points.png, points.svg and points-thumbnail.png.
+/// Reads the first realization, sets series.view and, in 2D, series.cells, and writes points.png, points.svg,
+/// points-thumbnail.png, and cells.svg and cells.png.
 /// Throws InputError when the set is not what results.json says.
 void draw_points_pictures(ReportSeries& series);
 

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for_each.h>
 
+#include <algorithm>
 #include <array>
 
 namespace poissonlab {
@@ -31,6 +32,14 @@ std::vector<const ReportSeries*> Site::series() const
     return result;
 }
 
+bool Site::has_curves_to_compare() const
+{
+    const auto all = series();
+    return std::ranges::count_if(all, [](const ReportSeries* entry) {
+               return entry->stored->has_spectrum() || !entry->pair_correlation.empty();
+           }) > 1;
+}
+
 std::filesystem::path page_of(const ReportSeries& series) { return series.pictures / "index.html"; }
 
 std::filesystem::path page_of(const ReportRun& run) { return run.root / "index.html"; }
@@ -40,7 +49,7 @@ Site make_site(const std::vector<StoredRun>& runs, const std::filesystem::path& 
     Site site{out, title.empty() ? title_of(runs) : title, lay_out(runs, out), {{overview_page, "Overview"}}};
     for (auto& run : site.runs)
         tbb::parallel_for_each(run.series, [](ReportSeries& series) { read_curves(series); });
-    if (site.series().size() > 1) site.pages.push_back({compare_page, "Compare"});
+    if (site.has_curves_to_compare()) site.pages.push_back({compare_page, "Compare"});
     return site;
 }
 

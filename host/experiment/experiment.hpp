@@ -32,6 +32,7 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
+    bool is_timed = true; ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
     std::function<std::unique_ptr<Sampler>()> create;
 };
@@ -72,6 +73,7 @@ struct Experiment
     int dimension = 2;
     AnalysisOptions analysis;
     std::uint32_t realizations = 0; ///< K as asked for
+    std::uint32_t timing_runs = 1;  ///< the least number of times that each series is timed
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
@@ -115,7 +117,8 @@ struct SeriesResult
     SeriesMeasures measures;
     bool has_pair_correlation = false; ///< sets of one point have none
     std::vector<std::string> point_files;                 ///< relative to the output folder
-    std::vector<double> sample_seconds;
+    std::vector<double> sample_seconds; ///< of the realizations, then of further runs
+    std::optional<TileSetRecord> tile_set; ///< of methods that tile
     double build_seconds = 0;
     double preparation_seconds = 0;
     double analysis_seconds = 0;

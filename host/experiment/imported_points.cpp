@@ -40,7 +40,8 @@ void check_set(const PointSet& points, const std::string& place, const PointSet&
 std::string series_folder_name(const std::string& label)
 {
     const std::string name = safe_name(label).substr(0, 100);
-    return name == "index.html" || name == "results.json" ? "points-" + name : name;
+    const bool is_taken = name == "site" || name == "results.json" || name.ends_with(".html");
+    return is_taken ? "points-" + name : name;
 }
 
 }
@@ -72,6 +73,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     task.name = series_folder_name(task.label);
     task.sampler = "file";
     task.parameters.set("path", paths);
+    task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets->size());
     task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
 

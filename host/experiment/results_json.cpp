@@ -129,6 +129,17 @@ Json measures_json(const SeriesMeasures& measures)
     return json;
 }
 
+/// The tile set of a series, and what it took to build it where that is known.
+Json tile_set_json(const TileSetRecord& record)
+{
+    Json json = {{"tiles", record.tiles}, {"points_per_tile", record.points_per_tile}, {"cached", record.cached}};
+    if (!record.build) return json;
+    json["build_seconds"] = record.build->seconds;
+    if (!record.build->device.empty()) json["device"] = record.build->device;
+    json["threads"] = record.build->threads;
+    return json;
+}
+
 /// A method as a grid of series.
 Json method_json(const MethodGrid& grid)
 {
@@ -175,6 +186,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
     if (result.zone_plate) json["zone_plate"] = zone_plate_json(task, *result.zone_plate);
     json["point_files"] = result.point_files;
+    if (result.tile_set) json["tile_set"] = tile_set_json(*result.tile_set);
     json["timing"] = {{"sample_seconds", result.sample_seconds},
                       {"build_seconds", result.build_seconds},
                       {"preparation_seconds", result.preparation_seconds},

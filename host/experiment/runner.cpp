@@ -43,6 +43,15 @@ PointSet timed_sample(Sampler& sampler, std::uint32_t realization, double& secon
     return points;
 }
 
+/// Makes the first realization again until there are `runs` times: few are no median.
+void time_more_runs(Sampler& sampler, std::uint32_t runs, std::vector<double>& seconds)
+{
+    while (seconds.size() < runs) {
+        stop_if_interrupted();
+        timed_sample(sampler, 0, seconds.emplace_back());
+    }
+}
+
 /// What identifies the origin of a spectrum or a picture; nothing that differs between two runs of the same
 /// config.
 std::map<std::string, std::string> image_metadata(const Experiment& experiment, const SeriesTask& task)
@@ -147,6 +156,8 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         progress.realization_done(points.size(), seconds);
     }
 
+    if (task.is_timed) time_more_runs(*sampler, experiment.timing_runs, sample_seconds);
+
     const auto averaging = Clock::now();
     if (analysis.has_spectrum())
         store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
@@ -160,8 +171,8 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         result.iterations = std::move(iterations);
     }
     result.point_files = std::move(point_files);
-    // Reading a file is not sampling: imported sets have no times.
-    if (!experiment.engine.empty()) result.sample_seconds = std::move(sample_seconds);
+    if (task.is_timed) result.sample_seconds = std::move(sample_seconds);
+    result.tile_set = sampler->tile_set();
     result.build_seconds = sampler->build_seconds();
     result.preparation_seconds = sampler->preparation_seconds();
     result.analysis_seconds += seconds_since(averaging);

@@ -7,8 +7,10 @@
 #include "geometry/point_set.hpp"
 #include "sampling/parameters.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,23 @@ struct IterationRecord
     double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
 };
 
+/// How long it took to build a tile set, and on what.
+struct TileSetBuild
+{
+    double seconds = 0; ///< with the proof of its minimum distance, without building kernels
+    std::string device; ///< OpenCL; empty: the reference engine
+    int threads = 0;    ///< of the host
+};
+
+/// The tile set that a tiling method takes its points from.
+struct TileSetRecord
+{
+    std::uint32_t tiles = 0;
+    std::uint32_t points_per_tile = 0;
+    bool cached = false;               ///< read from the cache, not built this time
+    std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
+};
+
 /// Makes the point sets of one series.
 class Sampler
 {
@@ -59,6 +78,9 @@ public:
 
     /// Seconds spent on what all realizations have in common, such as a tile set, without building kernels.
     virtual double preparation_seconds() const { return 0; }
+
+    /// The tile set of methods that tile.
+    virtual std::optional<TileSetRecord> tile_set() const { return {}; }
 
     /// Of how many tiles along each axis the sets are made; 0: of none.
     virtual std::uint32_t tiles_along_axis() const { return 0; }

@@ -45,9 +45,9 @@ TEST(ForeignSet, IsAPageInABrowser)
     EXPECT_EQ(series["points"], 1024);
     EXPECT_EQ(series["realizations"], 2);
     EXPECT_EQ(series["spectrum"]["kind"], "power spectrum estimate");
-    const auto page = content_of(out / "index.html");
+    const auto page = content_of(out / series["name"].get<std::string>() / "index.html");
     for (const char* words : {"Jittered, by hand", "Power spectrum estimate", "Pair correlation",
-                              "Zone plate", "Effective Nyquist frequency", "Error of integrals"})
+                              "Zone plate", "Effective Nyquist", "Error of integrals"})
         EXPECT_THAT(page, testing::HasSubstr(words));
 
     test::Browser browser;

@@ -136,6 +136,22 @@ TEST(ResultsJson, HasTheGridsOfMethods)
     EXPECT_EQ(root["series"][0]["place"], json({1, 0}));
 }
 
+TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
+{
+    SeriesResult result = two_realizations();
+    EXPECT_FALSE(written(one_series(), result)["series"][0].contains("tile_set"));
+    result.tile_set = TileSetRecord{256, 64, true, TileSetBuild{0.25, "d", 2}};
+    json expected = json::parse(R"({"tiles": 256, "points_per_tile": 64, "cached": true, "build_seconds": 0.25,
+                                    "device": "d", "threads": 2})");
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"], expected);
+    result.tile_set->build->device.clear();
+    expected.erase("device");
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"], expected) << "the reference engine has none";
+    result.tile_set->build.reset();
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"],
+              json({{"tiles", 256}, {"points_per_tile", 64}, {"cached", true}}));
+}
+
 TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)
 {
     SeriesResult result = two_realizations();

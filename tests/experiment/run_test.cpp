@@ -37,7 +37,7 @@ std::map<std::string, std::string> lasting(const fs::path& out)
     json.erase("machine");
     for (auto& series : json["series"]) series.erase("timing");
     files["results.json"] = json.dump();
-    files.erase("index.html"); // shows the times
+    std::erase_if(files, [](const auto& file) { return file.first.ends_with(".html"); }); // they show the times
     return files;
 }
 
@@ -58,7 +58,7 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     EXPECT_EQ(json["command"], "poissonlab run tiny.toml");
     EXPECT_EQ(json["config"], content_of(config_));
     for (const auto& series : json["series"]) {
-        EXPECT_EQ(series["timing"]["sample_seconds"].size(), 2U);
+        EXPECT_EQ(series["timing"]["sample_seconds"].size(), 5U);
         for (const auto& file : series["point_files"])
             EXPECT_TRUE(fs::exists(out_ / file.get<std::string>()));
     }

@@ -1,9 +1,13 @@
 #include "page_text.hpp"
 
+#include "io/whole_file.hpp"
+
 #include <regex>
-#include <stdexcept>
+#include <set>
 
 namespace poissonlab::test {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -62,26 +66,62 @@ std::string without_data_uris(const std::string& page)
     return result + page.substr(copied);
 }
 
-std::string decode_data_uri(const std::string& uri)
+std::map<std::string, std::string> pages_below(const fs::path& folder)
 {
-    const std::string mark = ";base64,";
-    const auto begin = uri.find(mark);
-    if (!uri.starts_with("data:") || begin == std::string::npos)
-        throw std::runtime_error("not a data URI: " + uri.substr(0, 60));
-    const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    unsigned buffer = 0;
-    int bits = 0;
-    for (auto i = begin + mark.size(); i < uri.size() && uri[i] != '='; ++i) {
-        const auto digit = alphabet.find(uri[i]);
-        if (digit == std::string::npos) throw std::runtime_error("not base64");
-        buffer = (buffer << 6 | static_cast<unsigned>(digit)) & 0xffffU;
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes += static_cast<char>(buffer >> bits & 0xffU);
-    }
-    return bytes;
+    std::map<std::string, std::string> pages;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".html")
+            pages[entry.path().lexically_relative(folder).string()] = read_whole_file(entry.path());
+    return pages;
+}
+
+namespace {
+
+std::string link_errors(const fs::path& folder, const std::string& page, const std::set<std::string>& ids)
+{
+    std::string errors;
+    for (const char* attribute : {"href", "src"})
+        for (const auto& link : attribute_values(page, attribute)) {
+            if (link == "data:,") continue; // no icon
+            const bool good = link.starts_with('#') ? ids.contains(link.substr(1))
+                                                    : fs::is_regular_file(folder / link.substr(0, link.find('#')));
+            if (!good) errors += std::string(attribute) + " " + link + "\n";
+        }
+    return errors;
+}
+
+std::string page_errors(const fs::path& folder, const std::string& page)
+{
+    auto errors = first_markup_error(page);
+    std::set<std::string> ids;
+    for (const auto& id : attribute_values(page, "id"))
+        if (!ids.insert(id).second) errors += "id twice: " + id + "\n";
+    errors += link_errors(folder, page, ids);
+    for (const char* word : {"http:", "https:", "url(", "@import"})
+        if (page.find(word) != std::string::npos) errors += std::string(word) + "\n";
+    for (const auto& alt : attribute_values(page, "alt"))
+        if (alt.size() <= 10) errors += "alt " + alt + "\n";
+    if (attribute_values(page, "alt").size() != count_of(page, "<img ")) errors += "an image without alt\n";
+    if (page.find("<title></title>") != std::string::npos) errors += "no title\n";
+    return errors;
+}
+
+}
+
+std::string site_errors(const fs::path& folder)
+{
+    std::string errors;
+    for (const auto& [name, page] : pages_below(folder))
+        if (const auto found = page_errors((folder / name).parent_path(), page); !found.empty())
+            errors += name + ": " + found + "\n";
+    return errors;
+}
+
+std::size_t count_of(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
 }
 
 }

