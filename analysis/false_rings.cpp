@@ -103,7 +103,8 @@ double false_rings_bound(std::size_t pixels) { return std::log(static_cast<doubl
 FalseRings strongest_false_rings(const SquareImage& picture)
 {
     const int size = picture.size;
-    if (size < 64) throw std::invalid_argument("false rings need a picture of at least 64 x 64 pixels");
+    if (size < smallest_false_rings_picture)
+        throw std::invalid_argument("false rings need a picture of at least 64 x 64 pixels");
     auto field = dechirped(picture);
     transform(field, size);
     const PowerMap powers(field, size);

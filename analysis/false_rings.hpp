@@ -26,7 +26,10 @@ struct FalseRings
 /// largest of n is above ln(n / 0.01) with probability 0.01.
 double false_rings_bound(std::size_t pixels);
 
-/// The strongest false plate of a picture of the zone plate with at least 64 pixels along each axis, but for those around
+/// Pixels along each axis that a picture needs at least.
+inline constexpr int smallest_false_rings_picture = 64;
+
+/// The strongest false plate of a picture of the zone plate, but for those around
 /// places within 1 of the origin, which are the plate itself. Throws std::invalid_argument for smaller pictures.
 FalseRings strongest_false_rings(const SquareImage& picture);
 

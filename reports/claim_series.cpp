@@ -3,9 +3,12 @@
 #include "analysis/false_rings.hpp"
 #include "analysis/square_image_file.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 
 namespace poissonlab {
 
@@ -56,6 +59,21 @@ double frequency_unit(const ReportSeries& series)
 
 }
 
+ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std::move(series))
+{
+    std::vector<const ReportSeries*> plates;
+    std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {
+        return s->stored->zone_plate && s->stored->zone_plate->size >= smallest_false_rings_picture;
+    });
+    std::vector<Rings> found(plates.size());
+    tbb::parallel_for(std::size_t{0}, plates.size(), [&](std::size_t i) {
+        const auto picture = read_square_image(plates[i]->run->folder / plates[i]->stored->zone_plate->file);
+        const auto rings = strongest_false_rings(picture);
+        found[i] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
+    });
+    for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];
+}
+
 std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) const
 {
     std::vector<const ReportSeries*> found;
@@ -71,12 +89,8 @@ const ReportSeries* ClaimSeries::one(const SeriesQuery& query) const
 
 std::optional<ClaimSeries::Rings> ClaimSeries::false_rings(const ReportSeries& series) const
 {
-    if (!series.stored->zone_plate) return std::nullopt;
-    if (const auto known = rings_.find(&series); known != rings_.end()) return known->second;
-    const auto picture = read_square_image(series.run->folder / series.stored->zone_plate->file);
-    if (picture.size < 64) return std::nullopt;
-    const auto rings = strongest_false_rings(picture);
-    return rings_[&series] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
+    const auto found = rings_.find(&series);
+    return found == rings_.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key)

@@ -33,15 +33,15 @@ struct SeriesQuery
 class ClaimSeries
 {
 public:
-    explicit ClaimSeries(std::vector<const ReportSeries*> series) : series_(std::move(series)) {}
+    /// Looks for false rings in all pictures of the zone plate. Throws InputError for those that cannot be read.
+    explicit ClaimSeries(std::vector<const ReportSeries*> series);
 
     std::vector<const ReportSeries*> all(const SeriesQuery& query) const;
 
     /// The first one, or nullptr.
     const ReportSeries* one(const SeriesQuery& query) const;
 
-    /// The strength of the false rings in the zone plate of a series; empty where there is no plate. Computed when first
-    /// asked for. Throws InputError.
+    /// The strength of the false rings in the zone plate of a series; empty where there is no plate of enough pixels.
     struct Rings
     {
         double strength = 0, at_the_plate = 0, bound = 0;
@@ -50,7 +50,7 @@ public:
 
 private:
     std::vector<const ReportSeries*> series_;
-    mutable std::map<const ReportSeries*, Rings> rings_;
+    std::map<const ReportSeries*, Rings> rings_;
 };
 
 /// A parameter as a number: what is stored, or its default where that is known.
