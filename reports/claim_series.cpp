@@ -42,7 +42,7 @@ bool fits(const ReportSeries& series, const SeriesQuery& query)
     if (series.stored->sampler != query.sampler || series.run->dimension != query.dimension) return false;
     if (query.points) {
         const auto n = static_cast<double>(series.stored->points), asked = static_cast<double>(*query.points);
-        if (std::abs(n - asked) > 0.02 * asked) return false;
+        if (std::abs(n - asked) > 0.1 * asked) return false;
     }
     const bool parameters = std::ranges::all_of(query.numbers, [&](const auto& parameter) {
         const auto value = number_parameter(series, parameter.first);

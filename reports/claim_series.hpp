@@ -24,7 +24,7 @@ struct SeriesQuery
 
     std::string sampler;
     std::map<std::string, double> numbers = {}; ///< parameters with their values
-    std::optional<std::size_t> points = {};     ///< within 2 %: tilings hit the number of points nearly
+    std::optional<std::size_t> points = {};     ///< within a tenth: tilings hit the number of points nearly
     int dimension = 2;
     Needs needs = Needs::anything;
 };

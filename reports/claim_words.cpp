@@ -98,14 +98,12 @@ PaperClaim reach_claim(const std::string& id, const std::string& section, const 
 BlueNoise blue_noise(const ReportSeries& series)
 {
     const auto low = mean_power(series, 0, 0.5), high = mean_power(series, 1.5, 100);
-    const auto& bins = series.curve.bins;
-    const auto rise = std::ranges::find_if(bins, [](const RadialBin& bin) { return bin.power >= 0.75 && bin.samples >= 100; });
     BlueNoise result;
-    if (!low || !series.curve.principal_frequency || rise == bins.end()) return result;
-    const double place = rise->frequency / *series.curve.principal_frequency;
+    if (!low || !series.curve.principal_frequency) return result;
+    const double place = power_peak(series).frequency / *series.curve.principal_frequency;
     const bool flat = !high || std::abs(*high - 1) < 0.1;
-    result.holds = *low < 0.2 && std::abs(place - 1) < 0.15 && flat;
-    result.words = fmt::format("{} below half of 1/d_min, 0.75 at {} of it{}", format_significant(*low, 2),
+    result.holds = *low < 0.2 && std::abs(place - 1) < 0.25 && flat;
+    result.words = fmt::format("{} below half of 1/d_min, highest at {} of it{}", format_significant(*low, 2),
                                format_fixed(place, 2), high ? ", then " + format_fixed(*high, 3) : "");
     return result;
 }

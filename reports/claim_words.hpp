@@ -39,7 +39,7 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
 PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says, const SeriesQuery& query,
                        double relative_radius);
 
-/// What makes a radial curve a blue noise one: little power at low frequencies, a rise to 1 near the principal frequency,
+/// What makes a radial curve a blue noise one: little power at low frequencies, a peak near the principal frequency,
 /// and power about 1 beyond.
 struct BlueNoise
 {
@@ -48,7 +48,7 @@ struct BlueNoise
 };
 BlueNoise blue_noise(const ReportSeries& series);
 inline constexpr auto blue_noise_criterion =
-    "mean power below 0.2 up to half the principal frequency 1/d_min; the rise through 0.75 within 15 % of it; mean power "
+    "mean power below 0.2 up to half the principal frequency 1/d_min; the highest power within a quarter of it; mean power "
     "within 0.1 of 1 from 1.5 times it on";
 
 }

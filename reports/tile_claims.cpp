@@ -93,9 +93,11 @@ Outcome tilings_have_peaks(const ClaimSeries& report)
 Outcome more_is_lower(const ClaimSeries& report, bool tiles)
 {
     Tally tally;
+    std::vector<double> ratios;
     for (const char* sampler : {"template-tiles", "corner-tiles"}) {
         const auto visit = [&](const ReportSeries& fewer, const ReportSeries& more) {
-            tally.add(mean_peak(more) < mean_peak(fewer));
+            ratios.push_back(mean_peak(more) / mean_peak(fewer));
+            tally.add(ratios.back() < 1);
         };
         if (tiles)
             for_neighbours(spectra(report, sampler), points_per_tile, set_size, visit);
@@ -103,7 +105,7 @@ Outcome more_is_lower(const ClaimSeries& report, bool tiles)
             for_neighbours(spectra(report, sampler), set_size, points_per_tile, visit);
     }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), tally.words()};
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(ratios, 2) + " times as high", tally.words()})};
 }
 
 std::vector<PaperClaim> tiling_claims()
@@ -266,14 +268,17 @@ Outcome plates_alias(const ClaimSeries& report)
 Outcome plates_improve(const ClaimSeries& report)
 {
     Tally tally;
+    std::vector<double> ratios;
     const auto visit = [&](const ReportSeries& fewer, const ReportSeries& more) {
         const auto a = report.false_rings(fewer), b = report.false_rings(more);
-        if (a && b) tally.add(b->strength < a->strength);
+        if (!a || !b) return;
+        ratios.push_back(b->strength / a->strength);
+        tally.add(ratios.back() < 1);
     };
     for_neighbours(plates(report, "template-tiles"), points_per_tile, set_size, visit);
     for_neighbours(plates(report, "template-tiles"), set_size, points_per_tile, visit);
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), tally.words()};
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(ratios, 2) + " times as strong", tally.words()})};
 }
 
 bool is_large(Series series) { return set_size(*series) >= 32 && points_per_tile(*series) >= 32; }
