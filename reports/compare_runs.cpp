@@ -1,5 +1,6 @@
 #include "reports/compare_runs.hpp"
 
+#include "reports/comparison_page.hpp"
 #include "reports/comparison_text.hpp"
 
 namespace poissonlab {
@@ -8,7 +9,7 @@ std::pair<bool, std::string> compare_runs(const std::filesystem::path& before, c
                                           const std::filesystem::path& out, const std::string& format)
 {
     const auto comparison = compare_results(before, after);
-    (void)out;
+    if (!out.empty()) write_comparison_page(comparison, before, after, out);
     return {comparison.changed(), format == "json" ? comparison_json(comparison)
                                                    : comparison_table(comparison, format == "all")};
 }

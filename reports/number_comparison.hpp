@@ -3,6 +3,8 @@
 
 #include "analysis/welch_test.hpp"
 
+#include "reports/better.hpp"
+
 #include <optional>
 #include <span>
 #include <string>
@@ -17,13 +19,6 @@ enum class Verdict
     changed,        ///< beyond error; or any difference, where there is no chance
     not_judged,     ///< no error is known that would tell
     not_comparable, ///< measured under other conditions
-};
-
-enum class Better
-{
-    higher,
-    lower,
-    neither,
 };
 
 /// One number of a series, in both runs.

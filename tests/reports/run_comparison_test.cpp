@@ -2,7 +2,10 @@
 
 #include "errors/errors.hpp"
 #include "made_up_run.hpp"
+#include "io/whole_file.hpp"
+#include "reports/comparison_page.hpp"
 #include "reports/comparison_text.hpp"
+#include "support/browser.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <boost/math/distributions/binomial.hpp>
@@ -180,6 +183,31 @@ TEST_F(CompareResults, NumbersThatDifferLookDifferent)
     const auto texts = number_texts(number(compare(before, after), "relative radius"));
     EXPECT_EQ(texts.before, "0.7");
     EXPECT_EQ(texts.after, "0.700000001");
+}
+
+TEST_F(CompareResults, APageShowsTheChanges)
+{
+    MadeUpRun louder;
+    louder.seed = 2;
+    louder.version = "0.2.0 (test)";
+    louder.series[0].power = 1.5;
+    const auto comparison = compare({}, louder);
+    const auto out = folder_.path() / "page";
+    write_comparison_page(comparison, "old", "new", out);
+    const auto page = read_whole_file(out / "diff.html");
+    EXPECT_THAT(page, HasSubstr("<h1>What changed</h1>"));
+    EXPECT_THAT(page, HasSubstr("version: 0.1.0 (test) → 0.2.0 (test)"));
+    EXPECT_THAT(page, HasSubstr("<td>radially averaged power</td>"));
+    EXPECT_THAT(page, HasSubstr("src=\"diff-radial-000.svg\""));
+    EXPECT_THAT(read_whole_file(out / "diff-radial-000.svg"), testing::AllOf(HasSubstr("old"), HasSubstr("new")));
+
+    test::Browser browser;
+    browser.resize(390, 844, true);
+    browser.open(out / "diff.html");
+    EXPECT_THAT(browser.messages(), IsEmpty());
+    EXPECT_THAT(browser.requests(), IsEmpty());
+    EXPECT_LE(browser.evaluate("document.documentElement.scrollWidth"), 390);
+    EXPECT_GT(browser.evaluate("document.images[0].naturalWidth"), 0);
 }
 
 // 200 pairs of runs of one sampler with different seeds: false alarms are binomial with at most the level. The bound is
