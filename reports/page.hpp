@@ -1,10 +1,12 @@
 // The pages of a report, from the templates in reports/templates/.
 #pragma once
 
+#include "reports/paper_claims.hpp"
 #include "reports/site.hpp"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -14,6 +16,9 @@ std::string render_overview_page(const Site& site);
 
 /// Curves of all series, chosen and laid over each other by the reader.
 std::string render_compare_page(const Site& site);
+
+/// What the paper says, what was measured here, and whether that agrees.
+std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>& claims);
 
 /// A run of several.
 std::string render_run_page(const Site& site, std::size_t index);

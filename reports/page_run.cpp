@@ -85,6 +85,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("overlays", overlays(run.series, place));
     page.set("integration", integration_panels(run.series, place));
     page.set("integrated", !integration_curves(run.series).empty());
+    page.set("regions", region_panel(run.series, place));
     page.set("plate", zone_plate_reference_panel(run, page_folder));
     page.set("tilings", tiling_sections(run, page_folder));
     page.set("has_tilings", !run.tilings.empty());

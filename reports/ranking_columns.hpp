@@ -1,6 +1,7 @@
 // The columns of the ranking: a quantity is its name, its unit, which way is better, and where its value is.
 #pragma once
 
+#include "reports/better.hpp"
 #include "reports/site.hpp"
 
 #include <functional>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-enum class Better
-{
-    higher,
-    lower,
-    neither
-};
 
 /// What a series has in a column.
 struct RankingCell

@@ -5,6 +5,7 @@
 #include "io/whole_file.hpp"
 #include "reports/page.hpp"
 #include "reports/picture_store.hpp"
+#include "reports/paper_claims.hpp"
 #include "reports/plots.hpp"
 #include "reports/series_pictures.hpp"
 #include "reports/site.hpp"
@@ -82,11 +83,15 @@ void draw_images(ReportRun& run, PictureStore& store)
     draw_run_thumbnail(run);
 }
 
-void write_pages(const Site& site)
+void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
 {
     write_assets(site);
     write_whole_file(site.out / overview_page, render_overview_page(site));
     std::error_code ignored;
+    if (!claims.empty())
+        write_whole_file(site.out / claims_page, render_claims_page(site, claims));
+    else
+        fs::remove(site.out / claims_page, ignored);
     if (site.has_curves_to_compare())
         write_whole_file(site.out / compare_page, render_compare_page(site));
     else
@@ -123,8 +128,11 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                          [&] { tbb::parallel_for_each(site.runs, [&](ReportRun& run) { draw_images(run, store); }); });
     store.save();
 
+    const auto claims = judge_claims(site.series());
+    if (!claims.empty()) site.pages.push_back({claims_page, "The paper's claims"});
+
     say("writing the pages");
-    write_pages(site);
+    write_pages(site, claims);
 }
 
 }

@@ -34,6 +34,7 @@ struct Site
 /// Files of the site, in the report's folder.
 inline constexpr auto overview_page = "index.html";
 inline constexpr auto compare_page = "compare.html";
+inline constexpr auto claims_page = "claims.html";
 
 /// The folder of style sheet and scripts, in the report's folder.
 inline constexpr auto asset_folder = "site";

@@ -4,6 +4,7 @@
 #include "experiment/commands/commands.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/nearest_key.hpp"
+#include "io/shell_words.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,16 +24,18 @@ namespace {
 constexpr int exit_other = 1;
 constexpr int exit_input = 2;
 constexpr int exit_device = 3;
+constexpr int exit_changed = 4;
 
 constexpr auto main_footer = R"(Examples:
   poissonlab run configs/quick.toml                        an experiment and its report, in out/quick
   poissonlab run configs/quick.toml --set seed=2 --out a   the same with another seed, in a
   poissonlab analyze points-*.dat --label "My method" --out mine
   poissonlab report out/quick mine --out both              one report over both
+  poissonlab diff before after                             which numbers changed beyond their error
   poissonlab help samplers                                 every method of making point sets
 
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
-3 OpenCL failed; 1 anything else.)";
+3 OpenCL failed; 4 diff found changes; 1 anything else.)";
 
 constexpr auto run_footer =
     R"(CONFIG is a TOML file; configs/quick.toml explains every key. `poissonlab samplers` lists the methods.
@@ -52,6 +55,14 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
+
+constexpr auto diff_footer =
+    R"(OLD and NEW are output folders of the same experiment, or collections of such. Prints the numbers that changed beyond
+their error over realizations (Welch's test, corrected for the number of tests: one false alarm in a hundred
+comparisons), better or worse where that is known, and series that are new or missing. Numbers without chance are
+compared exactly; times only between equal machines, devices and threads.
+Exit status 4: something changed.
+  poissonlab diff out/before out/after --out difference)";
 
 constexpr auto tiling_footer =
     R"(Prints tile indices, a row of tiles a line, north first; cubes: layer after layer from the bottom, with an empty
@@ -106,13 +117,15 @@ CLI::Validator integer()
 class CommandLine
 {
 public:
-    explicit CommandLine(const ReportWriter& write_report) : write_report_(write_report)
+    CommandLine(const ReportWriter& write_report, const RunComparer& compare_runs)
+        : write_report_(write_report), compare_runs_(compare_runs)
     {
         app_.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
         app_.footer(main_footer);
         add_run();
         add_analyze();
         add_report();
+        add_diff();
         add_tiling();
         add_tiles();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
@@ -123,13 +136,15 @@ public:
     }
 
     void parse(int argc, const char* const* argv);
-    void execute();
+    /// Returns the exit status.
+    int execute();
     int show_help_or_version(const CLI::ParseError& outcome) { return app_.exit(outcome); }
 
 private:
     void add_run();
     void add_analyze();
     void add_report();
+    void add_diff();
     void add_tiling();
     void add_tiles();
     void add_tiles_build();
@@ -139,11 +154,13 @@ private:
     std::vector<std::string> command_names() const;
 
     const ReportWriter& write_report_;
+    const RunComparer& compare_runs_;
     CLI::App app_{"poissonlab: makes Poisson disk point sets on OpenCL devices, analyses them, and reports.",
                   "poissonlab"};
     RunOptions run_options_;
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
+    DiffOptions diff_options_;
     TilingOptions tiling_options_;
     TilesBuildOptions tiles_build_options_;
     TilesPointsOptions tiles_points_options_;
@@ -153,6 +170,7 @@ private:
     CLI::App* run_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
+    CLI::App* diff_ = nullptr;
     CLI::App* tiling_ = nullptr;
     CLI::App* tiles_ = nullptr;
     CLI::App* tiles_build_ = nullptr;
@@ -213,6 +231,18 @@ void CommandLine::add_report()
     report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")
         ->option_text("DIR");
     report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+}
+
+void CommandLine::add_diff()
+{
+    DiffOptions& o = diff_options_;
+    diff_ = app_.add_subcommand("diff", "Say which numbers of two results changed beyond their error");
+    diff_->add_option("OLD", o.before, "An output folder")->required();
+    diff_->add_option("NEW", o.after, "Another one of the same experiment")->required();
+    diff_->add_option("--out", o.out, "Write a page there, diff.html")->option_text("DIR");
+    diff_->add_flag("--json", o.json, "Print JSON");
+    diff_->add_flag("--all", o.all, "List numbers that did not change as well");
+    diff_->footer(diff_footer);
 }
 
 void CommandLine::add_tiling()
@@ -326,15 +356,7 @@ std::vector<std::string> CommandLine::command_names() const
 std::string typed_command(int argc, const char* const* argv)
 {
     std::string text = "poissonlab";
-    for (int i = 1; i < argc; ++i) {
-        const std::string argument = argv[i];
-        const bool plain = !argument.empty() &&
-                           argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                      "0123456789_-+=./:,@%") == std::string::npos;
-        std::string quoted = "'";
-        for (const char c : argument) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        text += " " + (plain ? argument : quoted + "'");
-    }
+    for (int i = 1; i < argc; ++i) text += " " + shell_word(argv[i]);
     return text;
 }
 
@@ -373,8 +395,9 @@ void CommandLine::explain()
     fmt::print("{}", app_.get_subcommand(topic_)->help());
 }
 
-void CommandLine::execute()
+int CommandLine::execute()
 {
+    if (*diff_) return diff_command(diff_options_, compare_runs_) ? exit_changed : 0;
     if (*run_) run_command(run_options_, write_report_);
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
@@ -385,6 +408,7 @@ void CommandLine::execute()
     if (*devices_) devices_command();
     if (*samplers_) samplers_command();
     if (help_wanted_) explain();
+    return 0;
 }
 
 int fail(int status, const std::string& message)
@@ -396,10 +420,11 @@ int fail(int status, const std::string& message)
 
 }
 
-int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report)
+int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
+                     const RunComparer& compare_runs)
 {
     try {
-        CommandLine command_line(write_report);
+        CommandLine command_line(write_report, compare_runs);
         try {
             command_line.parse(argc, argv);
         } catch (const CLI::ParseError& outcome) {
@@ -409,8 +434,8 @@ int run_command_line(int argc, const char* const* argv, const ReportWriter& writ
             return fail(exit_input, message + " (see poissonlab --help)");
         }
         catch_interrupts();
-        command_line.execute();
-        return std::fflush(stdout) == 0 ? 0 : fail(exit_other, "cannot write to standard output");
+        const int status = command_line.execute();
+        return std::fflush(stdout) == 0 ? status : fail(exit_other, "cannot write to standard output");
     } catch (const InputError& error) {
         return fail(exit_input, error.what());
     } catch (const DeviceError& error) {

@@ -16,13 +16,15 @@ void read_analysis(const ConfigTable& top, Config& config)
     if (!node) return;
     const auto* table = node->get_if<ConfigTable>();
     if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
-    std::vector<std::string> keys = {"points", "realizations", "dimension"};
+    std::vector<std::string> keys = {"points", "realizations", "dimension", "timing_runs"};
     keys.insert(keys.end(), analysis_option_keys().begin(), analysis_option_keys().end());
     check_keys(*table, keys);
     config.points = static_cast<std::size_t>(
         read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
+    config.timing_runs =
+        static_cast<int>(read_integer(*table, "timing_runs", 1, max_timing_runs, config.timing_runs));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
     config.analysis = read_analysis_options(*table, config.dimension);
 }
@@ -61,7 +63,10 @@ Config parse_config(const std::string& text, const std::string& file,
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction"});
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
+                     "include"});
+    if (const ConfigNode* include = find(top, "include"))
+        throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
     Config config;
     config.file = file;

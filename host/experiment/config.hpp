@@ -17,6 +17,9 @@ namespace poissonlab {
 /// The largest number of realizations of a series.
 inline constexpr std::int64_t max_realizations = 10000;
 
+/// The largest number of runs for the sake of times.
+inline constexpr std::int64_t max_timing_runs = 1000;
+
 struct MethodConfig
 {
     const SamplerSpec* sampler = nullptr;
@@ -37,6 +40,7 @@ struct Config
     std::string device; ///< part of a device's name, or its number; empty: the default device
     std::size_t points = 16384;
     int realizations = 10;
+    int timing_runs = 5; ///< the least number of times that each series is timed
     int dimension = 2;
     AnalysisOptions analysis;
     std::vector<MethodConfig> methods;

@@ -50,6 +50,7 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     task.parameters = series.parameters;
     task.deterministic = series.deterministic;
     task.realizations = series.realizations;
+    task.is_timed = !series.sampler->has_own_points;
     task.place = series.place;
     task.create = [series, engine, device] {
         return series.sampler->create(series.parameters, series.request, engine,
@@ -109,6 +110,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.dimension = config.dimension;
     experiment.analysis = config.analysis;
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
+    experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
     for (const SeriesPlan& series : make_plan(config))
         experiment.series.push_back(make_task(series, config.engine, lazy));

@@ -7,6 +7,7 @@
 #include "analysis/largest_empty_ball.hpp"
 #include "analysis/lattice_peaks.hpp"
 #include "analysis/low_frequency_power.hpp"
+#include "analysis/peak_anisotropy.hpp"
 #include "analysis/voronoi_diagram.hpp"
 #include "experiment/analysis_options.hpp"
 #include "experiment/construction_run.hpp"
@@ -32,6 +33,7 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
+    bool is_timed = true; ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
     std::function<std::unique_ptr<Sampler>()> create;
 };
@@ -72,6 +74,7 @@ struct Experiment
     int dimension = 2;
     AnalysisOptions analysis;
     std::uint32_t realizations = 0; ///< K as asked for
+    std::uint32_t timing_runs = 1;  ///< the least number of times that each series is timed
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
@@ -93,9 +96,13 @@ struct ZonePlateResult
 struct SeriesMeasures
 {
     std::optional<double> effective_nyquist; ///< of the mean spectrum, in units of half of N^(1/dimension)
+    std::optional<double> effective_nyquist_error; ///< standard errors, here and below: of two realizations and more
     std::optional<Oscillation> oscillation;
+    std::optional<double> oscillation_error;
+    std::optional<PeakAnisotropy> peak_anisotropy;
     std::optional<LowFrequencyPower> low_frequency_power;
-    std::optional<LatticePeaks> lattice_peaks;     ///< of sets that are said to be tiled
+    std::optional<LatticePeaks> lattice_peaks; ///< of sets that are said to be tiled
+    std::optional<double> lattice_peaks_error; ///< of mean_ratio
     std::vector<IntegrationError> integration;     ///< over all realizations
     std::optional<double> packing_fraction;           ///< these are of the first realization
     std::optional<LargestEmptyBall> largest_empty;
@@ -115,7 +122,8 @@ struct SeriesResult
     SeriesMeasures measures;
     bool has_pair_correlation = false; ///< sets of one point have none
     std::vector<std::string> point_files;                 ///< relative to the output folder
-    std::vector<double> sample_seconds;
+    std::vector<double> sample_seconds; ///< of the realizations, then of further runs
+    std::optional<TileSetRecord> tile_set; ///< of methods that tile
     double build_seconds = 0;
     double preparation_seconds = 0;
     double analysis_seconds = 0;

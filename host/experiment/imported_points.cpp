@@ -73,6 +73,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     task.name = series_folder_name(task.label);
     task.sampler = "file";
     task.parameters.set("path", paths);
+    task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets->size());
     task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
 

@@ -17,4 +17,8 @@ namespace poissonlab {
 void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides,
                      const SamplerRegistry& registry = sampler_registry());
 
+/// Refuses overrides that cannot apply to each config of a collection: of a method by its number, of the title, and of
+/// what is included. Throws InputError.
+void check_collection_overrides(const std::vector<std::string>& overrides);
+
 }

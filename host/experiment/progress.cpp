@@ -41,6 +41,12 @@ Progress::Style Progress::detect(bool quiet)
     return isatty(STDOUT_FILENO) ? Style::terminal : Style::plain;
 }
 
+void Progress::start_run(std::size_t number, std::size_t count, const std::string& title)
+{
+    run_ = fmt::format("[{}/{}] ", number, count);
+    print(run_ + title);
+}
+
 void Progress::start(std::uint64_t total)
 {
     total_ = total;
@@ -69,7 +75,9 @@ void Progress::realization_done(std::size_t points, double seconds)
                        series_total_, rate, duration_text(left)));
 }
 
-void Progress::finish_series(const std::string& line)
+void Progress::finish_series(const std::string& line) { print(line); }
+
+void Progress::print(const std::string& line)
 {
     if (style_ == Style::quiet) return;
     clear();
@@ -82,7 +90,7 @@ void Progress::step(const std::string& what) { update(what); }
 void Progress::update(const std::string& line)
 {
     if (style_ != Style::terminal) return;
-    fmt::print("\r\033[K{}", first_columns(line, terminal_columns()));
+    fmt::print("\r\033[K{}", first_columns(run_ + line, terminal_columns()));
     std::fflush(stdout);
     line_open_ = true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -24,6 +25,9 @@ public:
     /// quiet, or what standard output is.
     static Style detect(bool quiet);
 
+    /// Run `number`, counted from 1, of the `count` runs of a collection is next: says so, and keeps saying it.
+    void start_run(std::size_t number, std::size_t count, const std::string& title);
+
     /// `total` realizations of all series are to come; starts the clock.
     void start(std::uint64_t total);
 
@@ -38,10 +42,14 @@ public:
     /// A step without a count, such as a picture of the report. Terminal only.
     void step(const std::string& what);
 
+    /// All runs are done: what follows is about all of them.
+    void finish_runs() { run_.clear(); }
+
     /// Removes the updating line.
     void finish() { clear(); }
 
 private:
+    void print(const std::string& line);
     void update(const std::string& line);
     void clear();
 
@@ -49,6 +57,7 @@ private:
     std::chrono::steady_clock::time_point begin_;
     std::uint64_t total_ = 0;
     std::uint64_t done_ = 0;
+    std::string run_; ///< "[3/34] "; empty: not of a collection
     std::string label_;
     std::uint32_t series_total_ = 0;
     std::uint32_t series_done_ = 0;

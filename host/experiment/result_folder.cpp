@@ -2,6 +2,7 @@
 
 #include "errors/errors.hpp"
 #include "experiment/plan.hpp"
+#include "io/collection_file.hpp"
 #include "io/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -60,20 +61,28 @@ bool looks_like_series(const fs::path& folder)
 
 }
 
+void ResultFolder::check(const fs::path& out, const std::vector<std::string>& series)
+{
+    std::error_code error;
+    if (fs::exists(out, error) && !fs::is_directory(out, error))
+        throw InputError("--out " + out.string() + ": is a file; a folder is needed");
+    if (fs::exists(out / collection_file_name, error))
+        throw InputError("--out " + out.string() + ": is the folder of a collection; choose another folder");
+    const std::vector<std::string> previous = series_in(out);
+    for (const std::string& name : series) {
+        const fs::path target = out / name;
+        const bool known = std::ranges::find(previous, name) != previous.end();
+        if (!known && fs::exists(target, error) && !looks_like_series(target))
+            throw InputError("--out " + out.string() + ": has \"" + name +
+                             "\", which is not a result of poissonlab; choose another folder");
+    }
+}
+
 ResultFolder::ResultFolder(const fs::path& out, const std::vector<std::string>& series)
     : out_(out), series_(series)
 {
-    std::error_code error;
-    if (fs::exists(out_, error) && !fs::is_directory(out_, error))
-        throw InputError("--out " + out_.string() + ": is a file; a folder is needed");
+    check(out, series);
     previous_ = series_in(out_);
-    for (const std::string& name : series_) {
-        const fs::path target = out_ / name;
-        const bool known = std::ranges::find(previous_, name) != previous_.end();
-        if (!known && fs::exists(target, error) && !looks_like_series(target))
-            throw InputError("--out " + out_.string() + ": has \"" + name +
-                             "\", which is not a result of poissonlab; choose another folder");
-    }
     try {
         create_folders();
     } catch (...) {

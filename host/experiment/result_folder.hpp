@@ -16,10 +16,14 @@ class ResultFolder
 {
 public:
     /// Creates `out` where it is missing. `series` are the folders that will be published. Throws InputError
-    /// when `out` is a file or has a folder of such a name that is not a series, StorageError when it cannot
+    /// when `out` is a file or a collection, or has a folder of such a name that is not a series, StorageError when it cannot
     /// be written.
     ResultFolder(const std::filesystem::path& out, const std::vector<std::string>& series);
     ~ResultFolder();
+
+    /// Throws what the constructor throws of the InputErrors, and changes nothing.
+    static void check(const std::filesystem::path& out, const std::vector<std::string>& series);
+
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
 

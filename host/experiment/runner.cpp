@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <chrono>
@@ -41,6 +42,15 @@ PointSet timed_sample(Sampler& sampler, std::uint32_t realization, double& secon
     PointSet points = sampler.sample(realization);
     seconds = std::max(0.0, seconds_since(begin) - (sampler.build_seconds() - built_before));
     return points;
+}
+
+/// Makes the first realization again until there are `runs` times: few are no median.
+void time_more_runs(Sampler& sampler, std::uint32_t runs, std::vector<double>& seconds)
+{
+    while (seconds.size() < runs) {
+        stop_if_interrupted();
+        timed_sample(sampler, 0, seconds.emplace_back());
+    }
 }
 
 /// What identifies the origin of a spectrum or a picture; nothing that differs between two runs of the same
@@ -137,19 +147,29 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         const PointSet points = timed_sample(*sampler, k, seconds);
         sample_seconds.push_back(seconds);
         iterations.push_back(sampler->iterations());
-        analysis.add(points);
-        if (experiment.analysis.zone_plate) zone_plate.add(points);
-        if (k == 0 || !experiment.analysis.first_points_only) {
-            const std::string file = fmt::format("realization-{:03}.dat", k);
-            write_points(folder / file, points, point_file_comment(experiment, task, k));
-            point_files.push_back(task.name + "/" + file);
-        }
+        const std::string file = fmt::format("realization-{:03}.dat", k);
+        const bool is_stored = k == 0 || !experiment.analysis.first_points_only;
+        tbb::parallel_invoke(
+            [&] {
+                analysis.add(points);
+                if (experiment.analysis.zone_plate) zone_plate.add(points);
+            },
+            [&] {
+                if (is_stored) write_points(folder / file, points, point_file_comment(experiment, task, k));
+            });
+        if (is_stored) point_files.push_back(task.name + "/" + file);
         progress.realization_done(points.size(), seconds);
     }
 
+    if (task.is_timed) time_more_runs(*sampler, experiment.timing_runs, sample_seconds);
+
     const auto averaging = Clock::now();
-    if (analysis.has_spectrum())
-        store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
+    tbb::parallel_invoke(
+        [&] {
+            if (analysis.has_spectrum())
+                store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
+        },
+        [&] { analysis.measure_first(); });
     if (const auto pairs = analysis.pair_correlation(); !pairs.empty())
         write_whole_file(folder / "pair-correlation.csv", pair_correlation_csv(pairs));
 
@@ -160,8 +180,8 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         result.iterations = std::move(iterations);
     }
     result.point_files = std::move(point_files);
-    // Reading a file is not sampling: imported sets have no times.
-    if (!experiment.engine.empty()) result.sample_seconds = std::move(sample_seconds);
+    if (task.is_timed) result.sample_seconds = std::move(sample_seconds);
+    result.tile_set = sampler->tile_set();
     result.build_seconds = sampler->build_seconds();
     result.preparation_seconds = sampler->preparation_seconds();
     result.analysis_seconds += seconds_since(averaging);
@@ -202,17 +222,20 @@ std::vector<Scene> run_constructions(const Experiment& experiment, const ResultF
 
 }
 
-void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+std::vector<std::string> folder_names(const Experiment& experiment)
 {
     std::vector<std::string> names;
-    std::uint64_t total = 0;
-    for (const SeriesTask& task : experiment.series) {
-        names.push_back(task.name);
-        total += task.realizations;
-    }
+    for (const SeriesTask& task : experiment.series) names.push_back(task.name);
     for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
     for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
-    ResultFolder folder(out, names);
+    return names;
+}
+
+void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)
+{
+    std::uint64_t total = 0;
+    for (const SeriesTask& task : experiment.series) total += task.realizations;
+    ResultFolder folder(out, folder_names(experiment));
     progress.start(total);
     std::vector<SeriesResult> results;
     for (const SeriesTask& task : experiment.series)

@@ -5,8 +5,13 @@
 #include "experiment/progress.hpp"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace poissonlab {
+
+/// The folders below the output folder that an experiment fills.
+std::vector<std::string> folder_names(const Experiment& experiment);
 
 /// Makes every series and writes all of docs/output-folder.md but the report and its pictures to `out`.
 ///

@@ -1,15 +1,13 @@
 #include "sampling/file_sampler.hpp"
 
+#include "io/file_glob.hpp"
 #include "io/point_file.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
-
-#include <glob.h>
 
 namespace poissonlab {
 
@@ -22,52 +20,14 @@ InputError path_error(const Parameters& parameters, const std::string& path, con
     return invalid_value(parameters.location(path_key), path_key, path, allowed);
 }
 
-/// `text` as a glob that matches only itself.
-std::string escaped_for_glob(const std::string& text)
-{
-    std::string result;
-    for (const char c : text) {
-        if (std::string_view("*?[\\").find(c) != std::string_view::npos) result += '\\';
-        result += c;
-    }
-    return result;
-}
-
-/// The files that a glob matches, sorted by the bytes of their names (not by the rules of a locale).
-std::vector<std::filesystem::path> matches(const std::string& pattern)
-{
-    glob_t found{};
-    std::vector<std::filesystem::path> files;
-    if (::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
-        files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
-    }
-    ::globfree(&found);
-    std::ranges::sort(files, {}, &std::filesystem::path::native);
-    return files;
-}
-
 /// The files that one entry of `path` stands for: at least one.
 std::vector<std::filesystem::path> resolve(const Parameters& parameters, const std::string& entry)
 {
     const std::filesystem::path folder =
         std::filesystem::path(parameters.location(path_key).file).parent_path();
 
-    // A file of just that name wins, so that names with brackets need no escapes.
-    const std::filesystem::path literal = folder / entry;
-    if (std::filesystem::exists(literal)) return {literal};
-
-    const bool absolute = std::filesystem::path(entry).is_absolute();
-    const std::filesystem::path pattern =
-        absolute ? std::filesystem::path(entry)
-                 : escaped_for_glob(folder.string()) / std::filesystem::path(entry);
-    std::vector<std::filesystem::path> files = matches(pattern.string());
-    if (files.empty()) {
-        throw path_error(parameters, entry,
-                         absolute
-                             ? "no such file"
-                             : fmt::format("no such file in {}, the folder of the config",
-                                           std::filesystem::absolute(folder).lexically_normal().string()));
-    }
+    std::vector<std::filesystem::path> files = named_files(folder, entry);
+    if (files.empty()) throw path_error(parameters, entry, no_such_file(folder, entry));
     return files;
 }
 

@@ -7,8 +7,10 @@
 #include "geometry/point_set.hpp"
 #include "sampling/parameters.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,31 @@ struct IterationRecord
     double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
 };
 
+/// How long it took to build a tile set, and on what.
+struct TileSetBuild
+{
+    double seconds = 0; ///< with the proof of its minimum distance, without building kernels
+    std::string device; ///< OpenCL; empty: the reference engine
+    int threads = 0;    ///< of the host
+};
+
+/// The points of a tile in the regions of its corners, edges, faces or in its interior, on average over the tile set.
+struct RegionPoints
+{
+    double mean = 0;
+    double expected = 0; ///< of as many points spread evenly: by area (volume)
+};
+
+/// The tile set that a tiling method takes its points from.
+struct TileSetRecord
+{
+    std::uint32_t tiles = 0;
+    std::uint32_t points_per_tile = 0;
+    bool cached = false;               ///< read from the cache, not built this time
+    std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
+    std::vector<RegionPoints> regions; ///< of corners first, the interior last; empty for templates
+};
+
 /// Makes the point sets of one series.
 class Sampler
 {
@@ -60,6 +87,9 @@ public:
     /// Seconds spent on what all realizations have in common, such as a tile set, without building kernels.
     virtual double preparation_seconds() const { return 0; }
 
+    /// The tile set of methods that tile.
+    virtual std::optional<TileSetRecord> tile_set() const { return {}; }
+
     /// Of how many tiles along each axis the sets are made; 0: of none.
     virtual std::uint32_t tiles_along_axis() const { return 0; }
 };
@@ -75,6 +105,9 @@ struct SamplerSpec
     std::string summary; ///< one line for the help
     std::vector<int> dimensions;
     std::vector<ParameterSpec> parameters;
+
+    /// The label of series to which the user gives none; empty: the title and all parameters.
+    std::function<std::string(const Parameters&)> label;
 
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;

@@ -56,7 +56,9 @@ public:
             built_before_ = device_->build_seconds();
         }
         const auto begin = std::chrono::steady_clock::now();
-        tiles_ = cached_tile_set(parameters, engine, device, tile_cache_folder());
+        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder());
+        tiles_ = std::move(cached.set);
+        tile_set_ = std::move(cached.record);
         if (device_) generator_.emplace(*device_, tiles_);
         preparation_seconds_ =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - build_seconds();
@@ -69,6 +71,7 @@ public:
                           : reference::torus_points(tiles_, tiling, side_);
     }
 
+    std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
     std::uint32_t tiles_along_axis() const override { return side_; }
     double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
     double preparation_seconds() const override { return preparation_seconds_; }
@@ -80,6 +83,7 @@ private:
     double built_before_ = 0; ///< by earlier users of the device
     double preparation_seconds_ = 0;
     PoissonTileSet tiles_;
+    TileSetRecord tile_set_;
     std::optional<TilePointGenerator> generator_;
 };
 

@@ -1,14 +1,21 @@
 #include "tile_sampling/tile_set_cache.hpp"
 
 #include "errors/errors.hpp"
+#include "poisson_tiles/region_counts.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
+#include "tile_sampling/tile_set_build.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -31,15 +38,52 @@ std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file,
     return std::nullopt;
 }
 
-void try_to_store(const std::filesystem::path& file, const PoissonTileSet& set)
+void try_to_store(const std::filesystem::path& file, const PoissonTileSet& set, const TileSetBuild& build)
 {
     try {
         std::filesystem::create_directories(file.parent_path());
+        std::filesystem::remove(build_record_file(file)); // of an earlier set, which the new one must not be taken for
         write_tile_set(file, set);
+        write_build_record(file, build);
     } catch (const std::filesystem::filesystem_error&) {
         // A cache that cannot be written is no reason to fail.
     } catch (const StorageError&) {
     }
+}
+
+/// Builds a set and takes the time.
+std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters& parameters, Engine engine,
+                                                    const DeviceProvider& device)
+{
+    TileSetBuild build;
+    Device* const opened = engine == Engine::opencl ? &device() : nullptr;
+    const auto compile_seconds = [&] { return opened ? opened->build_seconds() : 0.0; };
+    if (opened) build.device = opened->info().name;
+    build.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    const double compiled_before = compile_seconds();
+    const auto begin = std::chrono::steady_clock::now();
+    PoissonTileSet set = build_tile_set(parameters, engine, [=]() -> Device& { return *opened; }).set;
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    build.seconds = std::max(0.0, seconds - (compile_seconds() - compiled_before));
+    return {std::move(set), std::move(build)};
+}
+
+/// Templates have no regions of corners and edges.
+std::vector<RegionPoints> region_points(const PoissonTileSet& set)
+{
+    std::vector<RegionPoints> points;
+    if (set.parameters.kind == PoissonTileKind::frame) return points;
+    const auto counts = region_counts(set);
+    for (int cell = 0; cell <= set.parameters.dimension; ++cell)
+        points.push_back({counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
+    return points;
+}
+
+CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build)
+{
+    TileSetRecord record{set.parameters.tiles, set.parameters.points_per_tile, cached, std::move(build),
+                         region_points(set)};
+    return {std::move(set), std::move(record)};
 }
 
 }
@@ -80,15 +124,17 @@ std::string tile_cache_name(const PoissonTileParameters& p, Engine engine)
                        engine == Engine::opencl ? "opencl" : "reference", construction_version);
 }
 
-PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                               const DeviceProvider& device, const std::filesystem::path& folder)
+CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                              const DeviceProvider& device, const std::filesystem::path& folder)
 {
-    if (folder.empty()) return build_tile_set(parameters, engine, device).set;
     const std::filesystem::path file = folder / tile_cache_name(parameters, engine);
-    if (auto stored = stored_set(file, parameters)) return *std::move(stored);
-    PoissonTileSet set = build_tile_set(parameters, engine, device).set;
-    try_to_store(file, set);
-    return set;
+    if (!folder.empty()) {
+        if (auto stored = stored_set(file, parameters))
+            return recorded(*std::move(stored), true, read_build_record(file));
+    }
+    auto [set, build] = timed_build(parameters, engine, device);
+    if (!folder.empty()) try_to_store(file, set, build);
+    return recorded(std::move(set), false, std::move(build));
 }
 
 }

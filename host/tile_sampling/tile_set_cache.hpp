@@ -23,10 +23,17 @@ std::filesystem::path tile_cache_folder();
 /// The name of a tile set's file there: all its parameters, and the engine.
 std::string tile_cache_name(const PoissonTileParameters& parameters, Engine engine);
 
-/// The tile set from `folder`, or built and put there. A file that cannot be read, is damaged or holds
+/// A tile set and where it came from.
+struct CachedTileSet
+{
+    PoissonTileSet set;
+    TileSetRecord record;
+};
+
+/// The tile set from `folder`, or built and put there, with a record of what that took. A file that cannot be read, is damaged or holds
 /// something else is replaced; where nothing can be written, the set is not kept. An empty folder: always
 /// built.
-PoissonTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                               const DeviceProvider& device, const std::filesystem::path& folder);
+CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
+                              const DeviceProvider& device, const std::filesystem::path& folder);
 
 }

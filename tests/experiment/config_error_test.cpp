@@ -30,28 +30,28 @@ TEST(ConfigError, UnknownTopLevelKey)
 {
     EXPECT_EQ(error_of("title = \"x\"\nsede = 1\n" + good_method),
               "c.toml:2: sede = 1: unknown key; did you mean \"seed\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownKeyThatIsLikeNoOther)
 {
     EXPECT_EQ(error_of("wavelength = \"long\"\n" + good_method),
               "c.toml:1: wavelength = \"long\": unknown key; "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownTable)
 {
     EXPECT_EQ(error_of(good_method + "[analisys]\npoints = 3\n"),
               "c.toml:3: analisys = {...}: unknown key; did you mean \"analysis\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
 }
 
 TEST(ConfigError, UnknownAnalysisKey)
 {
     EXPECT_EQ(error_of("[analysis]\npoint = 16384\n" + good_method),
               "c.toml:2: point = 16384: unknown key; did you mean \"points\"? "
-              "known keys: points, realizations, dimension, spectrum, spectrum_size, bin_width, volume, zone_plate, tiles, "
+              "known keys: points, realizations, dimension, timing_runs, spectrum, spectrum_size, bin_width, volume, zone_plate, tiles, "
               "measures, point_files");
 }
 

@@ -1,6 +1,7 @@
 // `poissonlab analyze` on a set as another program writes it, to the page in a browser. Needs Chromium.
 #include "experiment/program.hpp"
 #include "support/browser.hpp"
+#include "support/picture.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -49,9 +50,11 @@ TEST(ForeignSet, IsAPageInABrowser)
                               "Zone plate", "Effective Nyquist", "Error of integrals"})
         EXPECT_THAT(page, testing::HasSubstr(words));
 
-    const auto visit = test::visit(out / "index.html", 2400);
-    EXPECT_THAT(visit.log, testing::Not(testing::HasSubstr("CONSOLE")));
-    EXPECT_GT(visit.picture.variance(), 100);
+    test::Browser browser;
+    browser.open(out / "index.html");
+    EXPECT_THAT(browser.messages(), testing::IsEmpty());
+    EXPECT_THAT(browser.requests(), testing::IsEmpty());
+    EXPECT_GT(test::decode_png(browser.screenshot()).variance(), 100);
 }
 
 }

@@ -136,6 +136,22 @@ TEST(ResultsJson, HasTheGridsOfMethods)
     EXPECT_EQ(root["series"][0]["place"], json({1, 0}));
 }
 
+TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
+{
+    SeriesResult result = two_realizations();
+    EXPECT_FALSE(written(one_series(), result)["series"][0].contains("tile_set"));
+    result.tile_set = TileSetRecord{256, 64, true, TileSetBuild{0.25, "d", 2}};
+    json expected = json::parse(R"({"tiles": 256, "points_per_tile": 64, "cached": true, "build_seconds": 0.25,
+                                    "device": "d", "threads": 2})");
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"], expected);
+    result.tile_set->build->device.clear();
+    expected.erase("device");
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"], expected) << "the reference engine has none";
+    result.tile_set->build.reset();
+    EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"],
+              json({{"tiles", 256}, {"points_per_tile", 64}, {"cached", true}}));
+}
+
 TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)
 {
     SeriesResult result = two_realizations();
@@ -174,6 +190,30 @@ TEST(ResultsJson, HasTheMeasuresThatThereAre)
     EXPECT_EQ(series["measures"]["integration"][1],
               json({{"integrand", "step"}, {"integral", 0.5}, {"rms_error", 0.02}, {"standard_error", 0.002},
                     {"relative_variance", 0.75}}));
+}
+
+TEST(ResultsJson, HasStandardErrorsWhereTheyAreKnown)
+{
+    SeriesResult result = two_realizations();
+    SeriesMeasures& m = result.measures;
+    m.effective_nyquist = 0.5;
+    m.oscillation = Oscillation{3, 1, 20, 40};
+    m.lattice_peaks = LatticePeaks{8, 12.5, 3.5, {8, -16, 0}, 99};
+    m.peak_anisotropy = PeakAnisotropy{-6, 33, 200, 0.25};
+    const auto measures = [&] { return written(one_series(), result)["series"][0]["measures"]; };
+    EXPECT_FALSE(measures().contains("effective_nyquist_standard_error"));
+    EXPECT_FALSE(measures()["oscillation"].contains("standard_error"));
+    EXPECT_FALSE(measures()["lattice_peaks"].contains("mean_ratio_standard_error"));
+    m.effective_nyquist_error = 0.01;
+    m.oscillation_error = 0.125;
+    m.lattice_peaks_error = 0.5;
+    EXPECT_EQ(measures()["effective_nyquist_standard_error"], 0.01);
+    EXPECT_EQ(measures()["oscillation"]["standard_error"], 0.125);
+    EXPECT_EQ(measures()["lattice_peaks"]["mean_ratio_standard_error"], 0.5);
+    EXPECT_EQ(measures()["peak_anisotropy"],
+              json({{"db", -6.0}, {"frequency", 33.0}, {"samples", 200}, {"standard_error_db", 0.25}}));
+    result.points = {64};
+    EXPECT_FALSE(measures()["peak_anisotropy"].contains("standard_error_db"));
 }
 
 TEST(ResultsJson, SizesThatDifferAreAllThere)

@@ -161,6 +161,34 @@ TEST(Runner, LeavesOutWhatIsNotAskedFor)
         EXPECT_EQ(few[member], all[member]) << member;
 }
 
+TEST(Runner, TimesTheFirstRealizationAgainWhereThereAreFew)
+{
+    const TemporaryFolder folder;
+    std::vector<std::uint32_t> asked;
+    const auto remember = [&](std::uint32_t k) {
+        asked.push_back(k);
+        return diagonal(16, k);
+    };
+    Experiment experiment = experiment_of({task("s", 2, remember)});
+    experiment.timing_runs = 5;
+    run(experiment, folder.path());
+    EXPECT_EQ(asked, (std::vector<std::uint32_t>{0, 1, 0, 0, 0}));
+    const auto series = [&] { return nlohmann::json::parse(content_of(folder.path() / "results.json"))["series"][0]; };
+    EXPECT_EQ(series()["timing"]["sample_seconds"].size(), 5U);
+    EXPECT_EQ(series()["realizations"], 2);
+    EXPECT_EQ(series()["relative_radius"]["each"].size(), 2U);
+
+    asked.clear();
+    experiment.timing_runs = 1;
+    run(experiment, folder.path());
+    EXPECT_EQ(asked.size(), 2U);
+    experiment.timing_runs = 5;
+    experiment.series[0].is_timed = false;
+    run(experiment, folder.path());
+    EXPECT_EQ(asked.size(), 4U);
+    EXPECT_TRUE(series()["timing"]["sample_seconds"].empty());
+}
+
 TEST(Runner, SetsAreCheckedWithoutSpectraToo)
 {
     const TemporaryFolder folder;

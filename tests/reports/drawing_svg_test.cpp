@@ -82,7 +82,10 @@ test::ColorPicture in_browser(const Drawing& drawing)
     folder.write("a.svg", drawing_svg(drawing));
     const auto page = folder.write("a.html", "<!doctype html><body style=\"margin: 0\">"
                                              "<img src=\"a.svg\" width=\"900\" style=\"display: block\">");
-    return test::visit(page, 1200).colors;
+    test::Browser browser;
+    browser.resize(1280, 1200);
+    browser.open(page);
+    return test::decode_color_png(browser.screenshot());
 }
 
 const auto& pixel(const test::ColorPicture& picture, int column, int row)

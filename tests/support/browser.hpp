@@ -1,40 +1,72 @@
-// Opening a page in a real browser: headless Chromium, with a profile of its own.
+// A real browser in tests: headless Chromium opens a page, moves a mouse, presses keys, and says what it was asked for.
 #pragma once
 
-#include "io/whole_file.hpp"
-#include "support/picture.hpp"
-#include "support/temporary_folder.hpp"
+#include "support/devtools_pipe.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
+#include <chrono>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace poissonlab::test {
 
-/// What a browser makes of a page.
-struct Visit
+/// One browser window with one page. Everything has a time limit; what fails throws BrowserError that says what.
+class Browser
 {
-    std::string log;     ///< what it said; messages of the page's console have the word CONSOLE
-    Picture picture;     ///< 1,280 x `height` pixels
-    ColorPicture colors; ///< the same
-};
+public:
+    explicit Browser(std::chrono::milliseconds limit = std::chrono::seconds(60));
 
-inline Visit visit(const std::filesystem::path& page, int height)
-{
-    const TemporaryFolder scratch;
-    const auto log = scratch.path() / "log";
-    const auto shot = scratch.path() / "shot.png";
-    const auto command =
-        "timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-quic --no-first-run "
-        "--disable-background-networking --disable-component-update --disable-sync "
-        "--hide-scrollbars --enable-logging=stderr --v=0 --user-data-dir='" +
-        (scratch.path() / "profile").string() + "' --window-size=1280," + std::to_string(height) +
-        " --screenshot='" + shot.string() + "' 'file://" + page.string() + "' 2> '" + log.string() + "'";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
-    const std::string png = read_whole_file(shot);
-    return {read_whole_file(log), decode_png(png), decode_color_png(png)};
-}
+    /// Opens a file, waits until it is loaded and drawn, and forgets messages and requests of the page before.
+    void open(const std::filesystem::path& page, const std::string& fragment = {});
+
+    /// The value of a JavaScript expression; of a promise, once it is kept. Throws where the script throws.
+    nlohmann::json evaluate(const std::string& expression);
+
+    /// Moves the mouse over the first element that the selector finds, to this share of its width and height. The
+    /// element is scrolled into view. Throws where there is none, or where another element lies on top at that place.
+    void point_at(const std::string& selector, double across = 0.5, double down = 0.5);
+
+    /// The same, and presses and releases the left button.
+    void click(const std::string& selector, double across = 0.5, double down = 0.5);
+
+    /// Presses and releases a key: a character, or Tab, Enter, Escape, Home, End, ArrowLeft, ArrowRight, ArrowUp,
+    /// ArrowDown, Space.
+    void press(const std::string& key, bool shift = false);
+    void type(const std::string& text);
+
+    /// The size of the window in CSS pixels. `mobile`: a telephone, which obeys the page's viewport.
+    void resize(int width, int height, bool mobile = false);
+
+    /// "screen" or "print", light or dark.
+    void emulate(const std::string& media, bool dark);
+
+    /// What the window shows, as PNG.
+    std::string screenshot();
+
+    /// Console messages, exceptions, the browser's own complaints, and files that could not be loaded.
+    const std::vector<std::string>& messages() const { return messages_; }
+
+    /// What was asked for beyond the disk: every URL that is not file:, data:, blob: or about:.
+    const std::vector<std::string>& requests() const { return requests_; }
+
+    /// How long everything that follows may take.
+    void set_limit(std::chrono::milliseconds limit) { pipe_.set_limit(limit); }
+
+    pid_t process() const { return pipe_.process(); }
+
+private:
+    void handle(const std::string& method, const nlohmann::json& event);
+    void handle_console(const nlohmann::json& event);
+    void mouse(const std::string& type, bool pressed);
+
+    std::vector<std::string> messages_;
+    std::vector<std::string> requests_;
+    bool loaded_ = false;
+    double mouse_x_ = 0;
+    double mouse_y_ = 0;
+    std::vector<std::pair<std::string, std::string>> urls_; ///< of each request
+    DevToolsPipe pipe_;
+};
 
 }

@@ -4,6 +4,7 @@
 #include "poisson_tiles/tile_set_file.hpp"
 #include "support/small_tile_sets.hpp"
 #include "support/temporary_folder.hpp"
+#include "tile_sampling/tile_set_build.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,10 @@ class TileSetCache : public testing::Test
 protected:
     PoissonTileSet cached(const PoissonTileParameters& p = parameters)
     {
-        return cached_tile_set(
+        CachedTileSet result = cached_tile_set(
             p, Engine::opencl, [this]() -> Device& { return ++opened_, device_; }, folder_.path());
+        record_ = result.record;
+        return result.set;
     }
 
     std::filesystem::path file() const
@@ -30,6 +33,7 @@ protected:
 
     TemporaryFolder folder_;
     Device device_ = Device::open();
+    TileSetRecord record_; ///< of the last set
     int opened_ = 0; ///< how often something was built
 };
 
@@ -69,8 +73,52 @@ TEST_F(TileSetCache, BuildsWhereNothingCanBeKept)
 {
     const auto device = [this]() -> Device& { return device_; };
     const PoissonTileSet built = cached();
-    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, {}), built);
-    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, "/proc/no-such-folder"), built);
+    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, {}).set, built);
+    EXPECT_EQ(cached_tile_set(parameters, Engine::opencl, device, "/proc/no-such-folder").set, built);
+}
+
+TEST_F(TileSetCache, KeepsWhatBuildingTook)
+{
+    cached();
+    EXPECT_FALSE(record_.cached);
+    EXPECT_EQ(record_.tiles, 16U);
+    EXPECT_EQ(record_.points_per_tile, parameters.points_per_tile);
+    ASSERT_TRUE(record_.build);
+    EXPECT_GT(record_.build->seconds, 0);
+    EXPECT_EQ(record_.build->device, device_.info().name);
+    EXPECT_GE(record_.build->threads, 1);
+    const TileSetBuild build = *record_.build;
+
+    cached();
+    EXPECT_TRUE(record_.cached);
+    ASSERT_TRUE(record_.build);
+    EXPECT_EQ(record_.build->seconds, build.seconds) << "of the run that built it";
+    EXPECT_EQ(record_.build->device, build.device);
+    EXPECT_EQ(record_.build->threads, build.threads);
+}
+
+TEST_F(TileSetCache, TakesSetsWithoutTimes)
+{
+    const PoissonTileSet built = cached();
+    const std::string record = build_record_file(file()).filename().string();
+    const auto with = [](const std::string& seconds, const std::string& version = "1") {
+        return R"({"format": "poissonlab-tile-set-build", "format_version": )" + version +
+               R"(, "build_seconds": )" + seconds + R"(, "device": "d", "threads": 2})";
+    };
+    folder_.write(record, with("0.5"));
+    cached();
+    EXPECT_TRUE(record_.build);
+    for (const std::string& content : {std::string(), std::string("{"), std::string("[]"), std::string("{}"), with("-1"),
+                                       with("\"soon\""), with("1e999"), with("0.5", "2")}) {
+        folder_.write(record, content);
+        EXPECT_EQ(cached(), built);
+        EXPECT_TRUE(record_.cached);
+        EXPECT_FALSE(record_.build) << content;
+    }
+    std::filesystem::remove(folder_.path() / record);
+    EXPECT_EQ(cached(), built);
+    EXPECT_FALSE(record_.build);
+    EXPECT_EQ(opened_, 1) << "none of that is a reason to build again";
 }
 
 TEST(TileCacheFolder, IsTheFirstThatTheEnvironmentNames)

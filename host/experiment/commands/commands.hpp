@@ -1,6 +1,7 @@
 // What each subcommand does, once its arguments are known. command_line.cpp says what the arguments are.
 #pragma once
 
+#include "experiment/collection.hpp"
 #include "experiment/command_line.hpp"
 #include "experiment/progress.hpp"
 
@@ -39,6 +40,15 @@ struct ReportOptions
     std::vector<std::filesystem::path> folders;
     std::filesystem::path out; ///< empty: the folder, where there is one
     bool quiet = false;
+};
+
+struct DiffOptions
+{
+    std::filesystem::path before;
+    std::filesystem::path after;
+    std::filesystem::path out; ///< empty: no page
+    bool json = false;
+    bool all = false; ///< list numbers that did not change as well
 };
 
 struct TilingOptions
@@ -88,6 +98,9 @@ void run_command(const RunOptions& options, const ReportWriter& write_report);
 void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
 void report_command(const ReportOptions& options, const ReportWriter& write_report);
 
+/// Prints what changed between two results; true where something did.
+bool diff_command(const DiffOptions& options, const RunComparer& compare_runs);
+
 /// Prints what OpenCL offers on this machine. Throws DeviceError when that is nothing.
 void devices_command();
 
@@ -106,6 +119,9 @@ void tiles_points_command(const TilesPointsOptions& options);
 /// Prints what a file of a Poisson disk (sphere) tile set holds and what is proven of it. Throws InputError for files
 /// that are none, are damaged, or promise more than is proven, the last after printing.
 void tiles_verify_command(const TilesVerifyOptions& options);
+
+/// Runs every config of a collection, see docs/output-folder.md, and writes one report over all.
+void run_collection(const Collection& collection, const RunOptions& options, const ReportWriter& write_report);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,

@@ -1,0 +1,53 @@
+#include "io/file_glob.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include <glob.h>
+
+namespace poissonlab {
+namespace {
+
+/// `text` as a glob that matches only itself.
+std::string escaped_for_glob(const std::string& text)
+{
+    std::string result;
+    for (const char c : text) {
+        if (std::string_view("*?[\\").find(c) != std::string_view::npos) result += '\\';
+        result += c;
+    }
+    return result;
+}
+
+std::vector<std::filesystem::path> matches(const std::string& pattern)
+{
+    glob_t found{};
+    std::vector<std::filesystem::path> files;
+    if (::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0) {
+        files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+    }
+    ::globfree(&found);
+    std::ranges::sort(files, {}, &std::filesystem::path::native);
+    return files;
+}
+
+}
+
+std::vector<std::filesystem::path> named_files(const std::filesystem::path& folder, const std::string& entry)
+{
+    const std::filesystem::path literal = folder / entry;
+    if (std::filesystem::exists(literal)) return {literal};
+    if (std::filesystem::path(entry).is_absolute()) return matches(entry);
+    return matches((escaped_for_glob(folder.string()) / std::filesystem::path(entry)).string());
+}
+
+std::string no_such_file(const std::filesystem::path& folder, const std::string& entry)
+{
+    if (std::filesystem::path(entry).is_absolute()) return "no such file";
+    return fmt::format("no such file in {}, the folder of the config",
+                       std::filesystem::absolute(folder).lexically_normal().string());
+}
+
+}
