@@ -289,11 +289,11 @@ function onKey(event) {
 
 // Boxes of series that the filter and the dimension leave.
 function applyFilter() {
-  const words = element("filter").value.toLowerCase().split(/\s+/);
+  const sought = element("filter").value.trim().toLowerCase();
   for (const box of boxes) {
     const series = report.series[Number(box.dataset.series)];
     const text = `${series.label} ${report.runs[series.run]}`.toLowerCase();
-    box.parentElement.hidden = !isOffered(series) || !words.every((word) => text.includes(word));
+    box.parentElement.hidden = !isOffered(series) || !text.includes(sought);
   }
   for (const group of document.querySelectorAll("fieldset[data-run]"))
     group.hidden = Array.from(group.querySelectorAll("label")).every((label) => label.hidden);
