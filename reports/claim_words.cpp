@@ -27,20 +27,6 @@ std::string range_words(const std::vector<double>& values, int digits)
 
 std::string percent_words(double share) { return format_significant(100 * share, 2) + " %"; }
 
-std::string times_words(double factor) { return format_significant(factor, 2) + " times"; }
-
-std::string tile_words(const ReportSeries& series)
-{
-    const auto part = [&](const char* symbol, const char* key) {
-        const auto value = number_parameter(series, key);
-        return value ? fmt::format("{} = {}", symbol, format_exact(*value)) : std::string();
-    };
-    std::string text = part("C", "colors");
-    if (text.empty()) text = part("T", "tiles");
-    const auto points = part("N", "points_per_tile");
-    return text + (text.empty() || points.empty() ? "" : ", ") + points;
-}
-
 namespace {
 
 // "device, 2 threads"

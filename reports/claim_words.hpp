@@ -18,12 +18,6 @@ std::string range_words(const std::vector<double>& values, int digits);
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
-/// "3.5 times" with two digits.
-std::string times_words(double factor);
-
-/// "C = 4, N = 32": what tells tile series of one kind apart.
-std::string tile_words(const ReportSeries& series);
-
 /// A time of 2006, and the series whose time today stands beside it.
 struct TimedSeries
 {

@@ -151,7 +151,7 @@ TEST_F(SiteInBrowser, IsDarkWhereThatIsWantedAndWhiteOnPaper)
         EXPECT_GT(luminance("backgroundColor"), 240) << page;
         EXPECT_LT(luminance("color"), 60) << page;
         browser_->emulate("print", true);
-        EXPECT_EQ(luminance("backgroundColor"), 255) << page;
+        EXPECT_NEAR(luminance("backgroundColor"), 255, 0.01) << page; // sums of products are rounded
         EXPECT_EQ(evaluate("getComputedStyle(document.querySelector('nav')).display"), "none") << page;
     }
 }
@@ -241,8 +241,10 @@ TEST_F(SiteInBrowser, TheFilterLeavesSeriesByTheirNames)
     browser_->type("jittered");
     const auto left = each("fieldset label", "e.hidden ? null : e.textContent.trim()");
     EXPECT_EQ(std::ranges::count_if(left, [](const auto& label) { return !label.is_null(); }), 2);
-    for (const auto& label : left)
-        if (!label.is_null()) EXPECT_THAT(label.get<std::string>(), HasSubstr("Jittered"));
+    for (const auto& label : left) {
+        if (label.is_null()) continue;
+        EXPECT_THAT(label.get<std::string>(), HasSubstr("Jittered"));
+    }
     browser_->click("#none"); // of what the filter leaves
     EXPECT_EQ(curves(), 4);
 }
@@ -324,9 +326,8 @@ TEST_F(SiteInBrowser, HasThePapersClaims)
 {
     browser_->open(site() / "index.html");
     EXPECT_THAT(each("header nav a", "e.getAttribute(\"href\")").get<std::vector<std::string>>(), Contains("claims.html"));
-    browser_->click("header nav a[href=\"claims.html\"]");
     browser_->open(site() / "claims.html");
-    EXPECT_THAT(each("#claims tbody tr", "e.id").get<std::vector<std::string>>(), Contains("claim-6.2.2-flat"));
+    EXPECT_THAT(each("#claims tbody tr", "e.id").get<std::vector<std::string>>(), Contains("claim-6.2.2-poisson-anisotropy"));
     EXPECT_THAT(each("#claims tbody .verdict", "e.textContent.trim()").get<std::vector<std::string>>(),
                 testing::Each(testing::ContainsRegex("agrees|partly|disagrees|not judged")));
 }
