@@ -50,7 +50,8 @@ void SpectrumEstimate::add(const PointSet& points)
     }
 
     compute_periodogram(points);
-    radial_.add(radial_means(periodogram_, bin_width_));
+    radial_curves_.push_back(radial_means(periodogram_));
+    radial_.add(bin_width_ == 1 ? radial_curves_.back() : radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);
 }
 

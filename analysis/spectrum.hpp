@@ -88,6 +88,12 @@ public:
     /// realizations. Empty for K = 1.
     std::vector<double> radial_errors() const;
 
+    /// The radially averaged power of each realization, in the bins of radial_statistics() one sample wide.
+    const std::vector<std::vector<double>>& radial_curves() const { return radial_curves_; }
+
+    /// The periodogram of the last realization.
+    const HalfSpectrum& last_periodogram() const { return periodogram_; }
+
 private:
     void compute_periodogram(const PointSet& points);
 
@@ -99,6 +105,7 @@ private:
     HalfSpectrum periodogram_; ///< of the last realization
     RunningMoments power_;   ///< of each frequency's power
     RunningMoments radial_;  ///< of each bin's mean power
+    std::vector<std::vector<double>> radial_curves_;
     std::unique_ptr<FastPeriodogram> fast_;
 };
 

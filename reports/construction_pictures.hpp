@@ -1,6 +1,7 @@
 // The pictures of constructions of a report.
 #pragma once
 
+#include "reports/picture_store.hpp"
 #include "reports/stored_results.hpp"
 
 #include <filesystem>
@@ -17,6 +18,6 @@ struct ReportConstruction
 };
 
 /// Writes construction.svg and construction.png.
-void draw_construction_picture(const ReportConstruction& construction);
+void draw_construction_picture(const ReportConstruction& construction, PictureStore& store);
 
 }

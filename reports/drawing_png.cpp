@@ -212,7 +212,8 @@ void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing
     const int height = static_cast<int>(pixels_high);
     const Painter painter(drawing, scale * samples);
     write_whole_file(path, [&](const std::filesystem::path& temporary) {
-        const OIIO::ImageSpec spec(pixels_wide, height, 3, OIIO::TypeDesc::UINT8);
+        OIIO::ImageSpec spec(pixels_wide, height, 3, OIIO::TypeDesc::UINT8);
+        spec.attribute("png:compressionLevel", 3); // half the time of 6 for a few percent
         const auto output = OIIO::ImageOutput::create("png");
         const bool written = output && output->open(temporary.string(), spec) &&
                              write_bands(*output, painter, pixels_wide, height) && output->close();

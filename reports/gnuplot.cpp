@@ -5,13 +5,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <memory>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 extern char** environ;
@@ -57,14 +60,25 @@ const std::array terminals = {
     Terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1},
     Terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2}};
 
-std::string script_for(const Terminal& terminal, const std::vector<GnuplotPicture>& pictures)
+std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture)
+{
+    return fmt::format("set terminal {} size {},{}\n", terminal.options, terminal.scale * picture.width,
+                       terminal.scale * picture.height);
+}
+
+// One of the processes of a terminal: every so many pictures from the first on.
+struct Part
+{
+    std::size_t first = 0;
+    std::size_t step = 1;
+};
+
+std::string script_for(const Terminal& terminal, const std::vector<GnuplotPicture>& pictures, const Part& part)
 {
     std::string script = "set encoding utf8\n";
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-        script +=
-            fmt::format("reset session\nset terminal {} size {},{}\nset output '{}.{}'\n{}\nset output\n",
-                        terminal.options, terminal.scale * pictures[i].width,
-                        terminal.scale * pictures[i].height, i, terminal.extension, pictures[i].commands);
+    for (std::size_t i = part.first; i < pictures.size(); i += part.step)
+        script += fmt::format("reset session\n{}set output '{}.{}'\n{}\nset output\n",
+                              set_terminal(terminal, pictures[i]), i, terminal.extension, pictures[i].commands);
     return script;
 }
 
@@ -80,15 +94,14 @@ std::vector<std::string> neutral_environment()
     return result;
 }
 
-// A running gnuplot: script.EXT in the folder, messages to messages.EXT. Waited for by finish() or at the
-// end.
+// A running gnuplot: script.NAME in the folder, messages to messages.NAME. Waited for by finish() or at the end.
 class GnuplotProcess
 {
 public:
-    GnuplotProcess(const std::filesystem::path& folder, const std::string& extension)
-        : messages_(folder / ("messages." + extension))
+    GnuplotProcess(const std::filesystem::path& folder, const std::string& name)
+        : messages_(folder / ("messages." + name))
     {
-        const auto script = "script." + extension;
+        const auto script = "script." + name;
         std::array<std::string, 3> arguments{"gnuplot", "--default-settings", script};
         std::array<char*, 4> argv{arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
         auto environment = neutral_environment();
@@ -140,25 +153,62 @@ private:
 
 }
 
-void draw_with_gnuplot(const std::vector<GnuplotPicture>& pictures)
+namespace {
+
+std::filesystem::path file_of(const GnuplotPicture& picture, const Terminal& terminal)
 {
-    if (pictures.empty()) return;
-    const TemporaryFolder folder;
-    for (const auto& terminal : terminals)
-        write_whole_file(folder.path() / ("script." + terminal.extension), script_for(terminal, pictures));
-    {
-        GnuplotProcess svg(folder.path(), "svg");
-        GnuplotProcess png(folder.path(), "png");
-        svg.finish();
-        png.finish();
-    }
-    for (std::size_t i = 0; i < pictures.size(); ++i)
-        for (const auto& terminal : terminals) {
-            const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
-            auto target = pictures[i].stem;
-            target += "." + terminal.extension;
-            write_whole_file(target, read_whole_file(drawn));
+    return picture.stem.string() + "." + terminal.extension;
+}
+
+// All that a picture depends on.
+std::string input_of(const GnuplotPicture& picture)
+{
+    std::string input;
+    for (const auto& terminal : terminals) input += set_terminal(terminal, picture);
+    return input + picture.commands;
+}
+
+std::vector<std::filesystem::path> files_of(const GnuplotPicture& picture)
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto& terminal : terminals) files.push_back(file_of(picture, terminal));
+    return files;
+}
+
+// Runs all processes at once and waits for them.
+void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures)
+{
+    std::vector<std::unique_ptr<GnuplotProcess>> processes;
+    for (const auto& terminal : terminals) {
+        const std::size_t most = terminal.scale > 1 ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+        const std::size_t count = std::min(most, pictures.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto name = terminal.extension + std::to_string(i);
+            write_whole_file(folder / ("script." + name), script_for(terminal, pictures, {i, count}));
+            processes.push_back(std::make_unique<GnuplotProcess>(folder, name));
         }
+    }
+    for (const auto& process : processes) process->finish();
+}
+
+}
+
+void draw_with_gnuplot(const std::vector<GnuplotPicture>& all, PictureStore* store)
+{
+    std::vector<GnuplotPicture> pictures;
+    for (const auto& picture : all)
+        if (!store || !store->is_current(files_of(picture), input_of(picture))) pictures.push_back(picture);
+    if (!pictures.empty()) {
+        const TemporaryFolder folder;
+        run_gnuplot(folder.path(), pictures);
+        for (std::size_t i = 0; i < pictures.size(); ++i)
+            for (const auto& terminal : terminals) {
+                const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
+                write_whole_file(file_of(pictures[i], terminal), read_whole_file(drawn));
+            }
+    }
+    if (store)
+        for (const auto& picture : all) store->note(files_of(picture), input_of(picture));
 }
 
 std::string gnuplot_quoted(const std::string& text)

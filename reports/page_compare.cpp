@@ -22,6 +22,14 @@ using Json = nlohmann::json;
 
 constexpr std::size_t most_shown_at_first = 12;
 
+// Whether a series is one of those that are shown at first: all of a few, of many some from all over the list.
+bool is_shown_at_first(std::size_t number, std::size_t count)
+{
+    if (count <= most_shown_at_first) return true;
+    const auto step = [&](std::size_t i) { return i * most_shown_at_first / count; };
+    return step(number + 1) > step(number);
+}
+
 // Numbers with five digits, each on its own so that none is written with more; null where there is no number.
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null"; }
 
@@ -102,7 +110,7 @@ PageData groups(const Site& site)
         for (const auto& series : run.series) {
             PageData box;
             box.set("number", std::to_string(number));
-            box.set("checked", number < most_shown_at_first);
+            box.set("checked", is_shown_at_first(number, site.series().size()));
             box.set("label", series.label);
             boxes << box;
             ++number;

@@ -27,8 +27,37 @@ std::vector<std::size_t> table_of(const StoredSeries& series)
 
 std::string heading(const StoredAxis& axis, std::size_t index) { return axis.symbol + " = " + axis.values[index]; }
 
-std::string title_of(const StoredMethod& method, const std::vector<std::size_t>& table)
+std::vector<std::string> parts_of(const std::string& label)
 {
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0; begin <= label.size();) {
+        const auto end = std::min(label.find(", ", begin), label.size());
+        parts.push_back(label.substr(begin, end - begin));
+        begin = end + 2;
+    }
+    return parts;
+}
+
+using Cells = std::map<std::pair<std::size_t, std::size_t>, const ReportSeries*>; // by row and column
+
+// What the labels of all series of a table have in common: "Corner-based Poisson disk tiles, repulsion".
+std::string common_label(const Cells& cells)
+{
+    std::string text;
+    for (const auto& part : parts_of(cells.begin()->second->label)) {
+        const bool common = std::ranges::all_of(cells, [&](const auto& cell) {
+            const auto parts = parts_of(cell.second->label);
+            return std::ranges::find(parts, part) != parts.end();
+        });
+        if (common) text += (text.empty() ? "" : ", ") + part;
+    }
+    return text;
+}
+
+std::string title_of(const StoredMethod& method, const std::vector<std::size_t>& table, const Cells& cells)
+{
+    if (cells.size() > 1)
+        if (const auto common = common_label(cells); !common.empty()) return common;
     std::string title = method.label.empty() ? method.sampler : method.label;
     for (std::size_t i = 0; i < table.size(); ++i) title += ", " + heading(method.axes[i + 2], table[i]);
     return title;
@@ -75,8 +104,6 @@ PageData cell_data(const ReportSeries* series, const std::filesystem::path& page
     return data;
 }
 
-using Cells = std::map<std::pair<std::size_t, std::size_t>, const ReportSeries*>; // by row and column
-
 PageData kinds_of(const ReportSeries& series)
 {
     PageData list{PageData::type::list};
@@ -97,7 +124,7 @@ PageData table_data(const StoredMethod& method, const std::vector<std::size_t>& 
     const StoredAxis* down = has_rows(method) ? &method.axes[0] : nullptr;
     const StoredAxis& across = method.axes[down ? 1 : 0];
     PageData data;
-    data.set("title", title_of(method, table));
+    data.set("title", title_of(method, table, cells));
     data.set("column_symbol", across.symbol);
     data.set("row_symbol", down ? PageData(down->symbol) : PageData(false));
     data.set("kinds", kinds_of(*cells.begin()->second));

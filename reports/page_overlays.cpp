@@ -37,6 +37,14 @@ std::vector<std::string> labels_of(const Curves& curves)
 
 }
 
+PageData region_panel(const std::vector<ReportSeries>& series, const OverlayPlace& place)
+{
+    const auto labels = labels_of(region_curves(series));
+    if (labels.empty()) return false;
+    return overlay_panel(place, region_plot, "is_regions", "Points in the regions of tiles", "the number of points a tile",
+                         labels);
+}
+
 PageData overlays(const std::vector<ReportSeries>& series, const OverlayPlace& place)
 {
     PageData list{PageData::type::list};

@@ -47,7 +47,7 @@ PageData figures(const Site& site)
 // What a page over several runs has not got of its own.
 void clear_run_parts(PageData& page)
 {
-    for (const char* part : {"compared", "integrated", "has_cards", "has_tilings", "has_constructions"})
+    for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions"})
         page.set(part, false);
     page.set("content", "");
 }

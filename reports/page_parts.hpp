@@ -77,6 +77,9 @@ PageData overlays(const std::vector<ReportSeries>& series, const OverlayPlace& p
 /// are none.
 PageData integration_panels(const std::vector<ReportSeries>& series, const OverlayPlace& place);
 
+/// The plot of points in regions of tiles; false where there is none.
+PageData region_panel(const std::vector<ReportSeries>& series, const OverlayPlace& place);
+
 /// One tile set or tiling: facts, pictures, how random its colours are.
 PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder);
 

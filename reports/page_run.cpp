@@ -77,6 +77,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     const OverlayPlace place{run.root, page_folder};
     set_dimension_words(page, {&run});
     page.set("matrices", matrices(run, page_folder));
+    page.set("has_matrices", std::ranges::any_of(run.series, is_in_matrix));
     page.set("has_cards", !std::ranges::all_of(run.series, is_in_matrix));
     page.set("cards", cards(run, page_folder));
     page.set("compared", run.series.size() > 1);
@@ -84,6 +85,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("overlays", overlays(run.series, place));
     page.set("integration", integration_panels(run.series, place));
     page.set("integrated", !integration_curves(run.series).empty());
+    page.set("regions", region_panel(run.series, place));
     page.set("plate", zone_plate_reference_panel(run, page_folder));
     page.set("tilings", tiling_sections(run, page_folder));
     page.set("has_tilings", !run.tilings.empty());

@@ -114,6 +114,8 @@ Pictures overlay_plots(const Series& series, const std::filesystem::path& folder
 {
     Pictures pictures;
     add_integration_plots(series, folder, pictures);
+    if (const auto curves = region_curves(series); !curves.empty())
+        pictures.push_back(plot_region_points(curves, folder / region_plot));
     if (!overlays_are_drawn(series)) return pictures;
     add_frequency_overlays(series, folder, pictures);
     add_pair_correlation_overlay(series, folder, pictures);

@@ -4,6 +4,7 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 #include "reports/page.hpp"
+#include "reports/picture_store.hpp"
 #include "reports/paper_claims.hpp"
 #include "reports/plots.hpp"
 #include "reports/series_pictures.hpp"
@@ -41,6 +42,9 @@ void create_folders(const Site& site)
     }
 }
 
+// The file of keys of pictures, among the assets.
+constexpr auto picture_keys = "pictures.txt";
+
 // What perfect sampling makes of the plate, in the size of the run's first picture.
 void draw_zone_plate_reference(const ReportRun& run)
 {
@@ -63,17 +67,18 @@ std::vector<GnuplotPicture> all_plots(const Site& site)
     return pictures;
 }
 
-void draw_images(ReportRun& run)
+void draw_images(ReportRun& run, PictureStore& store)
 {
     const auto scales = common_scales(frequency_curves(run.series));
     tbb::parallel_for_each(run.series, [&](ReportSeries& series) {
-        draw_points_pictures(series);
-        draw_spectrum_pictures(series);
+        draw_points_pictures(series, store);
+        draw_spectrum_pictures(series, store);
         draw_radial_thumbnail(series, scales);
-        draw_zone_plate_picture(series);
+        draw_zone_plate_picture(series, store);
     });
-    tbb::parallel_for_each(run.tilings, draw_tiling_pictures);
-    tbb::parallel_for_each(run.constructions, draw_construction_picture);
+    tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
+    tbb::parallel_for_each(run.constructions,
+                           [&](const auto& construction) { draw_construction_picture(construction, store); });
     draw_zone_plate_reference(run);
     draw_run_thumbnail(run);
 }
@@ -118,8 +123,10 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
 
     // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
-    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site)); },
-                         [&] { tbb::parallel_for_each(site.runs, draw_images); });
+    PictureStore store(out, out / asset_folder / picture_keys);
+    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site), &store); },
+                         [&] { tbb::parallel_for_each(site.runs, [&](ReportRun& run) { draw_images(run, store); }); });
+    store.save();
 
     const auto claims = judge_claims(site.series());
     if (!claims.empty()) site.pages.push_back({claims_page, "The paper's claims"});

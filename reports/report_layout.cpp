@@ -165,6 +165,13 @@ std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>
     return curves;
 }
 
+std::vector<RegionCurve> region_curves(const std::vector<ReportSeries>& series)
+{
+    std::vector<const StoredSeries*> stored;
+    for (const auto& entry : series) stored.push_back(entry.stored);
+    return region_curves(stored);
+}
+
 std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series)
 {
     const bool with_points = sizes_differ(series);

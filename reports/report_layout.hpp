@@ -8,6 +8,7 @@
 #include "reports/iteration_curves.hpp"
 #include "reports/pair_correlation_curves.hpp"
 #include "reports/points_image.hpp"
+#include "reports/region_curves.hpp"
 #include "reports/stored_results.hpp"
 #include "reports/tiling_pictures.hpp"
 #include "reports/zone_plate_curves.hpp"
@@ -30,6 +31,9 @@ inline constexpr auto zone_plate_overlay = "zone-plate-error-all";
 
 /// Files of the plots of integration errors against N: this and the integrand's name.
 inline constexpr auto integration_prefix = "integration-";
+
+/// File of the plot of points in regions of tiles, without extension.
+inline constexpr auto region_plot = "region-points";
 
 /// The picture of the zone plate that others are compared with, in the report's folder.
 inline constexpr auto zone_plate_reference_picture = "zone-plate-reference.png";
@@ -76,6 +80,9 @@ std::vector<PairCorrelationCurve> pair_correlation_curves(const std::vector<Repo
 /// The errors of integrals against N: series that differ only in N are one curve. Empty where no curve has two
 /// sizes.
 std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>& series);
+
+/// The points in regions of tiles over the number of points a tile.
+std::vector<RegionCurve> region_curves(const std::vector<ReportSeries>& series);
 
 /// The iterations of the series that have some, which the series must outlive; labels say how many points a
 /// series has where sizes differ.

@@ -7,6 +7,7 @@
 #include "io/point_file.hpp"
 #include "io/whole_file.hpp"
 #include "reports/cube_image.hpp"
+#include "reports/drawing_pictures.hpp"
 #include "reports/grey_image.hpp"
 #include "reports/pair_correlation_table.hpp"
 #include "reports/plane_image.hpp"
@@ -25,7 +26,7 @@ namespace poissonlab {
 namespace {
 
 constexpr int thumbnail_size = 256; // pixels
-constexpr int cells_pixels = 1280;
+constexpr int cells_pixels = 1024;
 
 }
 
@@ -53,18 +54,16 @@ void read_curves(ReportSeries& series)
 
 namespace {
 
-void draw_cells_pictures(ReportSeries& series, const PointSet& points)
+void draw_cells_pictures(ReportSeries& series, const PointSet& points, PictureStore& store)
 {
     if (points.dimension != 2) return;
     series.cells = choose_cells_view(points);
-    const auto drawing = draw_cells(*series.cells);
-    write_whole_file(series.pictures / "cells.svg", drawing_svg(drawing));
-    write_drawing_png(series.pictures / "cells.png", drawing, cells_pixels);
+    write_drawing(series.pictures / "cells", draw_cells(*series.cells), cells_pixels, store);
 }
 
 }
 
-void draw_points_pictures(ReportSeries& series)
+void draw_points_pictures(ReportSeries& series, PictureStore& store)
 {
     const auto file = series.run->folder / series.stored->point_files.front();
     const auto sets = read_points(file);
@@ -73,11 +72,16 @@ void draw_points_pictures(ReportSeries& series)
         throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +
                          std::to_string(series.run->dimension) + " coordinates, as results.json says");
     series.view = choose_points_view(sets.front());
-    const auto picture = draw_points(series.view);
-    write_png(series.pictures / "points.png", picture);
-    write_png(series.pictures / "points-thumbnail.png", smaller_image(picture, thumbnail_size));
-    write_whole_file(series.pictures / "points.svg", points_svg(series.view));
-    draw_cells_pictures(series, sets.front());
+    const auto svg = points_svg(series.view);
+    write_whole_file(series.pictures / "points.svg", svg);
+    const auto png = series.pictures / "points.png";
+    const auto thumbnail = series.pictures / "points-thumbnail.png";
+    store.draw_once({png, thumbnail}, svg, [&] {
+        const auto picture = draw_points(series.view);
+        write_png(png, picture);
+        write_png(thumbnail, smaller_image(picture, thumbnail_size));
+    });
+    draw_cells_pictures(series, sets.front(), store);
 }
 
 namespace {
@@ -122,22 +126,52 @@ std::vector<int> spectrum_slices(const ReportSeries& series)
     return frequencies;
 }
 
-void draw_spectrum_pictures(const ReportSeries& series)
+namespace {
+
+// A stored file's contents and what results.json says about it.
+std::string stored_input(const ReportSeries& series, const std::string& file, int size)
 {
-    if (series.stored->spectrum_file.empty()) return;
+    return fmt::format("{} {} {}\n", series.run->dimension, size, file) + read_whole_file(series.run->folder / file);
+}
+
+std::vector<std::filesystem::path> spectrum_files(const ReportSeries& series)
+{
+    std::vector<std::string> names = {"spectrum.png", "spectrum-small.png", "spectrum-thumbnail.png"};
+    if (series.run->dimension == 3) {
+        names.insert(names.end(), {"spectrum-cube.png", "spectrum-close-ups.png"});
+        if (!spectrum_slices(series).empty()) names.emplace_back("spectrum-slices.png");
+    }
+    std::vector<std::filesystem::path> files;
+    for (const auto& name : names) files.push_back(series.pictures / name);
+    return files;
+}
+
+void draw_spectra(const ReportSeries& series)
+{
     const auto planes = read_planes(series);
+    const int size = series.stored->spectrum_size;
     const bool in_space = series.run->dimension == 3;
     const auto draw = [&](int block) {
         return in_space ? draw_spectrum_planes(planes, report_tone_mapping, block)
                         : draw_spectrum(planes.front(), report_tone_mapping, block);
     };
-    const int block = spectrum_page_block(series.stored->spectrum_size, series.run->dimension);
+    const int block = spectrum_page_block(size, series.run->dimension);
+    const int small_block = block * std::max(1, size / block / thumbnail_size);
     write_png(series.pictures / "spectrum.png", draw(1));
     write_png(series.pictures / "spectrum-small.png", draw(block));
-    const int small_block = block * std::max(1, series.stored->spectrum_size / block / thumbnail_size);
-    write_png(series.pictures / "spectrum-thumbnail.png", in_space ? smaller_image(draw(block), 2 * thumbnail_size)
-                                                                   : draw(small_block));
+    write_png(series.pictures / "spectrum-thumbnail.png",
+              in_space ? smaller_image(draw(block), 2 * thumbnail_size) : draw(small_block));
     if (in_space) draw_space_pictures(series, planes);
+}
+
+}
+
+void draw_spectrum_pictures(const ReportSeries& series, PictureStore& store)
+{
+    const auto& stored = *series.stored;
+    if (stored.spectrum_file.empty()) return;
+    store.draw_once(spectrum_files(series), stored_input(series, stored.spectrum_file, stored.spectrum_size),
+                    [&] { draw_spectra(series); });
 }
 
 void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales)
@@ -146,18 +180,22 @@ void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales
     write_whole_file(series.pictures / "radial-thumbnail.svg", radial_thumbnail_svg(series.curve, scales));
 }
 
-void draw_zone_plate_picture(const ReportSeries& series)
+void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store)
 {
     if (!series.stored->zone_plate) return;
     const auto& stored = *series.stored->zone_plate;
-    const auto file = series.run->folder / stored.file;
-    const auto image = read_square_image(file);
-    if (image.size != stored.size)
-        throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
-                                     stored.size, stored.size));
-    const auto picture = draw_zone_plate(image);
-    write_png(series.pictures / "zone-plate.png", picture);
-    write_png(series.pictures / "zone-plate-thumbnail.png", smaller_image(picture, thumbnail_size));
+    const auto png = series.pictures / "zone-plate.png";
+    const auto thumbnail = series.pictures / "zone-plate-thumbnail.png";
+    store.draw_once({png, thumbnail}, stored_input(series, stored.file, stored.size), [&] {
+        const auto file = series.run->folder / stored.file;
+        const auto image = read_square_image(file);
+        if (image.size != stored.size)
+            throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
+                                         stored.size, stored.size));
+        const auto picture = draw_zone_plate(image);
+        write_png(png, picture);
+        write_png(thumbnail, smaller_image(picture, thumbnail_size));
+    });
 }
 
 }

@@ -1,6 +1,8 @@
-// Reads a series' stored files and draws its own pictures: points, spectrum, zone plate.
+// Reads a series' stored files and draws its own pictures: points, cells, spectrum, zone plate. What is in the store is not
+// drawn again.
 #pragma once
 
+#include "reports/picture_store.hpp"
 #include "reports/report_layout.hpp"
 
 namespace poissonlab {
@@ -12,12 +14,12 @@ void read_curves(ReportSeries& series);
 /// Reads the first realization, sets series.view and, in 2D, series.cells, and writes points.png, points.svg,
 /// points-thumbnail.png, and cells.svg and cells.png.
 /// Throws InputError when the set is not what results.json says.
-void draw_points_pictures(ReportSeries& series);
+void draw_points_pictures(ReportSeries& series, PictureStore& store);
 
 /// Reads spectrum.exr and writes spectrum.png and, for the pages, spectrum-small.png and spectrum-thumbnail.png, all with the report's
 /// tone mapping; of a 3D spectrum spectrum-cube.png, spectrum-slices.png and spectrum-close-ups.png as well. Nothing
 /// for a series without.
-void draw_spectrum_pictures(const ReportSeries& series);
+void draw_spectrum_pictures(const ReportSeries& series, PictureStore& store);
 
 /// The frequencies along z of the slices in spectrum-slices.png; none for spectra of a few frequencies.
 std::vector<int> spectrum_slices(const ReportSeries& series);
@@ -26,6 +28,6 @@ std::vector<int> spectrum_slices(const ReportSeries& series);
 void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales);
 
 /// Reads zone-plate.exr and writes zone-plate.png and zone-plate-thumbnail.png; nothing for a series without.
-void draw_zone_plate_picture(const ReportSeries& series);
+void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store);
 
 }

@@ -112,6 +112,12 @@ StoredTileSet read_tile_set(const StoredObject& object)
     if (object.has("build_seconds")) set.build_seconds = object.number("build_seconds");
     if (object.has("device")) set.device = object.text("device");
     if (object.has("cached")) set.cached = object.boolean("cached");
+    if (!object.has("regions")) return set;
+    const StoredObject regions = object.object("regions");
+    for (const char* name : {"corners", "edges", "faces", "interior"})
+        if (regions.has(name))
+            set.regions.push_back(
+                {name, regions.object(name).number("points"), regions.object(name).number("expected")});
     return set;
 }
 

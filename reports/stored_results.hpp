@@ -54,7 +54,15 @@ struct StoredZonePlate
     std::optional<StoredStatistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
 };
 
-/// How long the tile set of a series took to build, which may have been in an earlier run.
+/// The points of a tile in the regions of its corners, edges, faces or in its interior; means over a tile set.
+struct StoredRegion
+{
+    std::string name; ///< "corners", "edges", "faces", "interior"
+    double points = 0;
+    double expected = 0; ///< as many as the area (volume) of the regions holds
+};
+
+/// The tile set of a series, and how long it took to build, which may have been in an earlier run.
 struct StoredTileSet
 {
     std::int64_t tiles = 0;
@@ -62,6 +70,7 @@ struct StoredTileSet
     std::optional<double> build_seconds; ///< empty: not known
     std::string device;
     bool cached = false; ///< read from the cache this time
+    std::vector<StoredRegion> regions; ///< empty: of templates
 };
 
 /// A parameter of a method that has a list of values: an axis of the grid of its series.

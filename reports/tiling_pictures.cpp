@@ -2,8 +2,8 @@
 
 #include "analysis/square_image_file.hpp"
 #include "errors/errors.hpp"
-#include "io/whole_file.hpp"
 #include "reports/cube_tile_image.hpp"
+#include "reports/drawing_pictures.hpp"
 #include "reports/grey_image.hpp"
 #include "reports/tile_image.hpp"
 #include "reports/tile_regions_image.hpp"
@@ -78,12 +78,10 @@ std::string autocorrelation_picture(const StoredColors& colors)
     return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
 }
 
-void draw_tiling_pictures(const ReportTiling& tiling)
+void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store)
 {
     const Drawing drawing = drawing_of(*tiling.stored, read_tiles(tiling.run->folder, *tiling.stored));
-    write_whole_file(tiling.pictures / "tiles.svg", drawing_svg(drawing));
-    const double wide = std::min<double>(pixels_a_unit * drawing.width, max_drawing_pixels);
-    write_drawing_png(tiling.pictures / "tiles.png", drawing, static_cast<int>(std::ceil(wide)));
+    write_drawing(tiling.pictures / "tiles", drawing, pixels_a_unit * drawing.width, store);
     if (!tiling.stored->statistics) return;
     for (const StoredColors& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
 }

@@ -1,6 +1,7 @@
 // The pictures of a tile set or tiling: its tiles or their regions, and the autocorrelation of its colours.
 #pragma once
 
+#include "reports/picture_store.hpp"
 #include "reports/stored_results.hpp"
 
 #include <filesystem>
@@ -25,6 +26,6 @@ std::string autocorrelation_picture(const StoredColors& colors);
 
 /// Writes tiles.svg, tiles.png and a picture of each autocorrelation. Throws InputError when stored files are
 /// not what results.json says.
-void draw_tiling_pictures(const ReportTiling& tiling);
+void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store);
 
 }

@@ -7,6 +7,7 @@
 #include "analysis/largest_empty_ball.hpp"
 #include "analysis/lattice_peaks.hpp"
 #include "analysis/low_frequency_power.hpp"
+#include "analysis/peak_anisotropy.hpp"
 #include "analysis/voronoi_diagram.hpp"
 #include "experiment/analysis_options.hpp"
 #include "experiment/construction_run.hpp"
@@ -95,9 +96,13 @@ struct ZonePlateResult
 struct SeriesMeasures
 {
     std::optional<double> effective_nyquist; ///< of the mean spectrum, in units of half of N^(1/dimension)
+    std::optional<double> effective_nyquist_error; ///< standard errors, here and below: of two realizations and more
     std::optional<Oscillation> oscillation;
+    std::optional<double> oscillation_error;
+    std::optional<PeakAnisotropy> peak_anisotropy;
     std::optional<LowFrequencyPower> low_frequency_power;
-    std::optional<LatticePeaks> lattice_peaks;     ///< of sets that are said to be tiled
+    std::optional<LatticePeaks> lattice_peaks; ///< of sets that are said to be tiled
+    std::optional<double> lattice_peaks_error; ///< of mean_ratio
     std::vector<IntegrationError> integration;     ///< over all realizations
     std::optional<double> packing_fraction;           ///< these are of the first realization
     std::optional<LargestEmptyBall> largest_empty;

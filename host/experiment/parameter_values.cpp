@@ -1,5 +1,6 @@
 #include "experiment/parameter_values.hpp"
 
+#include "experiment/command_sampler.hpp"
 #include "experiment/nearest_key.hpp"
 #include "experiment/sampler_table.hpp"
 
@@ -59,7 +60,7 @@ std::string shown_number(const ConfigNode& node, double value)
     return same ? text : fmt::format("{}", value);
 }
 
-/// Paths are relative to the folder of the file that names them. A command line names none: the slashes in
+/// Paths, and programs, are relative to the folder of the file that names them. A command line names none: the slashes in
 /// `--set method.path=a/b` must not be taken for a folder.
 SourceLocation path_location(const ConfigNode& node)
 {
@@ -95,9 +96,11 @@ ParameterChoice single_choice(const ParameterSpec& spec, const ConfigNode& node)
         return {*word, *word, node.location, {}};
     }
     case Kind::text:
+    case Kind::command:
     case Kind::paths: {
         const auto* text = node.get_if<std::string>();
         if (!text || text->empty()) throw refused();
+        if (spec.kind == Kind::command) return {*text, *text, path_location(node), program_name(*text)};
         if (spec.kind == Kind::text) return {*text, *text, node.location, {}};
         // In a name the file's own one says enough.
         return {std::vector<std::string>{*text}, *text, path_location(node),
@@ -132,6 +135,8 @@ std::string allowed_values(const ParameterSpec& spec)
         return fmt::format("one of \"{}\"", fmt::join(spec.choices, "\", \""));
     case Kind::text:
         return "a text in quotes";
+    case Kind::command:
+        return "a command in quotes, such as \"mysampler {points} {seed} {out}\"";
     case Kind::paths:
         return "a path in quotes, or a list of them";
     case Kind::sampler:

@@ -12,11 +12,13 @@ namespace {
 
 constexpr std::size_t longest_name = 100;
 
-/// For example "Dart throwing, rho = 0.70": the user's label and what varies, or the title and all
-/// parameters.
+/// For example "Dart throwing, rho = 0.70": the user's label and what varies, or the title and all parameters, or what
+/// the sampler itself makes of these.
 std::string series_label(const MethodConfig& method, const Combination& chosen)
 {
     const std::string values = values_text(method.settings, chosen, !method.label.empty());
+    if (method.label.empty() && method.sampler->label)
+        return method.sampler->label(chosen_parameters(method.settings, chosen));
     const std::string& label = method.label.empty() ? method.sampler->title : method.label;
     return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
@@ -119,11 +121,11 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     SeriesPlan series;
     series.place = {method_index, indices_of(method, chosen)};
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
-    series.label = series_label(method, chosen);
     series.sampler = &sampler;
     series.parameters = chosen_parameters(method.settings, chosen);
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
     check_sampler(sampler, series.parameters, series.request, method.where);
+    series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
 
     series.deterministic = is_deterministic(sampler, series.parameters);
     const auto asked = static_cast<std::size_t>(series.deterministic ? 1 : config.realizations);
@@ -149,10 +151,14 @@ std::vector<SeriesPlan> make_plan(const Config& config)
             if (plan.size() == max_series)
                 throw InputError(
                     fmt::format("{}: the config makes more than {} series", config.file, max_series));
-            // Different series whose names were cut or cleaned to the same get a number.
+            // Different series whose names were cut or cleaned to the same get a number, and so do labels that a sampler
+            // makes.
             const std::string base = series.name;
-            for (int number = 2; !names.insert(series.name).second; ++number)
+            const std::string label = series.label;
+            for (int number = 2; !names.insert(series.name).second; ++number) {
                 series.name = fmt::format("{}-{}", base, number);
+                if (method.label.empty() && method.sampler->label) series.label = fmt::format("{} ({})", label, number);
+            }
             plan.push_back(std::move(series));
         }
     }

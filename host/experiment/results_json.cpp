@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -95,12 +96,18 @@ Json machine_json(const Machine& machine)
     return json;
 }
 
-Json measures_json(const SeriesMeasures& measures)
+Json measures_json(const SeriesMeasures& measures, int realizations)
 {
     Json json = Json::object();
     if (measures.effective_nyquist) json["effective_nyquist"] = *measures.effective_nyquist;
+    if (measures.effective_nyquist_error) json["effective_nyquist_standard_error"] = *measures.effective_nyquist_error;
     if (const auto& o = measures.oscillation)
         json["oscillation"] = {{"value", o->value}, {"noise_floor", o->noise_floor}, {"begin", o->begin}, {"end", o->end}};
+    if (measures.oscillation_error) json["oscillation"]["standard_error"] = *measures.oscillation_error;
+    if (const auto& peak = measures.peak_anisotropy) {
+        json["peak_anisotropy"] = {{"db", peak->db}, {"frequency", peak->frequency}, {"samples", peak->samples}};
+        if (realizations > 1) json["peak_anisotropy"]["standard_error_db"] = peak->standard_error_db;
+    }
     if (const auto& low = measures.low_frequency_power)
         json["low_frequency_power"] = {{"exponent", low->exponent},
                                        {"exponent_standard_error", low->exponent_standard_error},
@@ -114,6 +121,8 @@ Json measures_json(const SeriesMeasures& measures)
                                  {"mean_ratio", peaks->mean_ratio},
                                  {"frequency", peaks->frequency},
                                  {"peaks", peaks->peaks}};
+    if (measures.lattice_peaks_error)
+        json["lattice_peaks"]["mean_ratio_standard_error"] = *measures.lattice_peaks_error;
     for (const IntegrationError& error : measures.integration)
         json["integration"].push_back({{"integrand", error.integrand},
                                        {"integral", error.integral},
@@ -133,6 +142,12 @@ Json measures_json(const SeriesMeasures& measures)
 Json tile_set_json(const TileSetRecord& record)
 {
     Json json = {{"tiles", record.tiles}, {"points_per_tile", record.points_per_tile}, {"cached", record.cached}};
+    constexpr std::array in_plane{"corners", "edges", "interior"};
+    constexpr std::array in_space{"corners", "edges", "faces", "interior"};
+    for (std::size_t i = 0; i < record.regions.size(); ++i) {
+        const char* name = record.regions.size() == in_plane.size() ? in_plane[i] : in_space[i];
+        json["regions"][name] = {{"points", record.regions[i].mean}, {"expected", record.regions[i].expected}};
+    }
     if (!record.build) return json;
     json["build_seconds"] = record.build->seconds;
     if (!record.build->device.empty()) json["device"] = record.build->device;
@@ -172,7 +187,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     json["min_distance"] = spread(result.min_distance);
     json["relative_radius"] = spread(result.relative_radius);
     json["covered_fraction"] = spread(result.covered_fraction);
-    json["measures"] = measures_json(result.measures);
+    json["measures"] = measures_json(result.measures, count);
     if (result.spectrum_size > 0) {
         json["spectrum"] = {{"kind", estimate ? "power spectrum estimate" : "periodogram"},
                             {"size", result.spectrum_size},

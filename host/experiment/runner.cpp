@@ -17,6 +17,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <chrono>
@@ -146,21 +147,29 @@ SeriesResult run_series(const Experiment& experiment, const SeriesTask& task,
         const PointSet points = timed_sample(*sampler, k, seconds);
         sample_seconds.push_back(seconds);
         iterations.push_back(sampler->iterations());
-        analysis.add(points);
-        if (experiment.analysis.zone_plate) zone_plate.add(points);
-        if (k == 0 || !experiment.analysis.first_points_only) {
-            const std::string file = fmt::format("realization-{:03}.dat", k);
-            write_points(folder / file, points, point_file_comment(experiment, task, k));
-            point_files.push_back(task.name + "/" + file);
-        }
+        const std::string file = fmt::format("realization-{:03}.dat", k);
+        const bool is_stored = k == 0 || !experiment.analysis.first_points_only;
+        tbb::parallel_invoke(
+            [&] {
+                analysis.add(points);
+                if (experiment.analysis.zone_plate) zone_plate.add(points);
+            },
+            [&] {
+                if (is_stored) write_points(folder / file, points, point_file_comment(experiment, task, k));
+            });
+        if (is_stored) point_files.push_back(task.name + "/" + file);
         progress.realization_done(points.size(), seconds);
     }
 
     if (task.is_timed) time_more_runs(*sampler, experiment.timing_runs, sample_seconds);
 
     const auto averaging = Clock::now();
-    if (analysis.has_spectrum())
-        store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
+    tbb::parallel_invoke(
+        [&] {
+            if (analysis.has_spectrum())
+                store_spectrum(analysis, experiment.analysis, image_metadata(experiment, task), folder);
+        },
+        [&] { analysis.measure_first(); });
     if (const auto pairs = analysis.pair_correlation(); !pairs.empty())
         write_whole_file(folder / "pair-correlation.csv", pair_correlation_csv(pairs));
 

@@ -1,5 +1,6 @@
 #include "experiment/sampler_registry.hpp"
 
+#include "experiment/command_sampler.hpp"
 #include "sampling/file_sampler.hpp"
 #include "tile_sampling/tile_samplers.hpp"
 
@@ -11,6 +12,7 @@ const SamplerRegistry& sampler_registry()
         SamplerRegistry all = basic_samplers();
         for (SamplerSpec& spec : tile_samplers()) all.push_back(std::move(spec));
         all.push_back(file_sampler());
+        all.push_back(command_sampler());
         return all;
     }();
     return registry;

@@ -133,6 +133,8 @@ std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetti
         const std::string& value = chosen[i]->in_name.empty() ? chosen[i]->shown : chosen[i]->in_name;
         if (spec.kind == Kind::sampler)
             name += fmt::format("-{}", value); // its name says enough
+        else if (spec.kind == Kind::command)
+            name += fmt::format("-{}", value);
         else if (spec.kind != Kind::boolean)
             name += fmt::format("-{}-{}", symbol_of(spec), value);
         else if (std::get<bool>(chosen[i]->value))

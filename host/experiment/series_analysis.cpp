@@ -1,6 +1,7 @@
 #include "experiment/series_analysis.hpp"
 
 #include "analysis/distance_statistics.hpp"
+#include "analysis/jackknife.hpp"
 #include "analysis/packing_fraction.hpp"
 #include "analysis/radial_bin.hpp"
 #include "analysis/torus_ball.hpp"
@@ -8,6 +9,7 @@
 #include "geometry/relative_radius.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <chrono>
@@ -72,12 +74,16 @@ void SeriesAnalysis::add(const PointSet& points)
     const std::size_t n = points.size();
     check(points);
     if (result_.points.empty()) start(points);
-    if (estimate_) estimate_->add(points);
+    if (estimate_) {
+        estimate_->add(points);
+        if (options_.tiles > 0)
+            peak_ratios_.push_back(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles).mean_ratio);
+    }
     if (integration_) integration_->add(points);
     if (n < 2) pairs_.reset();
     if (pairs_) pairs_->add(points);
     const double distance = min_toroidal_distance(points);
-    if (result_.points.empty() && !options_.distances_only) measure_first(points);
+    if (result_.points.empty() && !options_.distances_only) first_ = points;
     result_.points.push_back(n);
     result_.min_distance.push_back(distance);
     result_.relative_radius.push_back(relative_radius(distance, n, points.dimension));
@@ -88,14 +94,17 @@ void SeriesAnalysis::add(const PointSet& points)
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// These take Delaunay triangulations: of one set only, and not of millions of points.
-void SeriesAnalysis::measure_first(const PointSet& points)
+void SeriesAnalysis::measure_first()
 {
+    if (options_.distances_only) return;
     SeriesMeasures& measures = result_.measures;
-    if (points.size() > 1) measures.packing_fraction = packing_fraction(points);
-    if (points.size() > most_points_triangulated) return;
-    measures.largest_empty = largest_empty_ball(points);
-    if (points.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(points));
+    if (first_.size() > 1) measures.packing_fraction = packing_fraction(first_);
+    if (first_.size() > most_points_triangulated) return; // not of millions of points
+    tbb::parallel_invoke(
+        [&] { measures.largest_empty = largest_empty_ball(first_); },
+        [&] {
+            if (first_.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(first_));
+        });
 }
 
 void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
@@ -106,8 +115,30 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     SeriesMeasures& measures = result_.measures;
     measures.effective_nyquist = effective_nyquist_frequency(radial, n, mean.dimension);
     measures.oscillation = oscillation(radial, n, mean.dimension, static_cast<int>(result_.points.size()));
+    measures.peak_anisotropy = peak_anisotropy(radial, static_cast<int>(result_.points.size()));
     measures.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
     if (options_.tiles > 0) measures.lattice_peaks = lattice_peaks(mean, options_.tiles);
+    if (result_.points.size() > 1) measure_errors(radial, mean.dimension);
+}
+
+/// Standard errors from how much the measures depend on single realizations.
+void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension)
+{
+    const std::size_t n = result_.points.front();
+    const int others = static_cast<int>(result_.points.size()) - 1;
+    const auto with_power = [&](const std::vector<double>& power) -> const std::vector<RadialBin>& {
+        for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
+        return radial;
+    };
+    const auto& curves = estimate_.value().radial_curves();
+    SeriesMeasures& measures = result_.measures;
+    measures.effective_nyquist_error = jackknife_error(curves, [&](const std::vector<double>& power) {
+        return effective_nyquist_frequency(with_power(power), n, dimension);
+    });
+    measures.oscillation_error = jackknife_error(curves, [&](const std::vector<double>& power) {
+        return oscillation(with_power(power), n, dimension, others).value;
+    });
+    if (!peak_ratios_.empty()) measures.lattice_peaks_error = standard_error_of_mean(peak_ratios_);
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const

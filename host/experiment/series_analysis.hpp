@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -45,6 +46,10 @@ public:
     /// Adds the measures of the mean spectrum to the result.
     void measure_spectrum(const Spectrum& mean);
 
+    /// Adds those of the first set alone, which take triangulations. Touches nothing that the other functions do, and may
+    /// run beside them once all sets were added.
+    void measure_first();
+
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
@@ -52,7 +57,7 @@ private:
     void check(const PointSet& points) const;
     void start(const PointSet& first);
     void start_spectrum(const PointSet& first);
-    void measure_first(const PointSet& points);
+    void measure_errors(std::vector<RadialBin> radial, int dimension);
 
     std::string label_;
     bool sizes_vary_;
@@ -60,6 +65,8 @@ private:
     SeriesResult result_;
     int dimension_ = 0; ///< of the first set
     std::optional<SpectrumEstimate> estimate_;
+    std::vector<double> peak_ratios_; ///< mean lattice peak of each realization
+    PointSet first_;                  ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<IntegrationErrorEstimate> integration_;
 };

@@ -4,11 +4,12 @@
 #include "io/text_lines.hpp"
 #include "io/whole_file.hpp"
 
-#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <charconv>
 #include <iterator>
 
 namespace poissonlab {
@@ -30,7 +31,10 @@ void append_points(fmt::memory_buffer& out, std::span<const double> coordinates,
                    std::string_view line_end)
 {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        fmt::format_to(std::back_inserter(out), FMT_COMPILE("{:.17g}"), coordinates[i]);
+        std::array<char, 32> text{};
+        const char* const end =
+            std::to_chars(text.data(), text.data() + text.size(), coordinates[i], std::chars_format::general, 17).ptr;
+        out.append(text.data(), end);
         out.append((i + 1) % dimension == 0 ? line_end : " ");
     }
 }

@@ -9,7 +9,6 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -43,9 +42,6 @@ struct Measures
     std::uint64_t squared_distance = UINT64_MAX;
     double empty_radius = 0;
     Extents interior;
-    std::array<std::uint32_t, 4> min{UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
-    std::array<std::uint32_t, 4> max{};
-    std::array<std::uint64_t, 4> sum{};
 
     void join(const Measures& other)
     {
@@ -54,11 +50,6 @@ struct Measures
         if (!other.interior.are_empty()) {
             interior.include(other.interior.low);
             interior.include(other.interior.high);
-        }
-        for (std::size_t i = 0; i < sum.size(); ++i) {
-            min[i] = std::min(min[i], other.min[i]);
-            max[i] = std::max(max[i], other.max[i]);
-            sum[i] += other.sum[i];
         }
     }
 };
@@ -91,7 +82,7 @@ public:
     Measures measure(std::uint32_t tile, double known_empty_radius)
     {
         Measures measures;
-        count(tile, measures);
+        measures.interior = interior_of(tile);
         pieces_.closure(tile, closure_);
         measures.squared_distance = squared_min_distance(closure_);
         measures.empty_radius = search_.radius(closure_, known_empty_radius);
@@ -99,20 +90,17 @@ public:
     }
 
 private:
-    void count(std::uint32_t tile, Measures& measures) const
+    Extents interior_of(std::uint32_t tile) const
     {
         const auto dimension = static_cast<std::size_t>(set_.parameters.dimension);
         const std::span<const std::uint16_t> points = set_.tile(tile);
+        Extents extents;
         for (std::size_t i = 0; i < points.size(); i += dimension) {
             const auto point = points.subspan(i, dimension);
-            const auto cell_dimension =
-                static_cast<std::size_t>(std::popcount(pieces_.regions().cell_of(point).axes));
-            ++measures.sum[cell_dimension];
-            if (cell_dimension == dimension)
-                measures.interior.include({point[0], point[1], dimension == 3 ? point[2] : 0});
+            if (pieces_.regions().cell_of(point).axes == all_axes(set_.parameters.dimension))
+                extents.include({point[0], point[1], dimension == 3 ? point[2] : 0});
         }
-        for (std::size_t i = 0; i < measures.sum.size(); ++i)
-            measures.min[i] = measures.max[i] = static_cast<std::uint32_t>(measures.sum[i]);
+        return extents;
     }
 
     const PoissonTileSet& set_;
@@ -180,27 +168,6 @@ std::uint64_t squared_separation(const std::vector<Extents>& extents, int dimens
                                       std::max<std::int64_t>(smallest, 0));
 }
 
-/// The cells of a dimension that a tile has a whole of: in 2D one corner (four quarters) and two edges.
-double whole_cells(int dimension, int cell_dimension)
-{
-    return cell_dimension == 0 || cell_dimension == dimension ? 1 : dimension;
-}
-
-std::array<RegionCounts, 4> counts_of(const Measures& measures, const PoissonTileSet& set,
-                                      const TileRegions& regions)
-{
-    const PoissonTileParameters& p = set.parameters;
-    std::array<RegionCounts, 4> counts{};
-    for (int i = 0; i <= p.dimension; ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const double mean = static_cast<double>(measures.sum[k]) / p.tiles;
-        const double volume =
-            whole_cells(p.dimension, i) * regions.volume(static_cast<std::uint8_t>((1 << i) - 1));
-        counts[k] = {measures.min[k], measures.max[k], mean, mean / (p.points_per_tile * volume)};
-    }
-    return counts;
-}
-
 }
 
 TileCertificate certify(const PoissonTileSet& set)
@@ -218,7 +185,7 @@ TileCertificate certify(const PoissonTileSet& set)
     result.squared_separation = squared_separation(extents_of(set, pieces, measures.interior), p.dimension);
     result.squared_min_distance = std::min(result.squared_closure_distance, result.squared_separation);
     result.relative_radius = relative_radius_of(result.squared_min_distance, p);
-    result.regions = counts_of(measures, set, pieces.regions());
+    result.regions = region_counts(set);
     result.largest_empty_radius = (1 + EmptyBallSearch::tolerance) * measures.empty_radius / tile_units;
     result.largest_empty_radius_in_min_distances =
         result.largest_empty_radius * tile_units /

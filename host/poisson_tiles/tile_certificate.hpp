@@ -23,23 +23,12 @@
 #pragma once
 
 #include "poisson_tiles/poisson_tile_set.hpp"
+#include "poisson_tiles/region_counts.hpp"
 
 #include <array>
 #include <cstdint>
 
 namespace poissonlab {
-
-/// The points of a tile in the regions of its cells of one dimension, on the tile's own side of them.
-struct RegionCounts
-{
-    std::uint32_t min = 0; ///< over all tiles
-    std::uint32_t max = 0;
-    double mean = 0;
-    double density =
-        0; ///< mean over that of as many points spread evenly: 1 where points are as dense as elsewhere
-
-    bool operator==(const RegionCounts&) const = default;
-};
 
 struct TileCertificate
 {

@@ -38,6 +38,7 @@ struct ParameterSpec
         text,
         choice,
         paths,
+        command, ///< a program with its arguments
         sampler ///< another method with its parameters: a table in the config
     };
 

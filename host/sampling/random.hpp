@@ -20,6 +20,7 @@ enum class Purpose : std::uint32_t
     tiling_colors = 16,
     scanline_tiling = 17,
     tile_choice = 18,
+    other_program = 19,
 };
 
 /// The 64-bit key of one independent stream.

@@ -48,6 +48,13 @@ struct TileSetBuild
     int threads = 0;    ///< of the host
 };
 
+/// The points of a tile in the regions of its corners, edges, faces or in its interior, on average over the tile set.
+struct RegionPoints
+{
+    double mean = 0;
+    double expected = 0; ///< of as many points spread evenly: by area (volume)
+};
+
 /// The tile set that a tiling method takes its points from.
 struct TileSetRecord
 {
@@ -55,6 +62,7 @@ struct TileSetRecord
     std::uint32_t points_per_tile = 0;
     bool cached = false;               ///< read from the cache, not built this time
     std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
+    std::vector<RegionPoints> regions; ///< of corners first, the interior last; empty for templates
 };
 
 /// Makes the point sets of one series.
@@ -97,6 +105,9 @@ struct SamplerSpec
     std::string summary; ///< one line for the help
     std::vector<int> dimensions;
     std::vector<ParameterSpec> parameters;
+
+    /// The label of series to which the user gives none; empty: the title and all parameters.
+    std::function<std::string(const Parameters&)> label;
 
     /// True when all realizations are the same set: its spectrum is then one periodogram, not an estimate.
     bool deterministic = false;

@@ -1,6 +1,7 @@
 #include "tile_sampling/tile_set_cache.hpp"
 
 #include "errors/errors.hpp"
+#include "poisson_tiles/region_counts.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
 #include "tile_sampling/tile_set_build.hpp"
@@ -14,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -66,9 +68,22 @@ std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters&
     return {std::move(set), std::move(build)};
 }
 
-TileSetRecord record_of(const PoissonTileParameters& parameters, bool cached, std::optional<TileSetBuild> build)
+/// Templates have no regions of corners and edges.
+std::vector<RegionPoints> region_points(const PoissonTileSet& set)
 {
-    return {parameters.tiles, parameters.points_per_tile, cached, std::move(build)};
+    std::vector<RegionPoints> points;
+    if (set.parameters.kind == PoissonTileKind::frame) return points;
+    const auto counts = region_counts(set);
+    for (int cell = 0; cell <= set.parameters.dimension; ++cell)
+        points.push_back({counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
+    return points;
+}
+
+CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build)
+{
+    TileSetRecord record{set.parameters.tiles, set.parameters.points_per_tile, cached, std::move(build),
+                         region_points(set)};
+    return {std::move(set), std::move(record)};
 }
 
 }
@@ -115,11 +130,11 @@ CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine en
     const std::filesystem::path file = folder / tile_cache_name(parameters, engine);
     if (!folder.empty()) {
         if (auto stored = stored_set(file, parameters))
-            return {*std::move(stored), record_of(parameters, true, read_build_record(file))};
+            return recorded(*std::move(stored), true, read_build_record(file));
     }
     auto [set, build] = timed_build(parameters, engine, device);
     if (!folder.empty()) try_to_store(file, set, build);
-    return {std::move(set), record_of(parameters, false, std::move(build))};
+    return recorded(std::move(set), false, std::move(build));
 }
 
 }

@@ -6,6 +6,7 @@ const element = (id) => document.getElementById(id);
 const boxes = Array.from(document.querySelectorAll("input[data-series]"));
 const svgNamespace = "http://www.w3.org/2000/svg";
 const view = { width: 860, height: 480, left: 64, right: 16, top: 14, bottom: 52 };
+const mostAtFirst = 12;
 const colorCount = 7;
 const dashes = ["", "8 4", "2 3", "10 3 2 3"];
 
@@ -189,6 +190,8 @@ function update() {
   chart.replaceChildren();
   writeLegend();
   if (!curves.length) return;
+  view.width = Math.max(360, Math.min(860, chart.clientWidth));
+  view.height = Math.max(320, Math.round(0.56 * view.width));
   scales = makeScales();
   const svg = draw(chart, "svg", { viewBox: `0 0 ${view.width} ${view.height}` });
   drawAxes(svg);
@@ -306,12 +309,12 @@ function setAll(checked) {
 function startWithRun() {
   const match = /^#run-(\d+)$/.exec(location.hash);
   if (!match) return;
-  let left = 12;
-  for (const box of boxes) {
-    const series = report.series[Number(box.dataset.series)];
-    box.checked = series.run === Number(match[1]) && left-- > 0;
-    if (box.checked && element("dimension")) element("dimension").value = String(series.dimension);
-  }
+  const seriesOf = (box) => report.series[Number(box.dataset.series)];
+  const own = boxes.filter((box) => seriesOf(box).run === Number(match[1]));
+  const step = (i) => Math.floor((i * mostAtFirst) / own.length);
+  for (const box of boxes) box.checked = false;
+  own.forEach((box, i) => (box.checked = own.length <= mostAtFirst || step(i + 1) > step(i)));
+  if (own.length && element("dimension")) element("dimension").value = String(seriesOf(own[0]).dimension);
 }
 
 element("compare").hidden = false;
@@ -324,6 +327,7 @@ element("none").addEventListener("click", () => setAll(false));
 element("chart").addEventListener("pointermove", onPointer);
 element("chart").addEventListener("pointerdown", onPointer);
 element("chart").addEventListener("keydown", onKey);
+window.addEventListener("resize", update);
 startWithRun();
 applyFilter();
 update();

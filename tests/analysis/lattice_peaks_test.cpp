@@ -106,5 +106,21 @@ TEST(LatticePeaks, RejectOrLeaveOutWhatHasNoSurroundings)
     EXPECT_EQ(lattice_peaks(dark, 4).max_ratio, 0); // 0 over the floor, not 0 / 0
 }
 
+TEST(LatticePeaks, OfAHalfSpectrumAreTheSame)
+{
+    for (const int d : {2, 3}) {
+        const int size = d == 2 ? 64 : 16;
+        std::mt19937_64 random(3);
+        const PointSet points = random_points(100, d, random);
+        const std::vector<double> power = exact_periodogram(points, size);
+        const LatticePeaks whole = lattice_peaks(Spectrum{d, size, 100, 1, power}, 4);
+        const LatticePeaks half = lattice_peaks(half_of(power, d, size), 100, 4);
+        EXPECT_EQ(half.peaks, whole.peaks);
+        EXPECT_GT(half.peaks, 0U);
+        EXPECT_NEAR(half.mean_ratio, whole.mean_ratio, 1e-9 * whole.mean_ratio);
+        EXPECT_NEAR(half.max_ratio, whole.max_ratio, 1e-9 * whole.max_ratio);
+    }
+}
+
 }
 }

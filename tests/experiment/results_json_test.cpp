@@ -192,6 +192,30 @@ TEST(ResultsJson, HasTheMeasuresThatThereAre)
                     {"relative_variance", 0.75}}));
 }
 
+TEST(ResultsJson, HasStandardErrorsWhereTheyAreKnown)
+{
+    SeriesResult result = two_realizations();
+    SeriesMeasures& m = result.measures;
+    m.effective_nyquist = 0.5;
+    m.oscillation = Oscillation{3, 1, 20, 40};
+    m.lattice_peaks = LatticePeaks{8, 12.5, 3.5, {8, -16, 0}, 99};
+    m.peak_anisotropy = PeakAnisotropy{-6, 33, 200, 0.25};
+    const auto measures = [&] { return written(one_series(), result)["series"][0]["measures"]; };
+    EXPECT_FALSE(measures().contains("effective_nyquist_standard_error"));
+    EXPECT_FALSE(measures()["oscillation"].contains("standard_error"));
+    EXPECT_FALSE(measures()["lattice_peaks"].contains("mean_ratio_standard_error"));
+    m.effective_nyquist_error = 0.01;
+    m.oscillation_error = 0.125;
+    m.lattice_peaks_error = 0.5;
+    EXPECT_EQ(measures()["effective_nyquist_standard_error"], 0.01);
+    EXPECT_EQ(measures()["oscillation"]["standard_error"], 0.125);
+    EXPECT_EQ(measures()["lattice_peaks"]["mean_ratio_standard_error"], 0.5);
+    EXPECT_EQ(measures()["peak_anisotropy"],
+              json({{"db", -6.0}, {"frequency", 33.0}, {"samples", 200}, {"standard_error_db", 0.25}}));
+    result.points = {64};
+    EXPECT_FALSE(measures()["peak_anisotropy"].contains("standard_error_db"));
+}
+
 TEST(ResultsJson, SizesThatDifferAreAllThere)
 {
     SeriesResult result = two_realizations();

@@ -55,6 +55,7 @@ TEST_F(SiteTest, AGridIsATableOfPictures)
     const auto text = file("index.html");
     const auto begin = text.find("<table class=\"matrix\">");
     const auto table = text.substr(begin, text.find("</table>", begin) - begin);
+    EXPECT_THAT(text, HasSubstr("<h2>corner-tiles</h2>")) << "the labels have nothing in common";
     for (const char* heading : {"<th scope=\"col\">N = 32</th>", "<th scope=\"col\">N = 64</th>",
                                 "<th scope=\"row\">C = 2</th>", "<th scope=\"row\">C = 3</th>"})
         EXPECT_THAT(table, HasSubstr(heading));
@@ -65,6 +66,14 @@ TEST_F(SiteTest, AGridIsATableOfPictures)
     EXPECT_EQ(test::count_of(table, "<img "), 3 * 3) << "spectrum, radial power and points";
     EXPECT_EQ(test::count_of(table, " hidden=\"hidden\""), 3 * 2) << "but for the spectra";
     EXPECT_THAT(text, Not(HasSubstr("Series by series"))) << "no cards of what is in a table";
+}
+
+TEST_F(SiteTest, ATableIsCalledWhatItsSeriesHaveInCommon)
+{
+    make_grid();
+    for (int i = 0; i < 3; ++i)
+        json_["series"][i]["label"] = fmt::format("Tiles, C = {}, N = 64, repulsion", i);
+    EXPECT_THAT(page(), HasSubstr("<h2>Tiles, N = 64, repulsion</h2>"));
 }
 
 TEST_F(SiteTest, OneAxisIsARow)

@@ -1,0 +1,21 @@
+// Standard errors of what is computed from an average over realizations: leave one out, see how much that changes.
+//
+// Tukey, Bias and confidence in not quite large samples, Annals of Mathematical Statistics 29, 1958; Efron and Stein, The
+// jackknife estimate of variance, Annals of Statistics 9(3), 1981: right for quantities that are linear in the average,
+// too large on average for others, up to twice the variance for squares of a mean that is 0 otherwise.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace poissonlab {
+
+/// The standard error of statistic(mean of the curves). Takes at least two curves of one size; throws
+/// std::invalid_argument otherwise.
+double jackknife_error(const std::vector<std::vector<double>>& curves,
+                       const std::function<double(const std::vector<double>& mean)>& statistic);
+
+/// The standard error of the mean of independent values, at least two; the same for the statistic that is the mean.
+double standard_error_of_mean(const std::vector<double>& values);
+
+}

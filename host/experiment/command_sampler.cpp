@@ -1,0 +1,262 @@
+#include "experiment/command_sampler.hpp"
+
+#include "experiment/interrupt.hpp"
+#include "io/point_file.hpp"
+#include "io/program_run.hpp"
+#include "io/shell_words.hpp"
+#include "sampling/random.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* command_key = "command";
+constexpr const char* limit_key = "time_limit";
+constexpr double default_limit = 60;
+constexpr std::size_t lines_shown = 8; ///< of what a program said
+
+constexpr const char* known_placeholders = "{points}, {dimension}, {seed}, {realization} and {out}";
+
+/// The length of the word in braces that `text` begins with, "{word}"; 0: it does not.
+std::size_t placeholder_length(std::string_view text)
+{
+    if (text.empty() || text[0] != '{') return 0;
+    std::size_t end = 1;
+    while (end < text.size() && (std::islower(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    return end > 1 && end < text.size() && text[end] == '}' ? end + 1 : 0;
+}
+
+std::string value_of(std::string_view placeholder, const CommandValues& values)
+{
+    if (placeholder == "{points}") return fmt::format("{}", values.points);
+    if (placeholder == "{dimension}") return fmt::format("{}", values.dimension);
+    if (placeholder == "{seed}") return fmt::format("{}", values.seed);
+    if (placeholder == "{realization}") return fmt::format("{}", values.realization);
+    if (placeholder == "{out}") return values.out;
+    throw InputError(fmt::format("{} is none of {}; {{{}}} stands for itself", placeholder, known_placeholders, placeholder));
+}
+
+/// A word with its placeholders replaced; `has_out` becomes true where {out} is one of them.
+std::string replaced(std::string_view word, const CommandValues& values, bool& has_out)
+{
+    std::string result;
+    while (!word.empty()) {
+        const std::size_t escaped = word[0] == '{' ? placeholder_length(word.substr(1)) : 0;
+        const std::size_t length = placeholder_length(word);
+        if (escaped > 0 && word.size() > escaped + 1 && word[escaped + 1] == '}') {
+            result += word.substr(1, escaped);
+            word.remove_prefix(escaped + 2);
+        } else if (length > 0) {
+            result += value_of(word.substr(0, length), values);
+            has_out = has_out || word.starts_with("{out}");
+            word.remove_prefix(length);
+        } else {
+            result += word[0];
+            word.remove_prefix(1);
+        }
+    }
+    return result;
+}
+
+/// The folder that a command runs in: that of the config.
+fs::path folder_of(const Parameters& parameters)
+{
+    return fs::absolute(parameters.location(command_key).file).parent_path();
+}
+
+/// A folder that goes with all that is in it.
+class OutputFolder
+{
+public:
+    OutputFolder()
+    {
+        std::string name = (fs::temp_directory_path() / "poissonlab-XXXXXX").string();
+        if (!::mkdtemp(name.data())) throw StorageError("cannot create the folder " + name);
+        path_ = name;
+    }
+    ~OutputFolder()
+    {
+        std::error_code error;
+        fs::remove_all(path_, error);
+    }
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// What {out} stands for. Programs may add an extension.
+    std::string out() const { return (path_ / "points").string(); }
+
+    /// The one file that is there. Throws InputError.
+    fs::path file() const
+    {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(path_)) files.push_back(entry.path());
+        if (files.empty()) throw InputError("it wrote no file {out}");
+        if (files.size() > 1) throw InputError("it wrote several files that begin with {out}; one is needed");
+        return files.front();
+    }
+
+    /// The one point set of the file. Throws InputError, in words without the file's own name.
+    PointSet read() const
+    {
+        const fs::path written = file();
+        try {
+            std::vector<PointSet> sets = read_points(written);
+            if (sets.size() != 1)
+                throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
+            return std::move(sets.front());
+        } catch (const InputError& error) {
+            std::string message = error.what();
+            const std::size_t at = message.find(written.string());
+            if (at != std::string::npos) message.replace(at, written.string().size(), "{out}");
+            throw InputError(message);
+        }
+    }
+
+private:
+    fs::path path_;
+};
+
+/// The last lines that a program said, each on a line of its own.
+std::string said(const std::string& output)
+{
+    std::string text = output;
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+    if (text.empty()) return "";
+    std::size_t begin = text.size();
+    for (std::size_t lines = 0; lines < lines_shown && begin != std::string::npos && begin > 0; ++lines)
+        begin = text.rfind('\n', begin - 1);
+    if (begin != std::string::npos && begin > 0 && begin < text.size()) text.erase(0, begin + 1);
+    // A program's colours and cursor movements are not for this terminal.
+    std::string result = "; it said:\n    ";
+    for (const char c : text) {
+        const bool harmless = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+        result += c == '\n' ? std::string("\n    ") : harmless || c == '\t' ? std::string(1, c) : std::string("?");
+    }
+    return result;
+}
+
+std::string failure_of(const ProgramOutcome& outcome, double limit)
+{
+    if (!outcome.is_in_time) return fmt::format("it did not end within time_limit = {} seconds", limit);
+    if (outcome.signal != 0) return fmt::format("a signal ended it: {}", ::strsignal(outcome.signal));
+    return fmt::format("it ended with exit status {}", outcome.status);
+}
+
+class CommandSampler final : public Sampler
+{
+public:
+    CommandSampler(const Parameters& parameters, const SampleRequest& request)
+        : parameters_(parameters), request_(request),
+          limit_(parameters.has(limit_key) ? parameters.number(limit_key) : default_limit)
+    {}
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const OutputFolder folder;
+        const auto words = command_words(
+            parameters_.text(command_key), {request_.points, request_.dimension,
+                                            command_seed(request_.seed, realization), realization, folder.out()});
+        ProgramOutcome outcome;
+        try {
+            outcome = run_program(words, folder_of(parameters_), limit_, stop_if_interrupted);
+            if (!outcome.succeeded()) throw InputError(failure_of(outcome, limit_));
+            PointSet points = folder.read();
+            if (points.dimension != request_.dimension)
+                throw InputError(fmt::format("it wrote {}D points; the experiment has dimension = {}",
+                                             points.dimension, request_.dimension));
+            return points;
+        } catch (const InputError& error) {
+            throw parameters_.error(command_key, fmt::format("realization {}: {}{}", realization, error.what(),
+                                                             said(outcome.output)));
+        }
+    }
+
+    // How many points there are is the program's business.
+    bool sizes_vary() const override { return true; }
+
+private:
+    Parameters parameters_;
+    SampleRequest request_;
+    double limit_;
+};
+
+void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
+{
+    if (!parameters.has(command_key))
+        throw InputError(to_string(where) + ": sampler = \"command\": needs command, such as "
+                                            "\"mysampler {points} {seed} {out}\"");
+    try {
+        const auto words = command_words(parameters.text(command_key), {});
+        if (!is_program(words[0], folder_of(parameters)))
+            throw InputError(fmt::format("there is no program {}{}", words[0],
+                                         words[0].find('/') != std::string::npos
+                                             ? " (paths are relative to the folder of the config)"
+                                             : " in the folders of PATH"));
+    } catch (const InputError& error) {
+        throw parameters.error(command_key, error.what());
+    }
+}
+
+}
+
+std::vector<std::string> command_words(const std::string& command, const CommandValues& values)
+{
+    auto words = split_shell_words(command);
+    if (!words) throw InputError("a quote or backslash at the end is left open");
+    if (words->empty()) throw InputError("must name a program");
+    bool has_out = false;
+    for (std::string& word : *words) word = replaced(word, values, has_out);
+    if (!has_out)
+        throw InputError(fmt::format("must have {{out}}, the file that the program writes; it may have {}",
+                                     known_placeholders));
+    return *std::move(words);
+}
+
+std::uint32_t command_seed(std::uint64_t seed, std::uint32_t realization)
+{
+    return std::max(1U, stream_key(seed, Purpose::other_program, realization)[0] >> 1);
+}
+
+std::string program_name(const std::string& command)
+{
+    const auto words = split_shell_words(command);
+    return words && !words->empty() ? fs::path(words->front()).stem().string() : "";
+}
+
+SamplerSpec command_sampler()
+{
+    ParameterSpec command;
+    command.key = command_key;
+    command.kind = ParameterSpec::Kind::command;
+    command.help = fmt::format("a program and its arguments, with {}; run in the folder of the config", known_placeholders);
+
+    ParameterSpec limit;
+    limit.key = limit_key;
+    limit.help = "seconds after which the program is ended; default 60";
+    limit.maximum = 1e6;
+    limit.exclusive_minimum = true;
+
+    SamplerSpec spec;
+    spec.name = "command";
+    spec.title = "Command";
+    spec.summary = "point sets from any program that writes them to a file";
+    spec.dimensions = {2, 3};
+    spec.parameters = {command, limit};
+    spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
+    spec.check = check;
+    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<CommandSampler>(parameters, request);
+    };
+    return spec;
+}
+
+}

@@ -1,0 +1,31 @@
+// Runs other programs: without a shell, in a process group of their own, for a limited time.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// How a program ended.
+struct ProgramOutcome
+{
+    bool is_in_time = true;
+    int status = 0;     ///< exit status, unless a signal ended it
+    int signal = 0;     ///< the signal that ended it; 0: none
+    std::string output; ///< the end of standard output and standard error, as they came
+
+    bool succeeded() const { return is_in_time && status == 0 && signal == 0; }
+};
+
+/// Whether there is a program that `name` starts: a path relative to `folder`, or a file in the folders of PATH.
+bool is_program(const std::string& name, const std::filesystem::path& folder);
+
+/// Runs the program words[0] with the rest as its arguments, in `folder`, with nothing on standard input, and waits for
+/// it. `check` is called again and again meanwhile; what it throws ends the program. When it ends, is late or is ended,
+/// all processes of its group are killed. Throws InputError where it cannot be started.
+ProgramOutcome run_program(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                           double limit_seconds, const std::function<void()>& check);
+
+}
