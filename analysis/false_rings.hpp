@@ -22,8 +22,8 @@ struct FalseRings
     double at_the_plate = 0;
 };
 
-/// The strength that the noise of a picture of so many pixels exceeds once in a hundred: powers are exponential, and the
-/// largest of n is above ln(n / 0.01) with probability 0.01.
+/// The strength that the noise of a picture of so many pixels exceeds once in a hundred: powers are exponential, and
+/// the largest of n is above ln(n / 0.01) with probability 0.01.
 double false_rings_bound(std::size_t pixels);
 
 /// Pixels along each axis that a picture needs at least.

@@ -30,9 +30,12 @@ bool fits(const ReportSeries& series, SeriesQuery::Needs needs)
     switch (needs) {
     case SeriesQuery::Needs::spectrum:
         return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
-    case SeriesQuery::Needs::plate: return series.stored->zone_plate.has_value();
-    case SeriesQuery::Needs::iterations: return series.stored->iterations.has_value();
-    case SeriesQuery::Needs::anything: break;
+    case SeriesQuery::Needs::plate:
+        return series.stored->zone_plate.has_value();
+    case SeriesQuery::Needs::iterations:
+        return series.stored->iterations.has_value();
+    case SeriesQuery::Needs::anything:
+        break;
     }
     return true;
 }

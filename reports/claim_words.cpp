@@ -57,11 +57,12 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
         for (const auto& machine : machines) parts.push_back(machine);
         return ClaimOutcome{Agreement::not_judged, joined_words(parts)};
     };
-    return {id, section, says, "times of 2006, on one core of an Athlon 64 4000+, beside medians here: not judged", measure};
+    return {id, section, says, "times of 2006, on one core of an Athlon 64 4000+, beside medians here: not judged",
+            measure};
 }
 
-PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says, const SeriesQuery& query,
-                       double relative_radius)
+PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
+                       const SeriesQuery& query, double relative_radius)
 {
     const auto measure = [query, relative_radius](const ClaimSeries& report) -> std::optional<ClaimOutcome> {
         double best = 0;
@@ -74,11 +75,12 @@ PaperClaim reach_claim(const std::string& id, const std::string& section, const 
                             fmt::format("{} in every realization{}", format_fixed(best, 4),
                                         reached ? "" : ", the largest in this report")};
     };
-    return {id, section, says,
-            fmt::format("the smallest relative radius of all realizations of a series is at least {}; partly: the report "
-                        "has no series of so much",
-                        format_exact(relative_radius)),
-            measure};
+    return {
+        id, section, says,
+        fmt::format("the smallest relative radius of all realizations of a series is at least {}; partly: the report "
+                    "has no series of so much",
+                    format_exact(relative_radius)),
+        measure};
 }
 
 BlueNoise blue_noise(const ReportSeries& series)

@@ -30,8 +30,8 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
                       const std::vector<TimedSeries>& series);
 
 /// That sets reach the relative radius that was asked for.
-PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says, const SeriesQuery& query,
-                       double relative_radius);
+PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
+                       const SeriesQuery& query, double relative_radius);
 
 /// What makes a radial curve a blue noise one: little power at low frequencies, a peak near the principal frequency,
 /// and power about 1 beyond.
@@ -41,8 +41,8 @@ struct BlueNoise
     std::string words;
 };
 BlueNoise blue_noise(const ReportSeries& series);
-inline constexpr auto blue_noise_criterion =
-    "mean power below 0.2 up to half the principal frequency 1/d_min; the highest power within a quarter of it; mean power "
-    "within 0.1 of 1 from 1.5 times it on";
+inline constexpr auto blue_noise_criterion = "mean power below 0.2 up to half the principal frequency 1/d_min; the "
+                                             "highest power within a quarter of it; mean power "
+                                             "within 0.1 of 1 from 1.5 times it on";
 
 }

@@ -38,8 +38,8 @@ TEST(FalseRings, NoiseHasNone)
     EXPECT_NEAR(rings.strength, std::log(256.0 * 256) + 0.58, 5 * 1.28);
 }
 
-// A wave exp(-2 i c.x) of amplitude a / 2 over n^2 pixels has power (a n^2 / 2)^2 where noise of variance s^2 has n^2 s^2:
-// (a n / 2 s)^2, here (0.05 * 256 / 0.2)^2 = 64^2, where c is on the grid of pi / 48.
+// A wave exp(-2 i c.x) of amplitude a / 2 over n^2 pixels has power (a n^2 / 2)^2 where noise of variance s^2 has n^2
+// s^2: (a n / 2 s)^2, here (0.05 * 256 / 0.2)^2 = 64^2, where c is on the grid of pi / 48.
 TEST(FalseRings, AreFoundWhereTheyAre)
 {
     const double step = std::numbers::pi / plate_side;

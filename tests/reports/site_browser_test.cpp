@@ -1,5 +1,5 @@
-// The report's site in a real browser, from disk: quiet, complete, and everything that can be pressed does what it says.
-// Needs Chromium.
+// The report's site in a real browser, from disk: quiet, complete, and everything that can be pressed does what it
+// says. Needs Chromium.
 #include "reports/report.hpp"
 
 #include "io/whole_file.hpp"
@@ -107,8 +107,9 @@ TEST_F(SiteInBrowser, EveryPictureIsThereAndShowsSomething)
     for (const auto& page : pages()) {
         browser_->open(page);
         // Lazy pictures load once they are near the window.
-        const auto images = evaluate("Promise.all(Array.from(document.images, i => { i.loading = 'eager';"
-                                     "return i.decode().then(() => [i.src, i.naturalWidth, i.alt], () => [i.src, 0, i.alt]); }))");
+        const auto images =
+            evaluate("Promise.all(Array.from(document.images, i => { i.loading = 'eager';"
+                     "return i.decode().then(() => [i.src, i.naturalWidth, i.alt], () => [i.src, 0, i.alt]); }))");
         for (const auto& image : images) {
             EXPECT_GT(image[1].get<int>(), 0) << page << ": " << image[0];
             EXPECT_NE(image[2], "") << page << ": " << image[0];
@@ -185,7 +186,9 @@ TEST_F(SiteInBrowser, TheRankingSortsByEachColumn)
     EXPECT_THAT(keys.get<std::vector<std::string>>(), Contains("relative_radius"));
     for (const std::string key : keys) {
         const auto header = "#ranking thead th[data-key=\"" + key + "\"]";
-        const auto sort = [&] { return evaluate("document.querySelector('" + header + "').getAttribute('aria-sort')"); };
+        const auto sort = [&] {
+            return evaluate("document.querySelector('" + header + "').getAttribute('aria-sort')");
+        };
         const auto rows_before = column_values(*browser_, key);
         browser_->click(header + " button");
         const bool best_is_highest = evaluate("document.querySelector('" + header + "').dataset.better") == "higher";
@@ -290,7 +293,8 @@ Reading reading(test::Browser& browser)
 {
     const auto number = [](const std::string& text, std::size_t from) {
         std::string plain = text.substr(from);
-        if (const auto minus = plain.find("−"); minus != std::string::npos) plain.replace(minus, std::string("−").size(), "-");
+        if (const auto minus = plain.find("−"); minus != std::string::npos)
+            plain.replace(minus, std::string("−").size(), "-");
         return std::stod(plain);
     };
     const std::string all = browser.evaluate("document.getElementById('readout').firstChild.textContent");
@@ -325,9 +329,11 @@ TEST_F(SiteInBrowser, HoveringReadsWhatTheTablesHold)
 TEST_F(SiteInBrowser, HasThePapersClaims)
 {
     browser_->open(site() / "index.html");
-    EXPECT_THAT(each("header nav a", "e.getAttribute(\"href\")").get<std::vector<std::string>>(), Contains("claims.html"));
+    EXPECT_THAT(each("header nav a", "e.getAttribute(\"href\")").get<std::vector<std::string>>(),
+                Contains("claims.html"));
     browser_->open(site() / "claims.html");
-    EXPECT_THAT(each("#claims tbody tr", "e.id").get<std::vector<std::string>>(), Contains("claim-6.2.2-poisson-anisotropy"));
+    EXPECT_THAT(each("#claims tbody tr", "e.id").get<std::vector<std::string>>(),
+                Contains("claim-6.2.2-poisson-anisotropy"));
     EXPECT_THAT(each("#claims tbody .verdict", "e.textContent.trim()").get<std::vector<std::string>>(),
                 testing::Each(testing::ContainsRegex("agrees|partly|disagrees|not judged")));
 }
