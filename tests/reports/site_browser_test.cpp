@@ -57,6 +57,16 @@ protected:
             pairs += std::to_string(0.01 * i) + "," + std::to_string(i < 5 ? 0.0 : 1.0) + ",0.01,50\n";
         folder_->write(name + "/jittered/pair-correlation.csv", pairs);
         json["series"][1]["pair_correlation"] = {{"file", "jittered/pair-correlation.csv"}};
+        // All three are places of a grid of two axes.
+        json["methods"] = {{{"sampler", "corner-tiles"},
+                            {"label", ""},
+                            {"axes",
+                             {{{"key", "colors"}, {"symbol", "C"}, {"values", {"2", "3"}}},
+                              {{"key", "points_per_tile"}, {"symbol", "N"}, {"values", {"32", "64"}}}}}}};
+        for (int i = 0; i < 3; ++i) {
+            json["series"][i]["method"] = 0;
+            json["series"][i]["place"] = {i / 2, i % 2};
+        }
         test::write_results_json(folder_->path() / name, json);
     }
 
@@ -281,6 +291,26 @@ TEST_F(SiteInBrowser, EverySwitchChangesTheChart)
     EXPECT_EQ(choose("axis", "ArrowDown"), "principal");
     EXPECT_THAT(titles().get<std::vector<std::string>>(), Contains(HasSubstr("principal frequency")));
     EXPECT_THAT(browser_->messages(), IsEmpty());
+}
+
+TEST_F(SiteInBrowser, TheTableOfPicturesShowsWhatIsPressed)
+{
+    browser_->open(site() / "one/index.html");
+    const auto kinds = each(".switch button", "e.dataset.kind").get<std::vector<std::string>>();
+    ASSERT_GE(kinds.size(), 2u);
+    for (const auto& kind : kinds) {
+        const auto button = ".switch button[data-kind=\"" + kind + "\"]";
+        browser_->click(button);
+        EXPECT_EQ(evaluate("document.querySelector('" + button + "').getAttribute('aria-pressed')"), "true");
+        EXPECT_EQ(each(".switch button[aria-pressed=true]", "1").size(), 1u);
+        const auto shown = each(".matrix img:not([hidden])", "e.dataset.kind");
+        EXPECT_EQ(shown.size(), 3u) << kind;
+        for (const auto& image : shown) EXPECT_EQ(image, kind);
+    }
+    // By keyboard as well: the first one, from the last.
+    browser_->evaluate("document.querySelector('.switch button').focus()");
+    browser_->press("Enter");
+    EXPECT_EQ(each(".matrix img:not([hidden])", "e.dataset.kind")[0], kinds[0]);
 }
 
 /// The frequency of the read-out, and the value of the series that is highlighted.
