@@ -1,7 +1,6 @@
 #include "analysis/false_rings.hpp"
 
 #include "analysis/zone_plate.hpp"
-#include "analysis/zone_plate_reference.hpp"
 
 #include <fftw3.h>
 
@@ -25,9 +24,8 @@ constexpr int own = 2;            ///< those that a strong plate spills into
 constexpr int plate_itself = 16;  ///< frequencies to either side of 0: centres within 1.05 of the origin
 
 // The picture's error times exp(-i |x|^2).
-std::vector<Complex> dechirped(const SquareImage& picture)
+std::vector<Complex> dechirped(const SquareImage& picture, const SquareImage& reference)
 {
-    const SquareImage reference = zone_plate_reference(picture.size);
     const double pixel = plate_side / picture.size;
     std::vector<Complex> line(static_cast<std::size_t>(picture.size));
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -72,15 +70,8 @@ public:
     /// The sum over the square of this half width, of all places.
     std::vector<double> sums(int half) const
     {
-        std::vector<double> rows(power_.size()), squares(power_.size());
-        for (int row = 0; row < size_; ++row)
-            for (int column = 0; column < size_; ++column)
-                for (int d = -half; d <= half; ++d) rows[index(column, row)] += power_[index(column + d, row)];
-        for (int row = 0; row < size_; ++row)
-            for (int d = -half; d <= half; ++d)
-                for (int column = 0; column < size_; ++column)
-                    squares[index(column, row)] += rows[index(column, row + d)];
-        return squares;
+        const auto rows = line_sums(power_, half, [&](int line, int place) { return index(place, line); });
+        return line_sums(rows, half, [&](int line, int place) { return index(line, place); });
     }
 
     std::size_t index(int column, int row) const
@@ -90,6 +81,22 @@ public:
     }
 
 private:
+    // Sums along lines, each from the one before; index(line, place) says where a place of a line is.
+    template <typename Index>
+    std::vector<double> line_sums(const std::vector<double>& values, int half, const Index& at) const
+    {
+        std::vector<double> sums(values.size());
+        for (int line = 0; line < size_; ++line) {
+            double sum = 0;
+            for (int d = -half; d <= half; ++d) sum += values[at(line, d)];
+            for (int place = 0; place < size_; ++place) {
+                sums[at(line, place)] = sum;
+                sum += values[at(line, place + half + 1)] - values[at(line, place - half)];
+            }
+        }
+        return sums;
+    }
+
     int size_;
     std::vector<double> power_;
 };
@@ -100,12 +107,13 @@ constexpr int side_of(int half) { return 2 * half + 1; }
 
 double false_rings_bound(std::size_t pixels) { return std::log(static_cast<double>(pixels) / 0.01); }
 
-FalseRings strongest_false_rings(const SquareImage& picture)
+FalseRings strongest_false_rings(const SquareImage& picture, const SquareImage& reference)
 {
     const int size = picture.size;
     if (size < smallest_false_rings_picture)
         throw std::invalid_argument("false rings need a picture of at least 64 x 64 pixels");
-    auto field = dechirped(picture);
+    if (reference.size != size) throw std::invalid_argument("false rings need a reference of the picture's size");
+    auto field = dechirped(picture, reference);
     transform(field, size);
     const PowerMap powers(field, size);
     const auto around = powers.sums(neighbourhood);

@@ -22,15 +22,16 @@ struct FalseRings
     double at_the_plate = 0;
 };
 
-/// The strength that the noise of a picture of so many pixels exceeds once in a hundred: powers are exponential, and the
-/// largest of n is above ln(n / 0.01) with probability 0.01.
+/// The strength that the noise of a picture of so many pixels exceeds once in a hundred: powers are exponential, and
+/// the largest of n is above ln(n / 0.01) with probability 0.01.
 double false_rings_bound(std::size_t pixels);
 
 /// Pixels along each axis that a picture needs at least.
 inline constexpr int smallest_false_rings_picture = 64;
 
 /// The strongest false plate of a picture of the zone plate, but for those around
-/// places within 1 of the origin, which are the plate itself. Throws std::invalid_argument for smaller pictures.
-FalseRings strongest_false_rings(const SquareImage& picture);
+/// places within 1 of the origin, which are the plate itself. `reference` is
+/// zone_plate_reference of its size. Throws std::invalid_argument for smaller pictures and other references.
+FalseRings strongest_false_rings(const SquareImage& picture, const SquareImage& reference);
 
 }

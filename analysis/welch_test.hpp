@@ -32,8 +32,8 @@ struct WelchTest
 /// Both of at least two samples, and not both standard errors 0: throws std::invalid_argument.
 WelchTest welch_test(const SampleMean& first, const SampleMean& second);
 
-/// p-values that may each be compared with one level: the probability that any true hypothesis falls below it is at most
-/// that level, whatever the tests have to do with each other.
+/// p-values that may each be compared with one level: the probability that any true hypothesis falls below it is at
+/// most that level, whatever the tests have to do with each other.
 std::vector<double> holm_adjusted(std::span<const double> p_values);
 
 }

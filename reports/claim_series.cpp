@@ -2,7 +2,10 @@
 
 #include "analysis/false_rings.hpp"
 #include "analysis/square_image_file.hpp"
+#include "analysis/zone_plate_reference.hpp"
+#include "errors/errors.hpp"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -30,9 +33,12 @@ bool fits(const ReportSeries& series, SeriesQuery::Needs needs)
     switch (needs) {
     case SeriesQuery::Needs::spectrum:
         return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
-    case SeriesQuery::Needs::plate: return series.stored->zone_plate.has_value();
-    case SeriesQuery::Needs::iterations: return series.stored->iterations.has_value();
-    case SeriesQuery::Needs::anything: break;
+    case SeriesQuery::Needs::plate:
+        return series.stored->zone_plate.has_value();
+    case SeriesQuery::Needs::iterations:
+        return series.stored->iterations.has_value();
+    case SeriesQuery::Needs::anything:
+        break;
     }
     return true;
 }
@@ -65,10 +71,18 @@ ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std:
     std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {
         return s->stored->zone_plate && s->stored->zone_plate->size >= smallest_false_rings_picture;
     });
+    std::map<int, SquareImage> references;
+    for (const auto* plate : plates) references.try_emplace(plate->stored->zone_plate->size);
+    for (auto& [size, reference] : references) reference = zone_plate_reference(size);
     std::vector<Rings> found(plates.size());
     tbb::parallel_for(std::size_t{0}, plates.size(), [&](std::size_t i) {
-        const auto picture = read_square_image(plates[i]->run->folder / plates[i]->stored->zone_plate->file);
-        const auto rings = strongest_false_rings(picture);
+        const auto file = plates[i]->run->folder / plates[i]->stored->zone_plate->file;
+        const auto picture = read_square_image(file);
+        const auto reference = references.find(picture.size);
+        if (reference == references.end())
+            throw InputError(fmt::format("{}: must have {} pixels along each axis, as results.json says", file.string(),
+                                         plates[i]->stored->zone_plate->size));
+        const auto rings = strongest_false_rings(picture, reference->second);
         found[i] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
     });
     for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];

@@ -17,8 +17,8 @@ struct SeriesQuery
     enum class Needs
     {
         anything,
-        spectrum,  ///< an estimate of several realizations, or the periodogram of a deterministic method
-        plate,     ///< the zone plate
+        spectrum, ///< an estimate of several realizations, or the periodogram of a deterministic method
+        plate,    ///< the zone plate
         iterations,
     };
 
@@ -73,8 +73,9 @@ std::optional<double> rise_width(const ReportSeries& series);
 /// The mean radial power between two frequencies in units of the principal frequency; empty where there are no rings.
 std::optional<double> mean_power(const ReportSeries& series, double low, double high);
 
-/// The share of the power that lies on the lattice of a tiling's frequencies: with a mean peak m over the power around it
-/// and a share q of frequencies on the lattice, m q / (m q + 1 - q). Without tiles it is q. Empty for series without tiles.
+/// The share of the power that lies on the lattice of a tiling's frequencies: with a mean peak m over the power around
+/// it and a share q of frequencies on the lattice, m q / (m q + 1 - q). Without tiles it is q. Empty for series without
+/// tiles.
 std::optional<double> lattice_share(const ReportSeries& series);
 
 /// The root mean square error of the zone plate where it has between `low` and `high` cycles per pixel.

@@ -27,20 +27,6 @@ std::string range_words(const std::vector<double>& values, int digits)
 
 std::string percent_words(double share) { return format_significant(100 * share, 2) + " %"; }
 
-std::string times_words(double factor) { return format_significant(factor, 2) + " times"; }
-
-std::string tile_words(const ReportSeries& series)
-{
-    const auto part = [&](const char* symbol, const char* key) {
-        const auto value = number_parameter(series, key);
-        return value ? fmt::format("{} = {}", symbol, format_exact(*value)) : std::string();
-    };
-    std::string text = part("C", "colors");
-    if (text.empty()) text = part("T", "tiles");
-    const auto points = part("N", "points_per_tile");
-    return text + (text.empty() || points.empty() ? "" : ", ") + points;
-}
-
 namespace {
 
 // "device, 2 threads"
@@ -71,11 +57,12 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
         for (const auto& machine : machines) parts.push_back(machine);
         return ClaimOutcome{Agreement::not_judged, joined_words(parts)};
     };
-    return {id, section, says, "times of 2006, on one core of an Athlon 64 4000+, beside medians here: not judged", measure};
+    return {id, section, says, "times of 2006, on one core of an Athlon 64 4000+, beside medians here: not judged",
+            measure};
 }
 
-PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says, const SeriesQuery& query,
-                       double relative_radius)
+PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
+                       const SeriesQuery& query, double relative_radius)
 {
     const auto measure = [query, relative_radius](const ClaimSeries& report) -> std::optional<ClaimOutcome> {
         double best = 0;
@@ -88,11 +75,12 @@ PaperClaim reach_claim(const std::string& id, const std::string& section, const 
                             fmt::format("{} in every realization{}", format_fixed(best, 4),
                                         reached ? "" : ", the largest in this report")};
     };
-    return {id, section, says,
-            fmt::format("the smallest relative radius of all realizations of a series is at least {}; partly: the report "
-                        "has no series of so much",
-                        format_exact(relative_radius)),
-            measure};
+    return {
+        id, section, says,
+        fmt::format("the smallest relative radius of all realizations of a series is at least {}; partly: the report "
+                    "has no series of so much",
+                    format_exact(relative_radius)),
+        measure};
 }
 
 BlueNoise blue_noise(const ReportSeries& series)

@@ -18,12 +18,6 @@ std::string range_words(const std::vector<double>& values, int digits);
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
-/// "3.5 times" with two digits.
-std::string times_words(double factor);
-
-/// "C = 4, N = 32": what tells tile series of one kind apart.
-std::string tile_words(const ReportSeries& series);
-
 /// A time of 2006, and the series whose time today stands beside it.
 struct TimedSeries
 {
@@ -36,8 +30,8 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
                       const std::vector<TimedSeries>& series);
 
 /// That sets reach the relative radius that was asked for.
-PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says, const SeriesQuery& query,
-                       double relative_radius);
+PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
+                       const SeriesQuery& query, double relative_radius);
 
 /// What makes a radial curve a blue noise one: little power at low frequencies, a peak near the principal frequency,
 /// and power about 1 beyond.
@@ -47,8 +41,8 @@ struct BlueNoise
     std::string words;
 };
 BlueNoise blue_noise(const ReportSeries& series);
-inline constexpr auto blue_noise_criterion =
-    "mean power below 0.2 up to half the principal frequency 1/d_min; the highest power within a quarter of it; mean power "
-    "within 0.1 of 1 from 1.5 times it on";
+inline constexpr auto blue_noise_criterion = "mean power below 0.2 up to half the principal frequency 1/d_min; the "
+                                             "highest power within a quarter of it; mean power "
+                                             "within 0.1 of 1 from 1.5 times it on";
 
 }

@@ -10,8 +10,8 @@ std::pair<bool, std::string> compare_runs(const std::filesystem::path& before, c
 {
     const auto comparison = compare_results(before, after);
     if (!out.empty()) write_comparison_page(comparison, before, after, out);
-    return {comparison.changed(), format == "json" ? comparison_json(comparison)
-                                                   : comparison_table(comparison, format == "all")};
+    return {comparison.changed(),
+            format == "json" ? comparison_json(comparison) : comparison_table(comparison, format == "all")};
 }
 
 }

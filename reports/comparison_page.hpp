@@ -7,7 +7,8 @@
 
 namespace poissonlab {
 
-/// Writes out/diff.html, its style sheet, and plots of the radial curves that changed, old over new. Throws StorageError.
+/// Writes out/diff.html, its style sheet, and plots of the radial curves that changed, old over new. Throws
+/// StorageError.
 void write_comparison_page(const RunComparison& comparison, const std::filesystem::path& before,
                            const std::filesystem::path& after, const std::filesystem::path& out);
 

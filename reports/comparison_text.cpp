@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace poissonlab {
 
@@ -16,7 +17,8 @@ constexpr int shown_digits = 5;
 
 std::string with_error(const SampleMean& mean, bool exact)
 {
-    auto text = exact ? format_exact(mean.value) : format_significant(mean.value, shown_digits);
+    const bool count = mean.value == std::floor(mean.value) && mean.standard_error == 0;
+    auto text = exact || count ? format_exact(mean.value) : format_significant(mean.value, shown_digits);
     if (mean.standard_error > 0) text += " ± " + format_significant(mean.standard_error, 2);
     return text;
 }
@@ -24,11 +26,16 @@ std::string with_error(const SampleMean& mean, bool exact)
 const char* verdict_name(Verdict verdict)
 {
     switch (verdict) {
-    case Verdict::identical: return "identical";
-    case Verdict::within_error: return "within error";
-    case Verdict::changed: return "changed";
-    case Verdict::not_comparable: return "not comparable";
-    case Verdict::not_judged: break;
+    case Verdict::identical:
+        return "identical";
+    case Verdict::within_error:
+        return "within error";
+    case Verdict::changed:
+        return "changed";
+    case Verdict::not_comparable:
+        return "not comparable";
+    case Verdict::not_judged:
+        break;
     }
     return "no verdict";
 }
@@ -37,11 +44,16 @@ const char* verdict_name(Verdict verdict)
 int order_of(const NumberComparison& number)
 {
     switch (number.verdict) {
-    case Verdict::changed: return !number.improved() ? 1 : *number.improved() ? 2 : 0;
-    case Verdict::not_judged: return 3;
-    case Verdict::not_comparable: return 4;
-    case Verdict::within_error: return 5;
-    case Verdict::identical: break;
+    case Verdict::changed:
+        return !number.improved() ? 1 : *number.improved() ? 2 : 0;
+    case Verdict::not_judged:
+        return 3;
+    case Verdict::not_comparable:
+        return 4;
+    case Verdict::within_error:
+        return 5;
+    case Verdict::identical:
+        break;
     }
     return 6;
 }
@@ -127,14 +139,13 @@ std::string comparison_summary(const RunComparison& comparison)
 {
     std::size_t total = 0;
     for (const auto& series : comparison.series) total += series.numbers.size();
-    auto text = fmt::format("{} in both. Of {}, {} changed, {} within their error, {} identical, {} without verdict, "
-                            "{} not comparable.",
-                            counted(comparison.series.size(), "series", "series"), counted(total, "number", "numbers"),
-                            format_count(comparison.count(Verdict::changed)),
-                            format_count(comparison.count(Verdict::within_error)),
-                            format_count(comparison.count(Verdict::identical)),
-                            format_count(comparison.count(Verdict::not_judged)),
-                            format_count(comparison.count(Verdict::not_comparable)));
+    auto text = fmt::format(
+        "{} in both. Of {}, {} changed, {} within their error, {} identical, {} without verdict, "
+        "{} not comparable.",
+        counted(comparison.series.size(), "series", "series"), counted(total, "number", "numbers"),
+        format_count(comparison.count(Verdict::changed)), format_count(comparison.count(Verdict::within_error)),
+        format_count(comparison.count(Verdict::identical)), format_count(comparison.count(Verdict::not_judged)),
+        format_count(comparison.count(Verdict::not_comparable)));
     if (!comparison.missing.empty()) text += fmt::format(" Missing: {}.", format_count(comparison.missing.size()));
     if (!comparison.added.empty()) text += fmt::format(" New: {}.", format_count(comparison.added.size()));
     return text;
@@ -169,14 +180,10 @@ std::string comparison_table(const RunComparison& comparison, bool all)
 
 std::string comparison_json(const RunComparison& comparison)
 {
-    nlohmann::ordered_json json = {{"format", "poissonlab-diff"},
-                                   {"format_version", 1},
-                                   {"changed", comparison.changed()},
-                                   {"level", comparison_level},
-                                   {"remarks", comparison.remarks},
-                                   {"missing", comparison.missing},
-                                   {"new", comparison.added},
-                                   {"numbers", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {{"format", "poissonlab-diff"},     {"format_version", 1},
+                                   {"changed", comparison.changed()}, {"level", comparison_level},
+                                   {"remarks", comparison.remarks},   {"missing", comparison.missing},
+                                   {"new", comparison.added},         {"numbers", nlohmann::ordered_json::array()}};
     for (const auto& line : sorted_lines(comparison, true)) json["numbers"].push_back(number_json(line));
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

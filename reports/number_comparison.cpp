@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto exact_note = "same seed: any difference is a change";
 constexpr auto deterministic_note = "not random: any difference is a change";
-constexpr auto single_note = "of one realization, and of another seed";
+constexpr auto single_note = "of one realization: no error is known";
 constexpr auto no_error_note = "no error is stored";
 constexpr auto tile_set_note = "of another tile set, whose spread is not known";
 
@@ -77,7 +77,8 @@ void judge(NumberComparison& number, std::span<const double> before, std::span<c
         return;
     }
     judge(number, terms);
-    // Equal means of other values are not the same numbers; realizations without any spread have told that there is none.
+    // Equal means of other values are not the same numbers; realizations without any spread have told that there is
+    // none.
     const bool no_spread = number.before->standard_error == 0 && number.after->standard_error == 0;
     if (number.verdict == Verdict::identical) number.verdict = Verdict::within_error;
     if (number.verdict == Verdict::not_judged && number.note == no_error_note && no_spread) {
@@ -102,10 +103,14 @@ Telling telling_of(const NumberComparison& point)
     const double distance = std::abs(point.after->value - point.before->value);
     if (point.p) return {3, -*point.p};
     switch (point.verdict) {
-    case Verdict::identical: return {0, 0};
-    case Verdict::within_error: return {1, distance};
-    case Verdict::changed: return {4, distance};
-    default: return {2, distance};
+    case Verdict::identical:
+        return {0, 0};
+    case Verdict::within_error:
+        return {1, distance};
+    case Verdict::changed:
+        return {4, distance};
+    default:
+        return {2, distance};
     }
 }
 
@@ -162,13 +167,11 @@ void judge(NumberComparison& number, std::span<const CurvePoint> before, std::sp
 
 void judge_times(NumberComparison& number, std::span<const double> before, std::span<const double> after)
 {
-    const auto spread = [](std::span<const double> times) {
-        auto mean = sample_mean(times);
-        mean.value = median({times.begin(), times.end()});
-        return mean;
+    const auto middle = [](std::span<const double> times) {
+        return SampleMean{median({times.begin(), times.end()}), 0, times.size()};
     };
-    number.before = spread(before);
-    number.after = spread(after);
+    number.before = middle(before);
+    number.after = middle(after);
     if (std::ranges::equal(before, after)) {
         number.verdict = Verdict::identical;
         return;
@@ -176,6 +179,8 @@ void judge_times(NumberComparison& number, std::span<const double> before, std::
     const auto [low, high] = std::ranges::minmax(before);
     const auto [next_low, next_high] = std::ranges::minmax(after);
     const bool apart = high < next_low || next_high < low;
+    number.note = fmt::format("medians; {} to {}, then {} to {}", format_seconds(low), format_seconds(high),
+                              format_seconds(next_low), format_seconds(next_high));
     const auto [small, large] = std::minmax(number.before->value, number.after->value);
     if (before.size() < 2 || after.size() < 2)
         number.note = "timed once";

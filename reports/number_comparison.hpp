@@ -30,8 +30,8 @@ struct NumberComparison
     std::optional<SampleMean> before; ///< empty: not stored there
     std::optional<SampleMean> after;
     Verdict verdict = Verdict::not_judged;
-    std::string note;            ///< the place on a curve, or why there is no verdict
-    std::optional<double> p;     ///< of the test, where there was one; settled by settle_verdicts()
+    std::string note;        ///< the place on a curve, or why there is no verdict
+    std::optional<double> p; ///< of the test, where there was one; settled by settle_verdicts()
     std::optional<double> adjusted_p;
 
     /// For a change: true where the new value is the better one; empty where neither is.

@@ -22,10 +22,14 @@ struct AgreementWords
 AgreementWords words_of(Agreement agreement)
 {
     switch (agreement) {
-    case Agreement::agrees: return {"agrees", "agrees", "✓"};
-    case Agreement::partly: return {"partly", "partly", "◐"};
-    case Agreement::disagrees: return {"disagrees", "disagrees", "✗"};
-    case Agreement::not_judged: break;
+    case Agreement::agrees:
+        return {"agrees", "agrees", "✓"};
+    case Agreement::partly:
+        return {"partly", "partly", "◐"};
+    case Agreement::disagrees:
+        return {"disagrees", "disagrees", "✗"};
+    case Agreement::not_judged:
+        break;
     }
     return {"unjudged", "not judged", "–"};
 }

@@ -1,9 +1,9 @@
 // What chapter 6 of Lagae's Tile-Based Methods in Computer Graphics (2007) says in words about the methods of this
 // laboratory, and whether the results of a report agree.
 //
-// A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's series.
-// Criteria are standard errors where there are some, and else numbers that are stated. Times of 2006 are shown beside
-// today's and never judged.
+// A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
+// series. Criteria are standard errors where there are some, and else numbers that are stated. Times of 2006 are shown
+// beside today's and never judged.
 #pragma once
 
 #include "reports/claim_series.hpp"

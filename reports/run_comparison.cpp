@@ -11,7 +11,10 @@ namespace poissonlab {
 
 namespace {
 
-std::string joined(const std::string& run, const std::string& series) { return run.empty() ? series : run + "/" + series; }
+std::string joined(const std::string& run, const std::string& series)
+{
+    return run.empty() ? series : run + "/" + series;
+}
 
 std::vector<StoredRun> read_runs(const std::filesystem::path& folder)
 {
@@ -50,7 +53,12 @@ void add_remarks(const std::string& name, const StoredRun& before, const StoredR
     add("threads", before.machine_member("threads"), after.machine_member("threads"));
     add("engine", before.engine, after.engine);
     add("seed", before.seed, after.seed);
-    if (before.config != after.config || before.overrides != after.overrides)
+    // The seed has been said.
+    const auto overrides = [](std::vector<std::string> texts) {
+        std::erase_if(texts, [](const std::string& text) { return text.starts_with("seed="); });
+        return texts;
+    };
+    if (before.config != after.config || overrides(before.overrides) != overrides(after.overrides))
         remarks.push_back((name.empty() ? "the configs" : name + ": the configs") + " differ");
 }
 

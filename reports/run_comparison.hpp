@@ -1,8 +1,8 @@
 // Two results of the same experiment, number by number: what changed beyond its error, and what is new or missing.
 //
-// Series are matched by the name of their run's folder and their own. Numbers with a spread over realizations go through
-// Welch's test, curves point by point, all corrected for how many tests there are; numbers without chance are compared
-// exactly. See number_comparison.hpp.
+// Series are matched by the name of their run's folder and their own. Numbers with a spread over realizations go
+// through Welch's test, curves point by point, all corrected for how many tests there are; numbers without chance are
+// compared exactly. See number_comparison.hpp.
 #pragma once
 
 #include "reports/number_comparison.hpp"

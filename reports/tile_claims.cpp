@@ -18,8 +18,8 @@ using Series = const ReportSeries*;
 constexpr std::size_t usual = 16384;
 constexpr std::size_t plate_points = 262144;
 
-/// Above this share of the power on the tiling's lattice a spectrum is called bad here. Without tiles the share is that of
-/// frequencies on the lattice, 0.1 to 0.8 %.
+/// Above this share of the power on the tiling's lattice a spectrum is called bad here. Without tiles the share is that
+/// of frequencies on the lattice, 0.1 to 0.8 %.
 constexpr double bad_share = 0.10;
 
 double points_per_tile(const ReportSeries& series) { return number_parameter(series, "points_per_tile").value_or(0); }
@@ -85,9 +85,9 @@ Outcome tilings_have_peaks(const ClaimSeries& report)
             ratios.push_back(peaks.mean_ratio);
         }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("mean peak {} times the power around it", range_words(ratios, 2)),
-                                      tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({fmt::format("mean peak {} times the power around it", range_words(ratios, 2)), tally.words()})};
 }
 
 Outcome more_is_lower(const ClaimSeries& report, bool tiles)
@@ -112,9 +112,11 @@ std::vector<PaperClaim> tiling_claims()
 {
     return {
         {"6.7-peaks", "6.7",
-         "The spectra of all methods that tile have peaks at multiples of the reciprocal of the tile size, which cannot be "
+         "The spectra of all methods that tile have peaks at multiples of the reciprocal of the tile size, which "
+         "cannot be "
          "eliminated.",
-         "the mean peak is more than four standard errors above the power around it in every series", tilings_have_peaks},
+         "the mean peak is more than four standard errors above the power around it in every series",
+         tilings_have_peaks},
         {"6.7-more-tiles", "6.7", "More tiles make the peaks lower.",
          "mean peak of each series of corner and template tiles against the next larger set of as many points a tile",
          [](const ClaimSeries& report) { return more_is_lower(report, true); }},
@@ -144,8 +146,8 @@ Outcome wider_plates(const ClaimSeries& report, bool aliasing)
             x = plate_error(a, 0, 0.25), y = plate_error(b, 0, 0.25);
         }
         tally.add(aliasing ? y > x : y < x);
-        words.push_back(fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)), format_significant(y, 3),
-                                    format_significant(x, 3)));
+        words.push_back(fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)),
+                                    format_significant(y, 3), format_significant(x, 3)));
     });
     if (tally.empty()) return std::nullopt;
     words.push_back(tally.words());
@@ -173,9 +175,11 @@ Outcome tiles_are_fast(const ClaimSeries& report)
 std::vector<PaperClaim> edge_claims()
 {
     return {
-        reach_claim("6.9-radius", "6.9", "Edge tiles reach relative radii of up to 0.85.", {.sampler = "edge-tiles"}, 0.85),
+        reach_claim("6.9-radius", "6.9", "Edge tiles reach relative radii of up to 0.85.", {.sampler = "edge-tiles"},
+                    0.85),
         {"6.9-low", "6.9", "Relative radius 0.80 reproduces the low frequencies of the zone plate better than 0.70.",
-         "lower root mean square error where the plate has up to a quarter of a cycle per pixel (one set each: no error known)",
+         "lower root mean square error where the plate has up to a quarter of a cycle per pixel (one set each: no "
+         "error known)",
          [](const ClaimSeries& report) { return wider_plates(report, false); }},
         {"6.9-aliasing", "6.9", "But it is more subject to aliasing.",
          "the strongest false plate is stronger, in units of the noise around it",
@@ -187,8 +191,8 @@ std::vector<PaperClaim> edge_claims()
 
 // 6.10
 
-const std::string share_criterion =
-    fmt::format("good: at most {} % of the power is in the peaks of the tiling's lattice", format_exact(100 * bad_share));
+const std::string share_criterion = fmt::format(
+    "good: at most {} % of the power is in the peaks of the tiling's lattice", format_exact(100 * bad_share));
 
 template <typename Selected>
 Outcome judged_shares(const std::vector<Series>& all, bool good, const Selected& selected)
@@ -198,8 +202,9 @@ Outcome judged_shares(const std::vector<Series>& all, bool good, const Selected&
     Tally tally;
     for (Series series : chosen) tally.add((*lattice_share(*series) <= bad_share) == good);
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(shares(chosen), 2) + " % of the power is in the peaks", tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({range_words(shares(chosen), 2) + " % of the power is in the peaks", tally.words()})};
 }
 
 Outcome many_tiles_are_alike(const ClaimSeries& report)
@@ -213,8 +218,9 @@ Outcome many_tiles_are_alike(const ClaimSeries& report)
         tally.add(std::abs(ratios.back() - 1) < 0.1);
     });
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({"mean peaks " + range_words(ratios, 3) + " times those of 128 tiles", tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({"mean peaks " + range_words(ratios, 3) + " times those of 128 tiles", tally.words()})};
 }
 
 // Template tiles against sets of other kinds with as many points a tile and no more than half as many tiles again.
@@ -231,8 +237,9 @@ Outcome template_peaks_largest(const ClaimSeries& report)
                              tally.add(ratios.back() > 1);
                          });
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(ratios, 2) + " times as high as those of other tiles", tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({range_words(ratios, 2) + " times as high as those of other tiles", tally.words()})};
 }
 
 Outcome peaks_in_anisotropy(const ClaimSeries& report)
@@ -259,10 +266,11 @@ Outcome plates_alias(const ClaimSeries& report)
             tally.add(rings->strength > rings->bound);
         }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
-                                                  range_words(strengths, 2), format_significant(bound, 2)),
-                                      tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
+                                  range_words(strengths, 2), format_significant(bound, 2)),
+                      tally.words()})};
 }
 
 Outcome plates_improve(const ClaimSeries& report)
@@ -286,7 +294,8 @@ bool is_large(Series series) { return set_size(*series) >= 32 && points_per_tile
 std::vector<PaperClaim> template_claims()
 {
     return {
-        {"6.10-bad", "6.10", "Spectra of template tiles with 16 or 24 points a tile, or with 1 to 16 tiles, are rather bad.",
+        {"6.10-bad", "6.10",
+         "Spectra of template tiles with 16 or 24 points a tile, or with 1 to 16 tiles, are rather bad.",
          share_criterion,
          [](const ClaimSeries& report) {
              return judged_shares(spectra(report, "template-tiles"), false, [](Series series) {
@@ -298,15 +307,18 @@ std::vector<PaperClaim> template_claims()
         {"6.10-alike", "6.10", "Spectra of 128 and 256 tiles are not that different.",
          "mean peaks within 10 % of each other", many_tiles_are_alike},
         {"6.10-pronounced", "6.10",
-         "The lattice of peaks is more pronounced than with other tiles, because the tiles have the template's points in common.",
-         "mean peak of 128 tiles or more above that of corner tiles (at most 256) and edge tiles with as many points a tile",
+         "The lattice of peaks is more pronounced than with other tiles, because the tiles have the template's points "
+         "in common.",
+         "mean peak of 128 tiles or more above that of corner tiles (at most 256) and edge tiles with as many points a "
+         "tile",
          template_peaks_largest},
         {"6.10-anisotropy", "6.10", "The peaks turn up in the anisotropy as well.",
          "the ring with the largest anisotropy is at least 10 dB above chance", peaks_in_anisotropy},
         {"6.10-plate", "6.10", "The zone plate shows severe structured aliasing, whatever the parameters.",
          "the strongest false plate is stronger than noise makes once in 100 pictures", plates_alias},
         {"6.10-improves", "6.10", "It improves with more tiles and with more points a tile.",
-         "the strongest false plate of each series against the next larger number of tiles, or of points a tile", plates_improve},
+         "the strongest false plate of each series against the next larger number of tiles, or of points a tile",
+         plates_improve},
     };
 }
 
@@ -333,22 +345,22 @@ Outcome better_than_edges(const ClaimSeries& report, double fewest_colors, doubl
     std::vector<double> ratios;
     for_equal_points(spectra(report, "corner-tiles"), spectra(report, "edge-tiles"),
                      [&](const ReportSeries& corner, const ReportSeries& edge) {
-                         if (set_size(corner) > most || number_parameter(corner, "colors").value_or(0) < fewest_colors) return;
+                         if (set_size(corner) > most || number_parameter(corner, "colors").value_or(0) < fewest_colors)
+                             return;
                          ratios.push_back(mean_peak(corner) / mean_peak(edge));
                          tally.add(ratios.back() < factor);
                      });
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({"mean peaks " + range_words(ratios, 2) + " times those of edge tiles", tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({"mean peaks " + range_words(ratios, 2) + " times those of edge tiles", tally.words()})};
 }
 
 // Sets of the same relative radius without tiles: Lloyd relaxation and repulsion.
 Series untiled(const ClaimSeries& report)
 {
-    return report.one({.sampler = "lloyd",
-                       .numbers = {{"until_relative_radius", 0.75}},
-                       .points = usual,
-                       .needs = Needs::spectrum});
+    return report.one(
+        {.sampler = "lloyd", .numbers = {{"until_relative_radius", 0.75}}, .points = usual, .needs = Needs::spectrum});
 }
 
 // Means of the absolute difference over rings of at least 100 samples.
@@ -438,33 +450,41 @@ bool is_good_corner_set(Series series)
 std::vector<PaperClaim> corner_claims()
 {
     return {
-        {"6.11-tiles", "6.11", "C colours make C⁴ corner tiles, but C¹² edge tiles.", "counts in the tile sets that were built",
-         counts_of_tiles},
-        reach_claim("6.11-radius", "6.11", "Corner tiles reach relative radii of up to 0.85.", {.sampler = "corner-tiles"}, 0.85),
+        {"6.11-tiles", "6.11", "C colours make C⁴ corner tiles, but C¹² edge tiles.",
+         "counts in the tile sets that were built", counts_of_tiles},
+        reach_claim("6.11-radius", "6.11", "Corner tiles reach relative radii of up to 0.85.",
+                    {.sampler = "corner-tiles"}, 0.85),
         {"6.11-good", "6.11", "From 3 colours and 32 points a tile on, spectra are rather good.", share_criterion,
          [](const ClaimSeries& report) {
              return judged_shares(spectra(report, "corner-tiles"), true, is_good_corner_set);
          }},
-        {"6.11-better", "6.11", "They are significantly better than those of edge tiles, even with smaller sets of tiles.",
+        {"6.11-better", "6.11",
+         "They are significantly better than those of edge tiles, even with smaller sets of tiles.",
          "mean peak below that of 4,096 edge tiles with as many points a tile, for 81 to 2,401 corner tiles",
          [](const ClaimSeries& report) { return better_than_edges(report, 3, 2401, 1); }},
         {"6.11-peaks", "6.11", "The peaks are much smaller than those of edge tiles (4, 6 and 8 colours).",
          "mean peak at most half of that of edge tiles with as many points a tile",
          [](const ClaimSeries& report) { return better_than_edges(report, 4, 1e9, 0.5); }},
         {"6.11-radial", "6.11", "The radially averaged power is almost that of sets without tiles (4 colours or more).",
-         "mean absolute difference from Lloyd relaxation with repulsion to the same relative radius below 0.1, 32 points a "
+         "mean absolute difference from Lloyd relaxation with repulsion to the same relative radius below 0.1, 32 "
+         "points a "
          "tile or more",
          radial_like_untiled},
-        {"6.11-anisotropy", "6.11", "The anisotropy still has peaks, but is much smaller than that of other tiles (4 colours or more).",
-         "the largest anisotropy of a ring is at least 3 dB below that of edge and template tiles with as many points a tile",
+        {"6.11-anisotropy", "6.11",
+         "The anisotropy still has peaks, but is much smaller than that of other tiles (4 colours or more).",
+         "the largest anisotropy of a ring is at least 3 dB below that of edge and template tiles with as many points "
+         "a tile",
          less_anisotropy},
-        {"6.11-plate", "6.11", "The zone plate is sampled significantly better than by other tiles, even with small sets.",
-         "strongest false plate below that of edge tiles (relative radius 0.70) and template tiles with as many points a tile",
+        {"6.11-plate", "6.11",
+         "The zone plate is sampled significantly better than by other tiles, even with small sets.",
+         "strongest false plate below that of edge tiles (relative radius 0.70) and template tiles with as many points "
+         "a tile",
          plates_better},
-        time_claim("6.11-time", "6.11",
-                   "Some 16,384 points take 0.088, 0.102, 0.122 s with 4 colours, 0.238, 0.319, 0.415 s with 6, and 0.629, "
-                   "0.911, 1.200 s with 8 (32, 48, 64 points a tile), most of it to read the tile set.",
-                   timed_corner_tiles()),
+        time_claim(
+            "6.11-time", "6.11",
+            "Some 16,384 points take 0.088, 0.102, 0.122 s with 4 colours, 0.238, 0.319, 0.415 s with 6, and 0.629, "
+            "0.911, 1.200 s with 8 (32, 48, 64 points a tile), most of it to read the tile set.",
+            timed_corner_tiles()),
     };
 }
 
@@ -479,7 +499,8 @@ std::vector<PaperClaim> sphere_claims()
         return report.all(query);
     };
     return {
-        reach_claim("6.15-tiles-radius", "6.15", "Poisson sphere tiles reach a large relative radius, 0.75.", spheres, 0.75),
+        reach_claim("6.15-tiles-radius", "6.15", "Poisson sphere tiles reach a large relative radius, 0.75.", spheres,
+                    0.75),
         {"6.15-tiles-radial", "6.15", "Their radially averaged power is rather good.", blue_noise_criterion,
          [spectra_of_spheres](const ClaimSeries& report) -> Outcome {
              Tally tally;

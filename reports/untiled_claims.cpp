@@ -16,12 +16,15 @@ namespace {
 using Needs = SeriesQuery::Needs;
 using Outcome = std::optional<ClaimOutcome>;
 
-constexpr std::size_t usual = 16384;      ///< points of spectra in chapter 6
+constexpr std::size_t usual = 16384; ///< points of spectra in chapter 6
 constexpr std::size_t plate_points = 262144;
 
 SeriesQuery darts(double relative_radius, Needs needs = Needs::anything, std::size_t points = usual)
 {
-    return {.sampler = "dart-throwing", .numbers = {{"relative_radius", relative_radius}}, .points = points, .needs = needs};
+    return {.sampler = "dart-throwing",
+            .numbers = {{"relative_radius", relative_radius}},
+            .points = points,
+            .needs = needs};
 }
 
 SeriesQuery relaxation_darts(double factor, double attempts, Needs needs = Needs::anything, std::size_t points = usual)
@@ -85,8 +88,7 @@ Outcome low_anisotropy(const std::vector<const ReportSeries*>& all)
         tally.add(std::abs(values.back()) < 0.5);
     }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(values, 2) + " dB from it", tally.words()})};
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(values, 2) + " dB from it", tally.words()})};
 }
 constexpr auto anisotropy_criterion =
     "the mean over rings of at least 100 samples is within 0.5 dB of −10 log10 K, what chance alone gives";
@@ -111,8 +113,8 @@ std::vector<PaperClaim> methodology_claims()
         {"6.2.2-flat", "6.2.2", "The spectrum of a Poisson distribution is flat.",
          "no ring is further from 1 than chance makes it once in 100 (Student's t, corrected for the number of rings)",
          flat_spectrum},
-        {"6.2.2-poisson-anisotropy", "6.2.2", "The anisotropy of a Poisson distribution is close to −10 dB: radial symmetry.",
-         anisotropy_criterion,
+        {"6.2.2-poisson-anisotropy", "6.2.2",
+         "The anisotropy of a Poisson distribution is close to −10 dB: radial symmetry.", anisotropy_criterion,
          [](const ClaimSeries& report) {
              return low_anisotropy(report.all({.sampler = "random", .needs = Needs::spectrum}));
          }},
@@ -121,15 +123,15 @@ std::vector<PaperClaim> methodology_claims()
              return low_anisotropy(report.all({.sampler = "dart-throwing", .needs = Needs::spectrum}));
          }},
         {"6.2.2-blue-noise", "6.2.2",
-         "A Poisson disk distribution has little power at low frequencies, a sharp rise at the principal frequency, and is "
+         "A Poisson disk distribution has little power at low frequencies, a sharp rise at the principal frequency, "
+         "and is "
          "flatter beyond.",
          blue_noise_criterion,
-         [](const ClaimSeries& report) {
-             return all_blue_noise(report.all(darts(0.75, Needs::spectrum)));
-         }},
+         [](const ClaimSeries& report) { return all_blue_noise(report.all(darts(0.75, Needs::spectrum))); }},
         {"6.2.3-aliasing", "6.2.3",
          "A regular pattern aliases: false rings in the zone plate. A stratified one trades them for noise.",
-         "the strongest false plate of regular points is at least 100 times as strong as that of jittered ones, of which none "
+         "the strongest false plate of regular points is at least 100 times as strong as that of jittered ones, of "
+         "which none "
          "away from the origin is stronger than noise makes once in 100 pictures",
          [](const ClaimSeries& report) -> Outcome {
              const auto* regular = report.one({.sampler = "regular", .needs = Needs::plate});
@@ -137,9 +139,12 @@ std::vector<PaperClaim> methodology_claims()
              if (regular == nullptr || jittered == nullptr) return std::nullopt;
              const auto a = report.false_rings(*regular), b = report.false_rings(*jittered);
              if (!a || !b) return std::nullopt;
-             const double strong = std::max(a->strength, a->at_the_plate), weak = std::max(b->strength, b->at_the_plate);
+             const double strong = std::max(a->strength, a->at_the_plate),
+                          weak = std::max(b->strength, b->at_the_plate);
              const bool traded = strong >= 100 * weak, noise = b->strength < b->bound;
-             return ClaimOutcome{traded && noise ? Agreement::agrees : traded || noise ? Agreement::partly : Agreement::disagrees,
+             return ClaimOutcome{traded && noise   ? Agreement::agrees
+                                 : traded || noise ? Agreement::partly
+                                                   : Agreement::disagrees,
                                  fmt::format("{} times the noise around it, against {}; noise alone gives up to {}",
                                              format_significant(strong, 2), format_significant(weak, 2),
                                              format_significant(b->bound, 2))};
@@ -151,8 +156,8 @@ std::vector<PaperClaim> methodology_claims()
 
 // Root mean square errors in the upper half of what pixels can show.
 constexpr double plate_low = 0.25, plate_high = 0.5;
-constexpr auto plate_criterion =
-    "lower root mean square error where the plate has a quarter to half a cycle per pixel (one set each: no error known)";
+constexpr auto plate_criterion = "lower root mean square error where the plate has a quarter to half a cycle per pixel "
+                                 "(one set each: no error known)";
 
 Outcome plate_better(const ClaimSeries& report, const SeriesQuery& good, const SeriesQuery& other)
 {
@@ -178,10 +183,11 @@ Outcome plate_is_noise(const ClaimSeries& report, const SeriesQuery& query)
         bound = rings->bound;
     }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
-                                                  range_words(strengths, 2), format_significant(bound, 2)),
-                                      tally.words()})};
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
+                                  range_words(strengths, 2), format_significant(bound, 2)),
+                      tally.words()})};
 }
 
 std::vector<PaperClaim> dart_throwing_claims()
@@ -254,8 +260,9 @@ Outcome relaxation_steeper(const ClaimSeries& report)
         const auto rise = rise_width(*series);
         if (!rise || !width) continue;
         tally.add(*rise < *width);
-        words.push_back(fmt::format("{} (ρ = {})", format_significant(*rise, 2),
-                                    format_fixed(series->stored->relative_radius ? series->stored->relative_radius->mean : 0, 2)));
+        words.push_back(
+            fmt::format("{} (ρ = {})", format_significant(*rise, 2),
+                        format_fixed(series->stored->relative_radius ? series->stored->relative_radius->mean : 0, 2)));
     }
     if (tally.empty()) return std::nullopt;
     words.push_back("dart throwing (ρ = 0.70) " + format_significant(*width, 2));
@@ -271,8 +278,10 @@ std::vector<PaperClaim> relaxation_claims()
                          relaxation_darts(setting.factor, setting.attempts)});
     return {
         {"6.4-radius", "6.4",
-         "Relaxation dart throwing with factors 0.9, 0.99, 0.999 after 100, 1,000, 10,000 failures reaches 0.57, 0.68, 0.73.",
-         "the mean is within half of the text's last digit and two standard deviations of realizations", relaxation_radii},
+         "Relaxation dart throwing with factors 0.9, 0.99, 0.999 after 100, 1,000, 10,000 failures reaches 0.57, 0.68, "
+         "0.73.",
+         "the mean is within half of the text's last digit and two standard deviations of realizations",
+         relaxation_radii},
         {"6.4-steeper", "6.4", "The rise of the radial power is a bit steeper than that of dart throwing.",
          "narrower from power 0.25 to 0.75, in cycles per mean spacing", relaxation_steeper},
         {"6.4-plate", "6.4", "The zone plate is reproduced even better at higher frequencies than by dart throwing.",
@@ -325,7 +334,8 @@ Outcome fewer_points_higher(const ClaimSeries& report)
     Tally tally;
     std::vector<std::string> words;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        words.push_back(fmt::format("N = {}: {}", format_count(found[i]->stored->points), format_fixed(radii(*found[i]).back(), 3)));
+        words.push_back(fmt::format("N = {}: {}", format_count(found[i]->stored->points),
+                                    format_fixed(radii(*found[i]).back(), 3)));
         // What chance does to means of K sets that differ by some 0.01.
         if (i > 0) tally.add(radii(*found[i]).back() < radii(*found[i - 1]).back() + 0.003);
     }
@@ -412,10 +422,11 @@ PaperClaim lloyd_time_claim()
     std::vector<TimedSeries> timed;
     for (const int i : {1, 2, 4, 8, 16, 32})
         timed.push_back({std::to_string(i), {.sampler = "lloyd", .numbers = {{"iterations", i}}, .points = usual}});
-    auto claim = time_claim("6.5-time", "6.5",
-                            "1, 2, 4, 8, 16, 32 iterations of 16,384 random points take 21.3, 35.7, 64.4, 120.4, 234.1, "
-                            "458.5 s.",
-                            timed);
+    auto claim =
+        time_claim("6.5-time", "6.5",
+                   "1, 2, 4, 8, 16, 32 iterations of 16,384 random points take 21.3, 35.7, 64.4, 120.4, 234.1, "
+                   "458.5 s.",
+                   timed);
     claim.measure = [measure = claim.measure](const ClaimSeries& report) {
         auto outcome = measure(report);
         if (outcome && !lloyd_of_darts(report, Needs::anything).empty())
@@ -429,13 +440,15 @@ std::vector<PaperClaim> lloyd_claims()
 {
     return {
         {"6.5-converges", "6.5", "Lloyd relaxation of dart throwing converges in about 16 to 32 iterations.",
-         "from iteration 32 at the latest, the mean relative radius stays within 0.01 of its last value", lloyd_converges},
+         "from iteration 32 at the latest, the mean relative radius stays within 0.01 of its last value",
+         lloyd_converges},
         {"6.5-fewer-points", "6.5", "Sets of fewer points settle at a slightly higher relative radius.",
          "the last mean falls with the number of points, but for 0.003", fewer_points_higher},
         {"6.5-settles", "6.5", "In general sets settle at a relative radius of about 0.75 to 0.85.",
          "the last mean is in this range", settles_high},
         {"6.5-peaks", "6.5", "The peaks of the spectrum grow, and the rise gets steeper, with each iteration.",
-         "from one number of iterations to the next the highest radial power grows, and the rise from 0.25 to 0.75 gets "
+         "from one number of iterations to the next the highest radial power grows, and the rise from 0.25 to 0.75 "
+         "gets "
          "narrower",
          peaks_grow},
         {"6.5-anisotropy", "6.5", "Relaxation does not increase the anisotropy, or not significantly.",
@@ -465,9 +478,9 @@ Outcome lloyd_in_space(const ClaimSeries& report)
         for (const auto* plane : long_relaxations(report)) {
             if (plane->stored->points != space->stored->points || radii(*space).size() < 65) continue;
             tally.add(falls(radii(*space)) > falls(radii(*plane)));
-            words.push_back(fmt::format("N = {}: {} falls, in 2D {}; at {} then, in 2D {}", format_count(space->stored->points),
-                                        falls(radii(*space)), falls(radii(*plane)), format_fixed(radii(*space).back(), 3),
-                                        format_fixed(radii(*plane).back(), 3)));
+            words.push_back(fmt::format("N = {}: {} falls, in 2D {}; at {} then, in 2D {}",
+                                        format_count(space->stored->points), falls(radii(*space)), falls(radii(*plane)),
+                                        format_fixed(radii(*space).back(), 3), format_fixed(radii(*plane).back(), 3)));
         }
     if (tally.empty()) return std::nullopt;
     words.push_back(tally.words());
@@ -489,14 +502,16 @@ std::vector<PaperClaim> space_claims()
              const auto* series = report.one(query);
              if (series == nullptr || !series->stored->relative_radius) return std::nullopt;
              const auto& radius = *series->stored->relative_radius;
-             return ClaimOutcome{std::abs(radius.mean - 0.70) <= text_tolerance(radius) ? Agreement::agrees : Agreement::disagrees,
+             return ClaimOutcome{std::abs(radius.mean - 0.70) <= text_tolerance(radius) ? Agreement::agrees
+                                                                                        : Agreement::disagrees,
                                  format_fixed(radius.mean, 3)};
          }},
-        {"6.15-lloyd", "6.15", "In 3D, Lloyd relaxation converges less easily than in 2D and gets stuck in local minima often.",
+        {"6.15-lloyd", "6.15",
+         "In 3D, Lloyd relaxation converges less easily than in 2D and gets stuck in local minima often.",
          "the mean relative radius falls in more of the iterations 16 to 128 than in 2D, of equally many points",
          lloyd_in_space},
-        {"6.15-spectrum", "6.15", "The spectrum of Poisson sphere distributions by dart throwing is that of blue noise.",
-         blue_noise_criterion,
+        {"6.15-spectrum", "6.15",
+         "The spectrum of Poisson sphere distributions by dart throwing is that of blue noise.", blue_noise_criterion,
          [](const ClaimSeries& report) {
              return all_blue_noise(report.all({.sampler = "dart-throwing", .dimension = 3, .needs = Needs::spectrum}));
          }},

@@ -14,6 +14,11 @@
 namespace poissonlab {
 namespace {
 
+FalseRings rings_of(const SquareImage& picture)
+{
+    return strongest_false_rings(picture, zone_plate_reference(picture.size));
+}
+
 /// The reference with white noise, and a plate of this amplitude around a place.
 SquareImage picture_with_rings(int size, double amplitude, double x0, double y0)
 {
@@ -32,18 +37,18 @@ SquareImage picture_with_rings(int size, double amplitude, double x0, double y0)
 
 TEST(FalseRings, NoiseHasNone)
 {
-    const auto rings = strongest_false_rings(picture_with_rings(256, 0, 0, 0));
+    const auto rings = rings_of(picture_with_rings(256, 0, 0, 0));
     EXPECT_LT(rings.strength, false_rings_bound(256 * 256));
     // The largest of n exponential powers is ln n + 0.58 on average, with a standard deviation of 1.28.
     EXPECT_NEAR(rings.strength, std::log(256.0 * 256) + 0.58, 5 * 1.28);
 }
 
-// A wave exp(-2 i c.x) of amplitude a / 2 over n^2 pixels has power (a n^2 / 2)^2 where noise of variance s^2 has n^2 s^2:
-// (a n / 2 s)^2, here (0.05 * 256 / 0.2)^2 = 64^2, where c is on the grid of pi / 48.
+// A wave exp(-2 i c.x) of amplitude a / 2 over n^2 pixels has power (a n^2 / 2)^2 where noise of variance s^2 has n^2
+// s^2: (a n / 2 s)^2, here (0.05 * 256 / 0.2)^2 = 64^2, where c is on the grid of pi / 48.
 TEST(FalseRings, AreFoundWhereTheyAre)
 {
     const double step = std::numbers::pi / plate_side;
-    const auto rings = strongest_false_rings(picture_with_rings(256, 0.05, 100 * step, 37 * step));
+    const auto rings = rings_of(picture_with_rings(256, 0.05, 100 * step, 37 * step));
     EXPECT_NEAR(rings.x, 100 * step, 1e-9);
     EXPECT_NEAR(rings.y, 37 * step, 1e-9);
     // Four standard errors of a mean of some thousand powers, and of the wave's own amplitude.
@@ -53,7 +58,7 @@ TEST(FalseRings, AreFoundWhereTheyAre)
 TEST(FalseRings, TellALatticeFromNoise)
 {
     constexpr int side = 128;
-    const auto lattice = strongest_false_rings(zone_plate_image(test::square_lattice(side, 2)));
+    const auto lattice = rings_of(zone_plate_image(test::square_lattice(side, 2)));
     // One sample a pixel: what is false folds onto the plate itself.
     EXPECT_GT(lattice.at_the_plate, 100 * false_rings_bound(side * side));
 
@@ -61,15 +66,12 @@ TEST(FalseRings, TellALatticeFromNoise)
     std::mt19937_64 random(1);
     for (double& x : jittered.coordinates) x += (test::uniform(random) - 0.5) / side;
     for (double& x : jittered.coordinates) x -= std::floor(x);
-    const auto noise = strongest_false_rings(zone_plate_image(jittered));
+    const auto noise = rings_of(zone_plate_image(jittered));
     EXPECT_LT(noise.strength, false_rings_bound(side * side));
     EXPECT_LT(noise.at_the_plate, 0.01 * lattice.at_the_plate);
 }
 
-TEST(FalseRings, RefusesSmallPictures)
-{
-    EXPECT_THROW(strongest_false_rings(zone_plate_reference(63)), std::invalid_argument);
-}
+TEST(FalseRings, RefusesSmallPictures) { EXPECT_THROW(rings_of(zone_plate_reference(63)), std::invalid_argument); }
 
 }
 }

@@ -15,8 +15,8 @@ struct MadeUpSeries
 {
     std::string name = "darts";
     std::string sampler = "dart-throwing";
-    double relative_radius = 0.70; ///< mean; scatters by 1 %
-    double power = 1;              ///< factor of the radial power; each bin scatters by 10 %
+    double relative_radius = 0.70;   ///< mean; scatters by 1 %
+    double power = 1;                ///< factor of the radial power; each bin scatters by 10 %
     double effective_nyquist = 0.65; ///< scatters by 0.01 between runs, which the stored error says
     bool deterministic = false;
     int realizations = 10;

@@ -8,7 +8,8 @@
 
 namespace poissonlab::test {
 
-ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& parameters, std::size_t points, int dimension)
+ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& parameters, std::size_t points,
+                                int dimension)
 {
     StoredRun& run = runs_.emplace_back();
     run.dimension = dimension;

@@ -11,8 +11,8 @@
 
 namespace poissonlab::test {
 
-/// A radially averaged power that is `low` up to the principal frequency, where it rises to `peak` within `width` of it, and
-/// 1 beyond; with an anisotropy this far above chance, and a ring of `spike` dB.
+/// A radially averaged power that is `low` up to the principal frequency, where it rises to `peak` within `width` of
+/// it, and 1 beyond; with an anisotropy this far above chance, and a ring of `spike` dB.
 struct MadeUpCurve
 {
     double low = 0.02, peak = 1.5, width = 0.1, beyond = 1;

@@ -33,7 +33,8 @@ TEST(NumberComparison, EqualNumbersAreIdenticalUnderAllTerms)
 
 TEST(NumberComparison, NumbersWithErrorsAreTested)
 {
-    // t = 1 / sqrt(2) with 18 degrees of freedom: p = 0.4886 by the incomplete beta function, R's 2 * pt(-0.7071068, 18).
+    // t = 1 / sqrt(2) with 18 degrees of freedom: p = 0.4886 by the incomplete beta function, R's 2 * pt(-0.7071068,
+    // 18).
     const auto number = judged({0, 1, 10}, {1, 1, 10}, other_seed);
     ASSERT_TRUE(number.p);
     EXPECT_NEAR(*number.p, 0.4886, 0.001);

@@ -82,7 +82,8 @@ ReportSeries& tiles(MadeUpReport& report, const std::string& kind, int set, int 
 std::vector<double> relaxed(double start, double end, int settled)
 {
     std::vector<double> radii;
-    for (int i = 0; i <= 128; ++i) radii.push_back(start + (end - start) * std::min(1.0, static_cast<double>(i) / settled));
+    for (int i = 0; i <= 128; ++i)
+        radii.push_back(start + (end - start) * std::min(1.0, static_cast<double>(i) / settled));
     return radii;
 }
 
@@ -98,7 +99,9 @@ const std::vector<ClaimCase>& claim_cases()
              MadeUpReport::set_curve(r.add("random", {}), {.low = 1, .peak = 1, .anisotropy = agrees ? 0.1 : 3});
          }},
         {"6.2.2-disk-anisotropy",
-         [](MadeUpReport& r, bool agrees) { MadeUpReport::set_curve(darts(r, "0.75"), {.anisotropy = agrees ? 0.1 : 3}); }},
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(darts(r, "0.75"), {.anisotropy = agrees ? 0.1 : 3});
+         }},
         {"6.2.2-blue-noise",
          [](MadeUpReport& r, bool agrees) { MadeUpReport::set_curve(darts(r, "0.75"), {.low = agrees ? 0.05 : 0.5}); }},
         {"6.3-spectrum",
@@ -109,7 +112,9 @@ const std::vector<ClaimCase>& claim_cases()
              MadeUpReport::set_plate_error(r.add("jittered", {}, 262144), 0.02, 0.1);
          }},
         {"6.4-radius",
-         [](MadeUpReport& r, bool agrees) { MadeUpReport::set_radius(relaxation(r, "0.9", "100"), agrees ? 0.573 : 0.6); }},
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_radius(relaxation(r, "0.9", "100"), agrees ? 0.573 : 0.6);
+         }},
         {"6.4-steeper",
          [](MadeUpReport& r, bool agrees) {
              MadeUpReport::set_curve(darts(r, "0.7"), {.width = 0.2});
@@ -148,10 +153,10 @@ const std::vector<ClaimCase>& claim_cases()
              auto& series = lloyd(r, 128);
              MadeUpReport::set_iterations(series, relaxed(0.6, 0.8, 20));
              const double six = agrees ? 0.7 : 0.99;
-             const_cast<StoredSeries*>(series.stored)->measures.voronoi = StoredMeasures::Cells{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
+             const_cast<StoredSeries*>(series.stored)->measures.voronoi =
+                 StoredMeasures::Cells{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
          }},
-        {"6.7-peaks",
-         [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 4, 64, agrees ? 5 : 1); }},
+        {"6.7-peaks", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 4, 64, agrees ? 5 : 1); }},
         {"6.7-more-tiles",
          [](MadeUpReport& r, bool agrees) {
              tiles(r, "corner", 2, 64, 40);
@@ -165,10 +170,10 @@ const std::vector<ClaimCase>& claim_cases()
         {"6.9-low",
          [](MadeUpReport& r, bool agrees) {
              for (const char* rho : {"0.7", "0.8"})
-                 MadeUpReport::set_plate_error(r.add("edge-tiles",
-                                                     {{"colors", "2"}, {"points_per_tile", "32"}, {"relative_radius", rho}},
-                                                     262144),
-                                               (rho == std::string("0.8")) == agrees ? 0.01 : 0.02, 0.1);
+                 MadeUpReport::set_plate_error(
+                     r.add("edge-tiles", {{"colors", "2"}, {"points_per_tile", "32"}, {"relative_radius", rho}},
+                           262144),
+                     (rho == std::string("0.8")) == agrees ? 0.01 : 0.02, 0.1);
          }},
         {"6.9-fast",
          [](MadeUpReport& r, bool agrees) {
@@ -250,14 +255,16 @@ const std::vector<ClaimCase>& claim_cases()
          }},
         {"6.15-tiles-anisotropy",
          [](MadeUpReport& r, bool agrees) {
-             MadeUpReport::set_curve(r.add("sphere-tiles", {{"colors", "2"}}, 65536, 3), {.anisotropy = agrees ? 2.0 : 0.0});
+             MadeUpReport::set_curve(r.add("sphere-tiles", {{"colors", "2"}}, 65536, 3),
+                                     {.anisotropy = agrees ? 2.0 : 0.0});
          }},
     };
     return cases;
 }
 
 class PaperClaims : public testing::TestWithParam<ClaimCase>
-{};
+{
+};
 
 TEST_P(PaperClaims, AgreesWithResultsOfThePaper)
 {
@@ -315,8 +322,10 @@ TEST(PaperClaimList, ReachesAreAgreedWithOrInPart)
         const char* sampler;
         double radius;
         int dimension;
-    } reaches[] = {{"6.3-radius", "dart-throwing", 0.75, 2},      {"6.9-radius", "edge-tiles", 0.85, 2},
-                   {"6.11-radius", "corner-tiles", 0.85, 2},      {"6.15-darts", "dart-throwing", 0.70, 3},
+    } reaches[] = {{"6.3-radius", "dart-throwing", 0.75, 2},
+                   {"6.9-radius", "edge-tiles", 0.85, 2},
+                   {"6.11-radius", "corner-tiles", 0.85, 2},
+                   {"6.15-darts", "dart-throwing", 0.70, 3},
                    {"6.15-tiles-radius", "sphere-tiles", 0.75, 3}};
     for (const auto& [id, sampler, radius, dimension] : reaches)
         for (const double factor : {1.0, 0.9}) {
@@ -381,7 +390,8 @@ protected:
             results(report, agrees);
             const auto judged = outcome(report, id);
             ASSERT_TRUE(judged) << id;
-            EXPECT_EQ(judged->agreement, agrees ? Agreement::agrees : Agreement::disagrees) << id << ": " << judged->measured;
+            EXPECT_EQ(judged->agreement, agrees ? Agreement::agrees : Agreement::disagrees)
+                << id << ": " << judged->measured;
         }
     }
 

@@ -1,8 +1,8 @@
 #include "reports/run_comparison.hpp"
 
 #include "errors/errors.hpp"
-#include "made_up_run.hpp"
 #include "io/whole_file.hpp"
+#include "made_up_run.hpp"
 #include "reports/comparison_page.hpp"
 #include "reports/comparison_text.hpp"
 #include "support/browser.hpp"
@@ -134,7 +134,8 @@ TEST_F(CompareResults, MatchesTheRunsOfCollectionsByFolder)
     for (const char* collection : {"old", "new"})
         for (const char* name : {"fig-1", "fig-2"})
             test::write_made_up_run(folder_.path() / collection / name,
-                                    collection == std::string("new") && name == std::string("fig-2") ? worse : MadeUpRun{});
+                                    collection == std::string("new") && name == std::string("fig-2") ? worse
+                                                                                                     : MadeUpRun{});
     test::write_made_up_run(folder_.path() / "new/fig-3", {});
     test::write_made_up_collection(folder_.path() / "old", {"fig-1", "fig-2"});
     test::write_made_up_collection(folder_.path() / "new", {"fig-3", "fig-2", "fig-1"});
@@ -149,7 +150,8 @@ TEST_F(CompareResults, MatchesTheRunsOfCollectionsByFolder)
 TEST_F(CompareResults, SaysWhichCollectionIsWrong)
 {
     const auto folder = folder_.path() / "bad";
-    folder_.write("bad/collection.json", R"({"format": "poissonlab-collection", "format_version": 1, "runs": ["../x"]})");
+    folder_.write("bad/collection.json",
+                  R"({"format": "poissonlab-collection", "format_version": 1, "runs": ["../x"]})");
     EXPECT_THROW(compare_results(folder, folder), InputError);
     folder_.write("bad/collection.json", R"({"format": "something", "format_version": 1, "runs": ["x"]})");
     EXPECT_THROW(compare_results(folder, folder), InputError);

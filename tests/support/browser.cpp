@@ -164,10 +164,9 @@ void Browser::open(const std::filesystem::path& page, const std::string& fragmen
 
 Json Browser::evaluate(const std::string& expression)
 {
-    auto outcome = pipe_.command("Runtime.evaluate", {{"expression", expression},
-                                                      {"returnByValue", true},
-                                                      {"awaitPromise", true},
-                                                      {"userGesture", true}});
+    auto outcome = pipe_.command(
+        "Runtime.evaluate",
+        {{"expression", expression}, {"returnByValue", true}, {"awaitPromise", true}, {"userGesture", true}});
     if (outcome.contains("exceptionDetails"))
         throw BrowserError(expression + ": " + exception_text(outcome["exceptionDetails"]));
     auto& result = outcome["result"];

@@ -27,8 +27,8 @@ using Json = nlohmann::json;
 
 std::string system_error(const std::string& what, int error) { return what + ": " + std::strerror(error); }
 
-/// A connected pair of sockets that children do not inherit, both above the descriptors that Chromium wants: putting one
-/// in its place cannot close the other.
+/// A connected pair of sockets that children do not inherit, both above the descriptors that Chromium wants: putting
+/// one in its place cannot close the other.
 std::array<int, 2> socket_pair()
 {
     std::array<int, 2> low{};
@@ -127,7 +127,8 @@ void DevToolsPipe::end()
     ::shutdown(socket_, SHUT_WR);
     wait_for_end(std::chrono::seconds(10));
     ::kill(-process_, SIGKILL);
-    while (::waitpid(-process_, nullptr, 0) > 0 || errno == EINTR) {}
+    while (::waitpid(-process_, nullptr, 0) > 0 || errno == EINTR) {
+    }
     ::close(socket_);
 }
 
@@ -163,7 +164,8 @@ void DevToolsPipe::send(const std::string& text, Clock::time_point deadline, con
     std::size_t sent = 0;
     while (sent < text.size()) {
         if (!ready(socket_, POLLOUT, deadline))
-            throw BrowserError("the browser does not take " + what + " within " + std::to_string(limit_.count()) + " ms");
+            throw BrowserError("the browser does not take " + what + " within " + std::to_string(limit_.count()) +
+                               " ms");
         const auto count = ::send(socket_, text.data() + sent, text.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
         if (count >= 0)
             sent += static_cast<std::size_t>(count);
