@@ -201,8 +201,10 @@ const std::vector<ClaimCase>& claim_cases()
          }},
         {"6.11-tiles",
          [](MadeUpReport& r, bool agrees) {
-             const_cast<StoredSeries*>(tiles(r, "corner", 3, 64, 10).stored)->tile_set =
-                 StoredTileSet{agrees ? 81 : 80, 64, {}, {}, false};
+             StoredTileSet set;
+             set.tiles = agrees ? 81 : 80;
+             set.points_per_tile = 64;
+             const_cast<StoredSeries*>(tiles(r, "corner", 3, 64, 10).stored)->tile_set = set;
          }},
         {"6.11-good", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 3, 64, agrees ? 5 : 200); }},
         {"6.11-better",
