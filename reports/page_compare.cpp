@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace poissonlab {
 
@@ -22,12 +23,21 @@ using Json = nlohmann::json;
 
 constexpr std::size_t most_shown_at_first = 12;
 
-// Whether a series is one of those that are shown at first: all of a few, of many some from all over the list.
-bool is_shown_at_first(std::size_t number, std::size_t count)
+// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method; of many by one
+// method, some from all over the list.
+std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& series)
 {
-    if (count <= most_shown_at_first) return true;
-    const auto step = [&](std::size_t i) { return i * most_shown_at_first / count; };
-    return step(number + 1) > step(number);
+    std::set<std::size_t> all, spread, methods;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        all.insert(i);
+        const auto step = [&](std::size_t number) { return number * most_shown_at_first / series.size(); };
+        if (step(i + 1) > step(i)) spread.insert(i);
+        const StoredSeries& stored = *series[i]->stored;
+        const bool is_candidate = stored.has_spectrum() && stored.is_estimate && methods.size() < most_shown_at_first;
+        if (is_candidate && seen.insert(stored.sampler).second) methods.insert(i);
+    }
+    return all.size() <= most_shown_at_first ? all : methods.size() > 1 ? methods : spread;
 }
 
 // Numbers with five digits, each on its own so that none is written with more; null where there is no number.
@@ -102,6 +112,7 @@ std::string site_json(const Site& site)
 PageData groups(const Site& site)
 {
     PageData list{PageData::type::list};
+    const auto checked = shown_at_first(site.series());
     std::size_t number = 0;
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
         const auto& run = site.runs[i];
@@ -110,7 +121,7 @@ PageData groups(const Site& site)
         for (const auto& series : run.series) {
             PageData box;
             box.set("number", std::to_string(number));
-            box.set("checked", is_shown_at_first(number, site.series().size()));
+            box.set("checked", checked.contains(number));
             box.set("label", series.label);
             boxes << box;
             ++number;

@@ -13,6 +13,9 @@ namespace poissonlab {
 
 namespace {
 
+/// From so many series on the table scrolls in a frame of its own, under its headings.
+constexpr std::size_t long_ranking = 24;
+
 struct BetterWords
 {
     const char* name;
@@ -183,6 +186,7 @@ void set_ranking(PageData& page, const Site& site)
         for (std::size_t i = 0; i < run.series.size(); ++i) rows << row_data(site, run, i, columns, from);
     page.set("columns", columns_data(site, columns, from));
     page.set("rows", rows);
+    page.set("is_long", series.size() > long_ranking);
     page.set("notices", notices(from));
     page.set("notes", notes(columns));
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/zone_plate_reference.hpp"
 #include "errors/errors.hpp"
+#include "io/collection_file.hpp"
 #include "io/whole_file.hpp"
 #include "reports/page.hpp"
 #include "reports/picture_store.hpp"
@@ -9,7 +10,6 @@
 #include "reports/plots.hpp"
 #include "reports/series_pictures.hpp"
 #include "reports/site.hpp"
-#include "reports/stored_collection.hpp"
 #include "reports/stored_results.hpp"
 #include "reports/thumbnails.hpp"
 #include "reports/zone_plate_image.hpp"
@@ -117,8 +117,9 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
 
     say("reading results");
     std::vector<StoredRun> runs;
-    for (const auto& folder : folders_of_runs(result_folders)) runs.push_back(read_stored_run(folder));
-    auto site = make_site(runs, out, title_of_collection(result_folders));
+    for (const auto& folder : output_folders(result_folders)) runs.push_back(read_stored_run(folder));
+    const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
+    auto site = make_site(runs, out, collection ? collection->title : std::string());
     create_folders(site);
 
     // gnuplot works in its own processes while this one draws the images.

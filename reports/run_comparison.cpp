@@ -1,6 +1,6 @@
 #include "reports/run_comparison.hpp"
 
-#include "reports/stored_collection.hpp"
+#include "io/collection_file.hpp"
 
 #include <tbb/parallel_for_each.h>
 
@@ -19,7 +19,7 @@ std::string joined(const std::string& run, const std::string& series)
 std::vector<StoredRun> read_runs(const std::filesystem::path& folder)
 {
     std::vector<StoredRun> runs;
-    for (const auto& run : folders_of_runs({folder})) runs.push_back(read_stored_run(run));
+    for (const auto& run : output_folders(folder)) runs.push_back(read_stored_run(run));
     return runs;
 }
 

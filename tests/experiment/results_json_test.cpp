@@ -140,7 +140,7 @@ TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
 {
     SeriesResult result = two_realizations();
     EXPECT_FALSE(written(one_series(), result)["series"][0].contains("tile_set"));
-    result.tile_set = TileSetRecord{256, 64, true, TileSetBuild{0.25, "d", 2}};
+    result.tile_set = TileSetRecord{256, 64, true, TileSetBuild{0.25, "d", 2}, {}};
     json expected = json::parse(R"({"tiles": 256, "points_per_tile": 64, "cached": true, "build_seconds": 0.25,
                                     "device": "d", "threads": 2})");
     EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"], expected);
@@ -150,6 +150,14 @@ TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
     result.tile_set->build.reset();
     EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"],
               json({{"tiles", 256}, {"points_per_tile", 64}, {"cached", true}}));
+
+    result.tile_set->regions = {{3, 3.25}, {6, 5.5}, {55, 55.25}};
+    const json in_plane = written(one_series(), result)["series"][0]["tile_set"]["regions"];
+    EXPECT_EQ(in_plane, json::parse(R"({"corners": {"points": 3.0, "expected": 3.25},
+                                        "edges": {"points": 6.0, "expected": 5.5},
+                                        "interior": {"points": 55.0, "expected": 55.25}})"));
+    result.tile_set->regions.push_back({1, 1});
+    EXPECT_TRUE(written(one_series(), result)["series"][0]["tile_set"]["regions"].contains("faces"));
 }
 
 TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)

@@ -55,7 +55,7 @@ TEST_F(ReportTest, EveryPageIsSound)
     EXPECT_EQ(test::site_errors(folder()), "");
     std::vector<std::string> names;
     for (const auto& [name, text] : test::pages_below(folder())) names.push_back(name);
-    EXPECT_THAT(names, ElementsAre("compare.html", "index.html", "jittered/index.html", "random/index.html",
+    EXPECT_THAT(names, ElementsAre("claims.html", "compare.html", "index.html", "jittered/index.html", "random/index.html",
                                    "regular/index.html"));
 }
 

@@ -1,7 +1,6 @@
 // poissonlab report: the report again, or one over several result folders.
 #include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
-#include "io/collection_file.hpp"
 
 namespace poissonlab {
 
@@ -11,7 +10,7 @@ void report_command(const ReportOptions& options, const ReportWriter& write_repo
         throw InputError("report: --out is missing: with several folders it must say where the report goes");
     Progress progress(Progress::detect(options.quiet));
     const auto out = options.out.empty() ? options.folders.front() : options.out;
-    finish_report(output_folders(options.folders), out, write_report, progress);
+    finish_report(options.folders, out, write_report, progress);
 }
 
 }

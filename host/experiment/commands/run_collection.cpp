@@ -76,7 +76,7 @@ void run_collection(const Collection& collection, const RunOptions& options, con
         write_collection_file(out, done);
     }
     progress.finish_runs();
-    finish_report(output_folders(out), out, write_report, progress);
+    finish_report({out}, out, write_report, progress);
 }
 
 }
