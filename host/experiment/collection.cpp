@@ -83,7 +83,8 @@ private:
 
     void check_cycle(const fs::path& file, const ConfigNode& entry) const
     {
-        const auto same = [&](const fs::path& other) { return fs::weakly_canonical(other) == fs::weakly_canonical(file); };
+        const fs::path canonical = fs::weakly_canonical(file);
+        const auto same = [&](const fs::path& other) { return fs::weakly_canonical(other) == canonical; };
         const auto first = std::ranges::find_if(open_, same);
         if (first == open_.end()) return;
         std::string cycle;

@@ -42,7 +42,8 @@ std::string value_of(std::string_view placeholder, const CommandValues& values)
     if (placeholder == "{seed}") return fmt::format("{}", values.seed);
     if (placeholder == "{realization}") return fmt::format("{}", values.realization);
     if (placeholder == "{out}") return values.out;
-    throw InputError(fmt::format("{} is none of {}; {{{}}} stands for itself", placeholder, known_placeholders, placeholder));
+    throw InputError(
+        fmt::format("{} is none of {}; {{{}}} stands for itself", placeholder, known_placeholders, placeholder));
 }
 
 /// A word with its placeholders replaced; `has_out` becomes true where {out} is one of them.
@@ -237,7 +238,8 @@ SamplerSpec command_sampler()
     ParameterSpec command;
     command.key = command_key;
     command.kind = ParameterSpec::Kind::command;
-    command.help = fmt::format("a program and its arguments, with {}; run in the folder of the config", known_placeholders);
+    command.help =
+        fmt::format("a program and its arguments, with {}; run in the folder of the config", known_placeholders);
 
     ParameterSpec limit;
     limit.key = limit_key;

@@ -23,15 +23,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-const CommandValues values{1024, 3, 77, 5, "/tmp/o"};
+const CommandValues values{1024, 3, 77, 5, "/dir/o"};
 
 TEST(CommandWords, HavePlaceholders)
 {
     EXPECT_THAT(command_words("mine -n {points} '--dim={dimension} x' {seed}{realization} \"{out}.npy\"", values),
-                ElementsAre("mine", "-n", "1024", "--dim=3 x", "775", "/tmp/o.npy"));
+                ElementsAre("mine", "-n", "1024", "--dim=3 x", "775", "/dir/o.npy"));
     EXPECT_THAT(command_words("awk '{{print}} {x = 1; {}; { a }}' {{{out}", values),
-                ElementsAre("awk", "{print} {x = 1; {}; { a }}", "{{/tmp/o"));
-    EXPECT_THAT(command_words("a {{seed}}{out}", values), ElementsAre("a", "{seed}/tmp/o"));
+                ElementsAre("awk", "{print} {x = 1; {}; { a }}", "{{/dir/o"));
+    EXPECT_THAT(command_words("a {{seed}}{out}", values), ElementsAre("a", "{seed}/dir/o"));
 }
 
 TEST(CommandWords, Mistakes)

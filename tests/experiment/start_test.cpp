@@ -132,7 +132,7 @@ TEST(Start, IsCheckedLikeAMethod)
     EXPECT_EQ(start("\"randm\""),
               "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
               "\"dart-throwing\", \"relaxation-dart-throwing\", \"lloyd\", \"corner-tiles\", \"edge-tiles\", "
-              "\"template-tiles\", \"sphere-tiles\", \"file\", \"relax\"; "
+              "\"template-tiles\", \"sphere-tiles\", \"file\", \"command\", \"relax\"; "
               "did you mean \"random\"?");
     EXPECT_THAT(start("{ sampler = \"dart-throwin\" }"),
                 testing::AllOf(HasSubstr("c.toml:3: sampler = \"dart-throwin\": must be one of "),
