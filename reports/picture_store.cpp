@@ -2,11 +2,11 @@
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
+#include "poisson_tiles/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <sstream>
 
@@ -20,7 +20,7 @@ namespace {
 std::string program_hash()
 {
     try {
-        return fmt::format("{:016x}", content_hash(read_whole_file("/proc/self/exe")));
+        return fmt::format("{:016x}", xxh64_bytes(read_whole_file("/proc/self/exe")));
     } catch (const InputError&) {
         return {};
     }
@@ -40,30 +40,6 @@ std::map<std::string, std::string> read_keys(const fs::path& list)
 
 }
 
-std::uint64_t content_hash(std::string_view input)
-{
-    // Eight bytes at a time: multiply and fold, as MurmurHash does.
-    constexpr std::uint64_t multiplier = 0xc6a4a7935bd1e995U;
-    const auto mixed = [](std::uint64_t hash, std::uint64_t word) {
-        word *= multiplier;
-        word ^= word >> 47;
-        return (hash ^ (word * multiplier)) * multiplier;
-    };
-    std::uint64_t hash = input.size() * multiplier;
-    std::size_t at = 0;
-    for (; at + 8 <= input.size(); at += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, input.data() + at, 8);
-        hash = mixed(hash, word);
-    }
-    std::uint64_t rest = 0;
-    std::memcpy(&rest, input.data() + at, input.size() - at);
-    hash = mixed(hash, rest);
-    hash ^= hash >> 47;
-    hash *= multiplier;
-    return hash ^ (hash >> 47);
-}
-
 PictureStore::PictureStore(fs::path folder, fs::path list)
     : folder_(std::move(folder)), list_(std::move(list)), program_(program_hash()), known_(read_keys(list_))
 {}
@@ -76,7 +52,7 @@ std::string PictureStore::name_of(const fs::path& file) const
 bool PictureStore::is_current(const std::vector<fs::path>& files, std::string_view input) const
 {
     if (program_.empty()) return false;
-    const auto key = fmt::format("{:016x}", content_hash(input)) + program_;
+    const auto key = fmt::format("{:016x}", xxh64_bytes(input)) + program_;
     return std::ranges::all_of(files, [&](const fs::path& file) {
         const auto found = known_.find(name_of(file));
         std::error_code error;
@@ -86,7 +62,7 @@ bool PictureStore::is_current(const std::vector<fs::path>& files, std::string_vi
 
 void PictureStore::note(const std::vector<fs::path>& files, std::string_view input)
 {
-    const auto key = fmt::format("{:016x}", content_hash(input)) + program_;
+    const auto key = fmt::format("{:016x}", xxh64_bytes(input)) + program_;
     const std::lock_guard lock(mutex_);
     for (const auto& file : files) noted_[name_of(file)] = key;
 }

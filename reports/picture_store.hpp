@@ -1,7 +1,6 @@
 // Which pictures of a report are there already, drawn by this program from the same input: these are not drawn again.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -10,9 +9,6 @@
 #include <vector>
 
 namespace poissonlab {
-
-/// The number of an input: 64 bits that differ where inputs do.
-std::uint64_t content_hash(std::string_view input);
 
 /// The pictures of one report's folder. Their keys, hashes of input and program, are kept in a file there, so that what
 /// is drawn depends on contents only and never on times. All members may be called by several threads.

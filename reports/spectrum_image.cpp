@@ -27,10 +27,11 @@ GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mappin
     const int lowest = -spectrum.size / 2;
     const int size = spectrum.size / block;
     GreyImage image(size, size, 0);
+    const GreyScale grey(tone_mapping);
     for (int row = 0; row < size; ++row)
         for (int column = 0; column < size; ++column)
             image.at(column, size - 1 - row) =
-                tone_mapping.grey(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
+                grey(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
     return image;
 }
 

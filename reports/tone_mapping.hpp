@@ -1,6 +1,7 @@
 // The one tone mapping of a report: power to grey, logarithmic, the same for every spectrum image.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace poissonlab {
@@ -20,6 +21,19 @@ struct ToneMapping
 
     /// Where a power stands on the scale from black (0) to white (1).
     double position(double power) const;
+};
+
+/// The grey values of a tone mapping, from a table: the same as grey(), without logarithms, for images.
+class GreyScale
+{
+public:
+    explicit GreyScale(const ToneMapping& tone_mapping);
+
+    /// Zero, negative and not-a-number powers are black.
+    std::uint8_t operator()(double power) const;
+
+private:
+    std::array<double, 255> least_power_; ///< [i]: the smallest power with grey i + 1
 };
 
 /// Fixed, so that images of different reports compare as well.

@@ -98,6 +98,7 @@ TEST_F(Space, GivesTheSameBytesForAnyNumberOfThreadsAndEitherEngine)
     const auto first = files_below(folder_.path() / "a");
     for (const auto& [name, content] : files_below(folder_.path() / "b")) {
         if (name.ends_with(".json") || name.ends_with(".html") || name.ends_with(".exr")) continue;
+        if (name == "site/pictures.txt") continue; // of the spectra as they are stored, with the engine
         EXPECT_EQ(content == first.at(name), true) << name;
     }
 }
