@@ -26,20 +26,22 @@ BetterWords words_of(Better better)
 {
     return better == Better::higher  ? BetterWords{"higher", "↑ higher is better"}
            : better == Better::lower ? BetterWords{"lower", "↓ lower is better"}
-                                     : BetterWords{"neither", "neither is better"};
+                                     : BetterWords{"neither", ""};
 }
 
-// The members of "machine" that make times comparable, in one text.
+// The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not say
+// where they were.
 std::string machine_of(const StoredRun& run)
 {
     std::string text = run.machine_member("device");
+    if (text.empty()) return text;
     for (const char* name : {"driver", "threads"})
         if (const auto value = run.machine_member(name); !value.empty())
             text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value);
     return text;
 }
 
-// What tells runs that have series apart, where it does: the different texts, in order of appearance.
+// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do not.
 class Differences
 {
 public:
@@ -49,7 +51,7 @@ public:
         for (const auto& run : site.runs) {
             if (run.series.empty()) continue;
             const auto text = text_of(*run.stored);
-            if (std::ranges::find(texts_, text) == texts_.end()) texts_.push_back(text);
+            if (!text.empty() && std::ranges::find(texts_, text) == texts_.end()) texts_.push_back(text);
         }
     }
 
@@ -59,7 +61,7 @@ public:
     // "A" for the first text, "B" for the second; 27 and more: numbers.
     std::string letter(const std::string& text) const
     {
-        if (!any()) return {};
+        if (!any() || text.empty()) return {};
         const auto index = std::ranges::find(texts_, text) - texts_.begin();
         return index < 26 ? std::string(1, static_cast<char>('A' + index)) : std::to_string(index + 1);
     }
@@ -138,7 +140,8 @@ PageData row_data(const Site& site, const ReportRun& run, std::size_t index,
         cells << text_cell("run", run.stored->title, relative_link(site.out, page_of(run)));
     const auto machine = machine_of(*run.stored);
     for (const auto* column : columns) cells << number_cell(*column, series, from.machines.letter(machine));
-    if (from.machines.any()) cells << text_cell("device", from.machines.letter(machine) + ": " + machine);
+    if (from.machines.any())
+        cells << text_cell("device", machine.empty() ? "" : from.machines.letter(machine) + ": " + machine);
     if (from.versions.any()) cells << text_cell("version", run.stored->version);
     row.set("cells", cells);
     return row;
@@ -151,7 +154,7 @@ PageData notices(const Provenances& from)
         std::string text = "These runs were made on different machines: times of one do not compare with times of "
                            "another, and have the machine's letter.";
         for (const auto& machine : from.machines.texts())
-            text += fmt::format(" {}: {}.", from.machines.letter(machine), machine.empty() ? "not known" : machine);
+            text += fmt::format(" {}: {}.", from.machines.letter(machine), machine);
         list << PageData(text);
     }
     if (from.versions.any())
