@@ -263,7 +263,7 @@ TEST_F(CollectionTest, DamagedOnesNameTheMember)
         return std::string("none");
     };
     write_collection({"../first"});
-    EXPECT_THAT(error(), HasSubstr("collection.json: runs: '../first' must be the name of a folder in here"));
+    EXPECT_THAT(error(), HasSubstr("collection.json: runs: \"../first\" must be the name of a folder beside the file"));
     write_collection(nlohmann::json::array());
     EXPECT_THAT(error(), HasSubstr("collection.json: runs: must name at least one folder"));
     write_collection({"third"});
