@@ -23,18 +23,33 @@ using Json = nlohmann::json;
 
 constexpr std::size_t most_shown_at_first = 12;
 
-// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method; of many by one
-// method, some from all over the list.
+// The number of points in the middle of all: curves of far fewer or more would not lie over the others.
+std::size_t typical_points(const std::vector<const ReportSeries*>& series)
+{
+    std::vector<std::size_t> points;
+    for (const ReportSeries* entry : series)
+        if (entry->stored->has_spectrum()) points.push_back(entry->stored->points);
+    if (points.empty()) return 0;
+    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+    std::ranges::nth_element(points, middle);
+    return *middle;
+}
+
+// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method, of about as
+// many points as most; of many by one method, some from all over the list.
 std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& series)
 {
     std::set<std::size_t> all, spread, methods;
     std::set<std::string> seen;
+    const auto typical = static_cast<double>(typical_points(series));
     for (std::size_t i = 0; i < series.size(); ++i) {
         all.insert(i);
         const auto step = [&](std::size_t number) { return number * most_shown_at_first / series.size(); };
         if (step(i + 1) > step(i)) spread.insert(i);
         const StoredSeries& stored = *series[i]->stored;
-        const bool is_candidate = stored.has_spectrum() && stored.is_estimate && methods.size() < most_shown_at_first;
+        const bool is_typical = std::abs(static_cast<double>(stored.points) - typical) < typical / 4;
+        const bool is_candidate =
+            stored.has_spectrum() && stored.is_estimate && is_typical && methods.size() < most_shown_at_first;
         if (is_candidate && seen.insert(stored.sampler).second) methods.insert(i);
     }
     return all.size() <= most_shown_at_first ? all : methods.size() > 1 ? methods : spread;

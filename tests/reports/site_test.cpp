@@ -38,6 +38,32 @@ protected:
 
     std::string file(const std::string& name) const { return read_whole_file(path() / name); }
 
+    /// The first series under many names, by these samplers.
+    void repeat_series(const std::vector<std::string>& samplers)
+    {
+        const nlohmann::json model = json_["series"][0];
+        json_["series"] = nlohmann::json::array();
+        for (std::size_t i = 0; i < samplers.size(); ++i) {
+            json_["series"].push_back(model);
+            json_["series"][i]["name"] = fmt::format("series-{}", i);
+            json_["series"][i]["sampler"] = samplers[i];
+        }
+    }
+
+    /// The numbers of the series that the compare page shows at first.
+    std::vector<std::string> shown_at_first() const
+    {
+        const auto page = file("compare.html");
+        const std::string box = "data-series=\"";
+        std::vector<std::string> numbers;
+        for (auto at = page.find(box); at != std::string::npos; at = page.find(box, at)) {
+            at += box.size();
+            const auto end = page.find('"', at);
+            if (page.compare(end + 1, 8, " checked") == 0) numbers.push_back(page.substr(at, end - at));
+        }
+        return numbers;
+    }
+
     /// The data of the compare page.
     nlohmann::json compare_data() const
     {
@@ -162,6 +188,33 @@ TEST_F(SiteTest, ThePageHasTheRadialCurvesToFiveDigits)
         }
     }
     EXPECT_EQ(data["abscissae"].size(), 1) << "all series have the same frequencies";
+}
+
+TEST_F(SiteTest, TheComparePageBeginsWithAllOfAFewSeries)
+{
+    repeat_series({"a", "a", "b"});
+    page();
+    EXPECT_THAT(shown_at_first(), ElementsAre("0", "1", "2"));
+}
+
+TEST_F(SiteTest, TheComparePageBeginsWithTheFirstSeriesOfEachMethodOfMany)
+{
+    std::vector<std::string> samplers(14, "a");
+    samplers[5] = samplers[7] = samplers[9] = "b";
+    repeat_series(samplers);
+    json_["series"][5]["points"] = 2 * json_["series"][0]["points"].get<int>(); // of another size than most
+    json_["series"][5]["points_each"] = {json_["series"][0]["points"], 3 * json_["series"][0]["points"].get<int>()};
+    page();
+    EXPECT_THAT(shown_at_first(), ElementsAre("0", "7"));
+}
+
+TEST_F(SiteTest, OfManySeriesByOneMethodSomeFromAllOverTheListAreShownAtFirst)
+{
+    repeat_series(std::vector<std::string>(24, "a"));
+    page();
+    const auto shown = shown_at_first();
+    EXPECT_EQ(shown.size(), 12);
+    EXPECT_GT(std::stoi(shown.back()), 20);
 }
 
 TEST_F(SiteTest, SeriesWithoutSpectrumAreShownWithWhatTheyHave)
