@@ -57,9 +57,11 @@ TEST(FalseRings, AreFoundWhereTheyAre)
 
 TEST(FalseRings, TellALatticeFromNoise)
 {
-    constexpr int side = 128;
-    const auto lattice = rings_of(zone_plate_image(test::square_lattice(side, 2)));
-    // One sample a pixel: what is false folds onto the plate itself.
+    constexpr int side = 512; // the dissertation's
+    auto centres = test::square_lattice(side, 2);
+    for (double& x : centres.coordinates) x += 0.5 / side;
+    const auto lattice = rings_of(zone_plate_image(centres));
+    // One sample in the middle of each pixel: what is false folds onto the plate itself, all of it with the same sign.
     EXPECT_GT(lattice.at_the_plate, 100 * false_rings_bound(side * side));
 
     auto jittered = test::square_lattice(side, 2);
