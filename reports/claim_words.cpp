@@ -40,6 +40,27 @@ std::string machine_words(const StoredRun& run)
 
 }
 
+std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
+                                         bool should_alias)
+{
+    Tally tally;
+    std::vector<double> strengths;
+    double bound = 0;
+    for (const auto* entry : series) {
+        const auto rings = report.false_rings(*entry);
+        if (!rings) continue;
+        tally.add(should_alias ? rings->strength > rings->bound : rings->strength < rings->bound);
+        strengths.push_back(rings->strength);
+        bound = rings->bound;
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
+                                  range_words(strengths, 2), format_significant(bound, 2)),
+                      tally.words()})};
+}
+
 PaperClaim time_claim(const std::string& id, const std::string& section, const std::string& says,
                       const std::vector<TimedSeries>& timed)
 {

@@ -3,6 +3,7 @@
 
 #include "reports/paper_claims.hpp"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,11 @@ std::string range_words(const std::vector<double>& values, int digits);
 
 /// "0.02 %" of a share.
 std::string percent_words(double share);
+
+/// How strong the strongest false plates of series are, against what noise alone makes; `should_alias`: whether they are
+/// said to be stronger. Nothing where no series has a picture.
+std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
+                                         bool should_alias);
 
 /// A time of 2006, and the series whose time today stands beside it.
 struct TimedSeries

@@ -170,26 +170,6 @@ Outcome plate_better(const ClaimSeries& report, const SeriesQuery& good, const S
                         fmt::format("{}, against {}", format_significant(x, 3), format_significant(y, 3))};
 }
 
-Outcome plate_is_noise(const ClaimSeries& report, const SeriesQuery& query)
-{
-    Tally tally;
-    std::vector<double> strengths;
-    double bound = 0;
-    for (const auto* series : report.all(query)) {
-        const auto rings = report.false_rings(*series);
-        if (!rings) continue;
-        tally.add(rings->strength < rings->bound);
-        strengths.push_back(rings->strength);
-        bound = rings->bound;
-    }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
-                                  range_words(strengths, 2), format_significant(bound, 2)),
-                      tally.words()})};
-}
-
 std::vector<PaperClaim> dart_throwing_claims()
 {
     const SeriesQuery jittered{.sampler = "jittered", .points = plate_points, .needs = Needs::plate};
@@ -203,7 +183,8 @@ std::vector<PaperClaim> dart_throwing_claims()
         {"6.3-noise", "6.3", "In the zone plate, undersampling causes noise rather than aliasing.",
          "no false plate is stronger than noise makes once in 100 pictures",
          [](const ClaimSeries& report) {
-             return plate_is_noise(report, {.sampler = "dart-throwing", .points = plate_points, .needs = Needs::plate});
+             const SeriesQuery darts{.sampler = "dart-throwing", .points = plate_points, .needs = Needs::plate};
+             return false_plates(report, report.all(darts), false);
          }},
         {"6.3-plate", "6.3",
          "It reproduces the zone plate significantly better at higher frequencies than a stratified pattern does.",

@@ -161,6 +161,11 @@ TEST_F(SiteInBrowser, IsDarkWhereThatIsWantedAndWhiteOnPaper)
         browser_->emulate("screen", false);
         EXPECT_GT(luminance("backgroundColor"), 240) << page;
         EXPECT_LT(luminance("color"), 60) << page;
+        // Colours of series are those of their curves; only the dark page, whose pictures are inverted, inverts them.
+        EXPECT_EQ(evaluate("Array.from(document.querySelectorAll('.swatch, img.ink'))"
+                           ".filter(e => getComputedStyle(e).filter !== 'none').length"),
+                  0)
+            << page;
         browser_->emulate("print", true);
         EXPECT_NEAR(luminance("backgroundColor"), 255, 0.01) << page; // sums of products are rounded
         EXPECT_EQ(evaluate("getComputedStyle(document.querySelector('nav')).display"), "none") << page;

@@ -26,7 +26,7 @@ END
 if command -v glslangValidator >/dev/null; then
     sed -i '1i #version 430' "$shader"
     glslangValidator -S comp "$shader"
-    glslangValidator --target-env vulkan1.0 -S comp "$shader"
+    glslangValidator --target-env vulkan1.0 -S comp -o "$shader.out" "$shader"
 else
     echo 'no glslangValidator: preprocessed only'
     cpp -undef -P "$shader" "$shader.out"
