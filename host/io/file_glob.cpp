@@ -46,8 +46,9 @@ std::vector<std::filesystem::path> named_files(const std::filesystem::path& fold
 std::string no_such_file(const std::filesystem::path& folder, const std::string& entry)
 {
     if (std::filesystem::path(entry).is_absolute()) return "no such file";
-    return fmt::format("no such file in {}, the folder of the config",
-                       std::filesystem::absolute(folder).lexically_normal().string());
+    // The folder of a config that is named without one is "": absolute() takes that for no path at all.
+    const auto whole = folder.empty() ? std::filesystem::current_path() : std::filesystem::absolute(folder);
+    return fmt::format("no such file in {}, the folder of the config", whole.lexically_normal().string());
 }
 
 }
