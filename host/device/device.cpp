@@ -174,6 +174,12 @@ std::vector<DeviceInfo> list_devices()
     return infos;
 }
 
+DeviceInfo Device::find(const std::string& selector)
+{
+    const std::vector<DeviceInfo> infos = list_devices();
+    return infos[select(infos, selector)];
+}
+
 Device::Device(std::shared_ptr<DeviceImpl> impl) : impl_(std::move(impl)) {}
 
 Device Device::open(const std::string& selector, unsigned threads)

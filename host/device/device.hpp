@@ -45,6 +45,9 @@ public:
     /// Throws DeviceError when there is no such device. A device that is open already is handed out again.
     static Device open(const std::string& selector = {}, unsigned threads = 0);
 
+    /// What open() would open, which stays closed. Throws DeviceError as it does.
+    static DeviceInfo find(const std::string& selector = {});
+
     const DeviceInfo& info() const;
 
     /// A kernel of an embedded file, for example kernel("dart_throwing.cl", "throw_darts", "-D DIMENSION=2").

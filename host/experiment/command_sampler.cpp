@@ -4,6 +4,8 @@
 #include "io/point_file.hpp"
 #include "io/program_run.hpp"
 #include "io/shell_words.hpp"
+#include "io/whole_file.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "sampling/random.hpp"
 
 #include <fmt/format.h>
@@ -190,6 +192,26 @@ private:
     double limit_;
 };
 
+/// A hash of the program and of all files that the command names: a script that was changed makes other points. What these
+/// read themselves is not seen.
+std::uint64_t program_hash(const Parameters& parameters)
+{
+    const fs::path folder = folder_of(parameters);
+    const std::vector<std::string> words = command_words(parameters.text(command_key), {});
+    std::vector<fs::path> files;
+    if (const auto program = find_program(words[0], folder)) files.push_back(*program);
+    for (std::size_t i = 1; i < words.size(); ++i) files.push_back(folder / words[i]);
+    Xxh64 hash;
+    for (const fs::path& file : files) {
+        std::error_code error;
+        if (!fs::is_regular_file(file, error)) continue;
+        const std::string content = read_whole_file(file);
+        hash.add(fmt::format("{} ", content.size()));
+        hash.add(content);
+    }
+    return hash.value();
+}
+
 void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     if (!parameters.has(command_key))
@@ -197,7 +219,7 @@ void check(const Parameters& parameters, const SampleRequest&, const SourceLocat
                                             "\"mysampler {points} {seed} {out}\"");
     try {
         const auto words = command_words(parameters.text(command_key), {});
-        if (!is_program(words[0], folder_of(parameters)))
+        if (!find_program(words[0], folder_of(parameters)))
             throw InputError(fmt::format("there is no program {}{}", words[0],
                                          words[0].find('/') != std::string::npos
                                              ? " (paths are relative to the folder of the config)"
@@ -255,6 +277,7 @@ SamplerSpec command_sampler()
     spec.parameters = {command, limit};
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
     spec.check = check;
+    spec.outside_input = program_hash;
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
         return std::make_unique<CommandSampler>(parameters, request);
     };

@@ -31,6 +31,8 @@ struct SampleRequest
     std::size_t points = 0; ///< target size; methods that cannot hit it exactly come as near as they can
     int dimension = 2;      ///< 2 or 3
     std::uint64_t seed = 0;
+    /// Told of the steps of what takes long before the first set; what it throws ends that. May be empty.
+    std::function<void(const std::string& what)> on_step = {};
 };
 
 /// The state of an iterative method before its first iteration (entry 0) and after each one.
@@ -127,6 +129,9 @@ struct SamplerSpec
     /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.
     /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
+
+    /// A hash of what decides its sets beside its parameters, such as the contents of files; empty: nothing does.
+    std::function<std::uint64_t(const Parameters&)> outside_input;
 
     /// How many realizations there are, where the method decides that (files); empty: as many as asked.
     std::function<std::size_t(const Parameters&)> available_realizations;

@@ -56,7 +56,7 @@ public:
             built_before_ = device_->build_seconds();
         }
         const auto begin = std::chrono::steady_clock::now();
-        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder());
+        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
         tiles_ = std::move(cached.set);
         tile_set_ = std::move(cached.record);
         if (device_) generator_.emplace(*device_, tiles_);
