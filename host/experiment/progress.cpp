@@ -136,7 +136,7 @@ void Progress::finish_series(const std::string& line)
         print(line);
 }
 
-void Progress::finish_run(std::size_t number, std::size_t count, const std::string& title)
+void Progress::start_run(std::size_t number, std::size_t count, const std::string& title)
 {
     if (style_ == Style::json)
         print_event({{"event", "run"}, {"number", number}, {"count", count}, {"title", title}, {"seconds", elapsed()}});

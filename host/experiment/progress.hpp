@@ -52,8 +52,8 @@ public:
     /// A series is done; `line` sums it up.
     void finish_series(const std::string& line);
 
-    /// Run `number`, counted from 1, of the `count` runs of a collection is done.
-    void finish_run(std::size_t number, std::size_t count, const std::string& title);
+    /// Run `number`, counted from 1, of the `count` runs of a collection begins.
+    void start_run(std::size_t number, std::size_t count, const std::string& title);
 
     /// A step of long work without a count, such as the parts of a tile set or the pictures of the report.
     void step(const std::string& what);

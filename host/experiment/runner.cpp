@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <set>
 
 namespace poissonlab {
 namespace {
@@ -90,9 +91,20 @@ private:
     {
         start_progress();
         crew_.work(
-            schedule, [&](const Job& job) { works_.at(job.run).execute(job, listener()); },
+            schedule,
+            [&](const Job& job) {
+                announce(job.run);
+                works_.at(job.run).execute(job, listener());
+            },
             [&](const Job& job, bool here) { note_done(job, here); });
         slot_.clear();
+    }
+
+    /// Says, once, that a run has begun.
+    void announce(std::uint32_t run)
+    {
+        if (!settings_.announces_runs || !announced_.insert(run).second) return;
+        progress_.start_run(run + 1, runs_.size(), runs_[run].experiment.title);
     }
 
     void start_progress()
@@ -132,6 +144,7 @@ private:
     {
         for (; published_ < jobs_left_.size() && jobs_left_[published_] == 0; ++published_) {
             stop_if_interrupted();
+            announce(static_cast<std::uint32_t>(published_));
             const PlannedRun& run = runs_[published_];
             const FileLock lock(lock_file());
             works_[published_].publish(run.out, crew_.size());
@@ -155,6 +168,7 @@ private:
     std::deque<RunWork> works_;
     std::vector<std::size_t> jobs_left_; ///< of each run; empty while a shard does its share
     std::size_t published_ = 0;          ///< runs
+    std::set<std::uint32_t> announced_;  ///< runs
 };
 
 }

@@ -32,6 +32,7 @@ struct RunSettings
     std::filesystem::path units; ///< folder of finished work, shared by all runs
     std::optional<Shard> shard;  ///< only a share of the work
     CodeVersions versions = CodeVersions::current();
+    bool announces_runs = false; ///< whether the user is told which run is being made
     std::function<void(const PlannedRun&)> on_published; ///< in the order of the runs
 };
 

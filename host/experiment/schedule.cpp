@@ -7,7 +7,7 @@ Schedule::Place Schedule::place_of(Id id) const
     const Job& job = nodes_[id].job;
     const bool goes_on = nodes_[id].is_follow_up;
     const std::uint32_t stage = goes_on && job.kind == Job::Kind::series ? 0 : goes_on ? 1 : 2;
-    return {stage, job.run, job.first > 0, id};
+    return {stage, job.run, job.kind == Job::Kind::sample && job.first > 0, id};
 }
 
 Schedule::Id Schedule::add(const Job& job, std::span<const Id> after)

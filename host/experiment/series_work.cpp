@@ -84,6 +84,8 @@ Sample SeriesWork::make(std::uint32_t realization, const WorkListener& listener)
 {
     stop_if_interrupted();
     Sample sample = slot_.make(task_, realization, *experiment_.workplace);
+    if (sample.points.size() == 0)
+        throw InputError(fmt::format("{}: realization {} has no points", task_.label, realization));
     if (listener.sampled) listener.sampled(sample.record.points, sample.record.seconds);
     return sample;
 }

@@ -143,15 +143,17 @@ void remove_temporary_files() noexcept
     }
 }
 
-void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age) noexcept
+void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
+                                  const std::filesystem::path& except) noexcept
 {
     namespace fs = std::filesystem;
     try {
         const auto oldest = fs::file_time_type::clock::now() - age;
         std::error_code error;
         for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+            if (entry->path().filename() == except) entry.disable_recursion_pending();
             std::error_code unknown;
-            if (is_temporary(entry->path()) && entry->last_write_time(unknown) < oldest && !unknown)
+            if (is_temporary(entry->path()) && entry->last_write_time(unknown) <= oldest && !unknown)
                 fs::remove(entry->path(), unknown);
         }
     } catch (const std::exception&) {

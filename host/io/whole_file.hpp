@@ -29,9 +29,10 @@ void write_whole_file(const std::filesystem::path& path,
 /// waiting for them.
 void remove_temporary_files() noexcept;
 
-/// Removes temporary files of processes that were killed while they wrote, below a folder: those older than `age`, which
-/// no process can be writing any more.
-void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age) noexcept;
+/// Removes temporary files of processes that were killed while they wrote, below a folder but not in folders of the name
+/// `except`: those older than `age`, which no process can be writing any more.
+void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
+                                  const std::filesystem::path& except = {}) noexcept;
 
 /// The content of a file. Throws InputError when it cannot be read.
 std::string read_whole_file(const std::filesystem::path& path);

@@ -102,7 +102,7 @@ TEST(Progress, QuietIsQuiet)
         progress.start({2, 1, 1});
         progress.sampled(10, 0.1);
         progress.finish_series("A: done");
-        progress.finish_run(1, 2, "title");
+        progress.start_run(1, 2, "title");
         progress.message("text");
         progress.report("out/index.html");
     }
@@ -136,7 +136,7 @@ TEST(Progress, EventsAreObjectsALine)
         time.wait(2);
         progress.sampled(100, 0.1);
         progress.finish_series("A \"b\"");
-        progress.finish_run(1, 2, "T");
+        progress.start_run(1, 2, "T");
         progress.message("m");
         time.wait(2);
         progress.step("s");

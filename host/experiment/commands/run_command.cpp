@@ -102,18 +102,18 @@ std::string advice(const RunOptions& options, const fs::path& units)
 }
 
 /// Says what the folder of a collection holds so far. An earlier report would show what is no longer there.
-void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run, Progress& progress)
+void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run)
 {
     done.runs.push_back(run.out.filename().string());
     std::error_code error;
     fs::remove(plan.out / "index.html", error);
     write_collection_file(plan.out, done);
-    progress.finish_run(done.runs.size(), plan.runs.size(), run.experiment.title);
 }
 
 void write_final_report(const RunPlan& plan, const ReportWriter& write_report, Progress& progress)
 {
-    const FileLock lock(plan.out / unit_folder_name / "publish.lock");
+    const FileLock lock(plan.out / unit_folder_name / "publish.lock"); // nobody else writes there
+    remove_stale_temporary_files(plan.out, std::chrono::seconds(0), unit_folder_name);
     finish_report({plan.out}, plan.out, write_report, progress);
 }
 
@@ -141,8 +141,9 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
 
     Progress progress(style_of(options, *crew));
     CollectionFile done{plan.title, options.command, {}};
+    settings.announces_runs = plan.is_collection;
     if (plan.is_collection)
-        settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run, progress); };
+        settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
     const bool is_complete = run_experiments(plan.runs, settings, *crew, progress);
     if (!crew->leads()) return;
     if (!is_complete)
