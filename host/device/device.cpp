@@ -1,5 +1,6 @@
 #include "device/device.hpp"
 
+#include "device/kernel_cache.hpp"
 #include "device/kernel_source.hpp"
 #include "device/opencl.hpp"
 
@@ -68,6 +69,8 @@ DeviceInfo describe(const cl::Device& device)
 /// A driver that fails does not keep others from being used.
 std::vector<cl::Device> all_devices()
 {
+    static std::once_flag once;
+    std::call_once(once, provide_kernel_cache);
     const std::string doing = "looking for OpenCL devices";
     std::vector<cl::Platform> platforms;
     try {
@@ -120,7 +123,11 @@ cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& 
     cl::Program program;
     try {
         program = cl::Program(impl.context, text);
-        program.build(impl.device, ("-cl-std=CL1.2 " + options).c_str());
+        // Not by cl::Program::build, which asks for the log and fails with that where the device is gone.
+        const cl_device_id device = impl.device();
+        const cl_int code =
+            ::clBuildProgram(program(), 1, &device, ("-cl-std=CL1.2 " + options).c_str(), nullptr, nullptr);
+        if (code != CL_SUCCESS) throw cl::Error(code, "clBuildProgram");
     } catch (const cl::Error& error) {
         const std::string log = build_log(program, impl.device);
         throw DeviceError(

@@ -61,7 +61,7 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
-/// Where there is no device that is left to whoever needs one: everything may be stored already.
+/// Where there is no usable device that is left to whoever needs one: everything may be stored already.
 void check_memory_of_device(const std::vector<SeriesPlan>& plan, const std::string& selector)
 {
     const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
@@ -69,7 +69,9 @@ void check_memory_of_device(const std::vector<SeriesPlan>& plan, const std::stri
     });
     if (!needs_device) return;
     const std::vector<DeviceInfo> devices = list_devices();
-    if (!devices.empty()) check_device_memory(plan, devices[choose_device(devices, selector)]);
+    if (devices.empty()) return;
+    const DeviceInfo& device = devices[choose_device(devices, selector)];
+    if (device.unusable.empty()) check_device_memory(plan, device);
 }
 
 /// The name of a folder that no other has.
