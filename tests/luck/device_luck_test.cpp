@@ -27,7 +27,7 @@ TEST_F(DeviceLuck, VanishesDuringARun)
                               "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
     const long all = calls({"run", "tiny.toml", "--out", "whole", "--quiet"}, "BAD_LUCK=opencl");
     ASSERT_GT(all, 500);
-    constexpr int moments = 10;
+    constexpr int moments = 8;
     for (int i = 0; i < moments; ++i) {
         const long after = (all - 1) * i / (moments - 1);
         SCOPED_TRACE("after " + std::to_string(after) + " of " + std::to_string(all) + " calls");
@@ -42,8 +42,8 @@ TEST_F(DeviceLuck, VanishesDuringARun)
 /// Each kind of call is the first to fail, once at its first use.
 TEST_F(DeviceLuck, IsNamedByTheCall)
 {
-    for (const std::string call : {"clCreateCommandQueue", "clCreateBuffer", "clBuildProgram", "clSetKernelArg",
-                                   "clEnqueueNDRangeKernel", "clEnqueueReadBuffer"}) {
+    for (const std::string call : {"clCreateCommandQueue", "clCreateBuffer", "clBuildProgram",
+                                   "clEnqueueNDRangeKernel"}) {
         SCOPED_TRACE(call);
         expect_one_line(run("out", gone(0, call)), 3, call + " failed with CL_DEVICE_NOT_AVAILABLE");
     }

@@ -36,7 +36,7 @@ TEST_F(DiskLuck, FillsUpDuringARun)
     const auto earlier = lasting_files(path("out"));
     const std::string earlier_results = content_of(path("out") / "results.json");
 
-    constexpr int moments = 8;
+    constexpr int moments = 6;
     for (int i = 0; i < moments; ++i) {
         const long after = all * i * i / (moments * moments); // most of the calls are the report's
         SCOPED_TRACE("after " + std::to_string(after) + " calls");
