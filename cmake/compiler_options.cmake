@@ -16,6 +16,11 @@ if(POISSONLAB_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(lab_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(POISSONLAB_SANITIZE_THREADS)
+  # Fences (in CGAL) are not understood by it, which GCC warns of.
+  target_compile_options(lab_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
+  target_link_options(lab_options INTERFACE -fsanitize=thread)
+endif()
 target_include_directories(lab_options INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR})
 
 # Most of the time to build a library goes into the headers of the standard library and of fmt: they are compiled once,

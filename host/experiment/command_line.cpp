@@ -6,6 +6,7 @@
 #include "experiment/interrupt.hpp"
 #include "experiment/nearest_key.hpp"
 #include "io/shell_words.hpp"
+#include "io/standard_streams.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -452,8 +453,16 @@ int fail(int status, const std::string& message)
 {
     if (is_crew_follower()) return status; // the process that leads says it
     std::fflush(stdout);
-    fmt::print(stderr, "poissonlab: error: {}\n", message);
+    // Not by fmt, which throws where standard error is closed, too.
+    std::fputs(("poissonlab: error: " + message + "\n").c_str(), stderr);
     return status;
+}
+
+/// The status, unless some of the output is lost.
+int flushed(int status)
+{
+    const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+    return is_lost ? fail(exit_other, "cannot write to standard output") : status;
 }
 
 }
@@ -461,19 +470,19 @@ int fail(int status, const std::string& message)
 int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
                      const RunComparer& compare_runs)
 {
+    open_standard_streams();
     try {
         CommandLine command_line(write_report, compare_runs);
         try {
             command_line.parse(argc, argv);
         } catch (const CLI::ParseError& outcome) {
-            if (outcome.get_exit_code() == 0) return command_line.show_help_or_version(outcome);
+            if (outcome.get_exit_code() == 0) return flushed(command_line.show_help_or_version(outcome));
             std::string message = outcome.what();
             std::ranges::replace(message, '\n', ' ');
             return fail(exit_input, message + " (see poissonlab --help)");
         }
         catch_interrupts();
-        const int status = command_line.execute();
-        return std::fflush(stdout) == 0 ? status : fail(exit_other, "cannot write to standard output");
+        return flushed(command_line.execute());
     } catch (const Interrupted&) {
         std::fflush(stdout);
         tell_of_interruption();

@@ -3,6 +3,7 @@
 #include "experiment/interrupt.hpp"
 #include "io/point_file.hpp"
 #include "io/program_run.hpp"
+#include "io/scratch_folder.hpp"
 #include "io/shell_words.hpp"
 #include "io/whole_file.hpp"
 #include "io/xxh64_bytes.hpp"
@@ -12,8 +13,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -80,28 +79,14 @@ fs::path folder_of(const Parameters& parameters)
 class OutputFolder
 {
 public:
-    OutputFolder()
-    {
-        std::string name = (fs::temp_directory_path() / "poissonlab-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw StorageError("cannot create the folder " + name);
-        path_ = name;
-    }
-    ~OutputFolder()
-    {
-        std::error_code error;
-        fs::remove_all(path_, error);
-    }
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
-
     /// What {out} stands for. Programs may add an extension.
-    std::string out() const { return (path_ / "points").string(); }
+    std::string out() const { return (folder_.path() / "points").string(); }
 
     /// The one file that is there. Throws InputError.
     fs::path file() const
     {
         std::vector<fs::path> files;
-        for (const auto& entry : fs::directory_iterator(path_)) files.push_back(entry.path());
+        for (const auto& entry : fs::directory_iterator(folder_.path())) files.push_back(entry.path());
         if (files.empty()) throw InputError("it wrote no file {out}");
         if (files.size() > 1) throw InputError("it wrote several files that begin with {out}; one is needed");
         return files.front();
@@ -125,7 +110,7 @@ public:
     }
 
 private:
-    fs::path path_;
+    ScratchFolder folder_;
 };
 
 /// The last lines that a program said, each on a line of its own.

@@ -2,10 +2,12 @@
 
 #include "device/device.hpp"
 #include "experiment/plan.hpp"
+#include "experiment/plan_memory.hpp"
 #include "experiment/thread_limit.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -129,6 +131,19 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
+/// Where there is no usable device that is left to whoever needs one: everything may be stored already.
+void check_memory_of_device(const std::vector<SeriesPlan>& plan, const std::string& selector)
+{
+    const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
+        return static_cast<bool>(series.sampler->device_memory);
+    });
+    if (!needs_device) return;
+    const std::vector<DeviceInfo> devices = list_devices();
+    if (devices.empty()) return;
+    const DeviceInfo& device = devices[choose_device(devices, selector)];
+    if (device.unusable.empty()) check_device_memory(plan, device);
+}
+
 /// The name of a folder that no other has.
 std::string unused_name(const std::string& base, std::set<std::string>& names)
 {
@@ -180,7 +195,9 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
     experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
-    for (const SeriesPlan& series : make_plan(config))
+    const std::vector<SeriesPlan> plan = make_plan(config);
+    if (config.engine == Engine::opencl) check_memory_of_device(plan, device);
+    for (const SeriesPlan& series : plan)
         experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
     std::set<std::string> names; // folders of the series come first
     for (const SeriesTask& task : experiment.series) names.insert(task.name);

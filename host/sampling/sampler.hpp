@@ -4,6 +4,7 @@
 // Config keys, checks, help, series names and the report follow from the description.
 #pragma once
 
+#include "device/device_memory.hpp"
 #include "geometry/point_set.hpp"
 #include "sampling/parameters.hpp"
 
@@ -17,6 +18,7 @@
 namespace poissonlab {
 
 class Device;
+struct DeviceInfo;
 
 /// Which of the two twins does the work.
 enum class Engine
@@ -135,6 +137,14 @@ struct SamplerSpec
 
     /// How many realizations there are, where the method decides that (files); empty: as many as asked.
     std::function<std::size_t(const Parameters&)> available_realizations;
+
+    /// The most memory that its sampler takes on a device of this kind, at a time, with that of its start; at most
+    /// 1.3 times what it really takes. Empty: none.
+    std::function<DeviceMemory(const Parameters&, const SampleRequest&, const DeviceInfo&)> device_memory;
+
+    /// The number of points that a set may have, where that is not the number that is asked for (as near as chance
+    /// lets it be said). Empty: that number.
+    std::function<std::size_t(const Parameters&, const SampleRequest&)> most_points;
 
     std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine,
                                            const DeviceProvider&)>
