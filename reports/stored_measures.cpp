@@ -12,7 +12,7 @@ std::string read_integrand(const StoredObject& integral)
     const auto name = integral.text("integrand");
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     if (name.empty() || !std::ranges::all_of(name, is_letter))
-        throw integral.error("integrand", "'" + name + "' must be small letters");
+        throw integral.error("integrand", "must be small letters");
     return name;
 }
 
