@@ -86,6 +86,7 @@ template <class Body>
 auto reading(const std::filesystem::path& path, const Body& body)
 {
     try {
+        check_header_fits(path);
         return body();
     } catch (const InputError&) {
         throw;

@@ -9,6 +9,10 @@
 
 namespace poissonlab {
 
+/// Sees that a file begins with a header of one plain image whose attributes lie in the file: OpenEXR takes as much memory
+/// for each as it says that it has. Throws std::runtime_error, without the file's name.
+void check_header_fits(const std::filesystem::path& file);
+
 /// Whether an image has a channel of float32 for each pixel.
 bool has_float_channel(const Imf::Header& header, const std::string& name);
 

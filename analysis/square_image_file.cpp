@@ -74,6 +74,7 @@ void write_square_image(const std::filesystem::path& path, const SquareImage& im
 SquareImage read_square_image(const std::filesystem::path& path)
 {
     try {
+        check_header_fits(path);
         Imf::InputFile file(path.c_str());
         SquareImage image{checked_size(file.header(), path), {}};
         std::vector<float> pixels(static_cast<std::size_t>(image.size) *
