@@ -161,7 +161,8 @@ std::string StoredObject::checked_file_name(const std::string& name, const std::
     const std::filesystem::path path = value;
     const bool climbs = std::ranges::any_of(path, [](const auto& part) { return part == ".."; });
     if (path.empty() || path.is_absolute() || climbs || printable(value) != value)
-        throw error(name, "\"" + shortened(value) + "\" must be a file inside the result folder");
+        throw error(name, (at(name).is_string() ? "" : "\"" + shortened(value) + "\" ") +
+                              "must be a file inside the result folder");
     std::error_code none; // a name that is too long is that of no file
     if (const auto full = file_.parent_path() / path; !std::filesystem::is_regular_file(full, none))
         throw error(name, full.parent_path().string() + "/" + shortened(full.filename().string()) + " is missing");

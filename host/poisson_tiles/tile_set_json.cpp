@@ -173,7 +173,7 @@ Json parsed(std::string_view text)
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         throw InputError(fmt::format("is no JSON: wrong at byte {}", error.byte));
-    } catch (const Json::out_of_range& error) {
+    } catch (const Json::out_of_range&) {
         throw InputError("is no JSON: it has a number that is too large");
     }
 }
