@@ -1,6 +1,7 @@
 #include "analysis/spectrum_file.hpp"
 
 #include "analysis/spectrum_planes.hpp"
+#include "analysis/square_header.hpp"
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 
@@ -13,6 +14,8 @@
 #include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
+#include <charconv>
+#include <climits>
 #include <stdexcept>
 
 namespace poissonlab {
@@ -23,7 +26,6 @@ namespace {
 const std::string points_name = "poissonlab:points";
 const std::string realizations_name = "poissonlab:realizations";
 const std::string metadata_prefix = "poissonlab:meta:";
-constexpr int max_size = 1 << 15; // a larger "spectrum" is a damaged header
 
 /// What stands before the names of channels: nothing for a 2D spectrum, the planes of a 3D one.
 std::vector<std::string> layers_of(int dimension, int size)
@@ -84,6 +86,7 @@ template <class Body>
 auto reading(const std::filesystem::path& path, const Body& body)
 {
     try {
+        check_header_fits(path);
         return body();
     } catch (const InputError&) {
         throw;
@@ -92,29 +95,25 @@ auto reading(const std::filesystem::path& path, const Body& body)
     }
 }
 
-unsigned long count_attribute(const Imf::Header& header, const std::string& name)
+unsigned long count_attribute(const Imf::Header& header, const std::string& name, unsigned long largest)
 {
     const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
     if (!attribute) throw std::runtime_error("the attribute " + name + " is missing");
-    return std::stoul(attribute->value());
-}
-
-bool has_channel(const Imf::Header& header, const std::string& name)
-{
-    const Imf::Channel* channel = header.channels().findChannel(name);
-    return channel && channel->type == Imf::FLOAT && channel->xSampling == 1 && channel->ySampling == 1;
+    const std::string& text = attribute->value();
+    unsigned long count = 0;
+    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (status != std::errc{} || end != text.data() + text.size() || count > largest)
+        throw std::runtime_error("the attribute " + name + " = \"" + shortened(text) + "\" must be an integer from 0 to " +
+                                 std::to_string(largest));
+    return count;
 }
 
 /// The size of the spectrum, once the header has everything that write_spectrum puts there.
-int checked_size(const Imf::Header& header)
+int checked_size(const Imf::Header& header, const std::filesystem::path& path)
 {
-    const auto& window = header.dataWindow();
-    const int width = window.max.x - window.min.x + 1;
-    const int height = window.max.y - window.min.y + 1;
-    if (window.min.x != 0 || window.min.y != 0 || width != height || width % 2 != 0 || width > max_size) {
-        throw std::runtime_error("a spectrum is a square of even size with its corner at (0, 0)");
-    }
-    return width;
+    const int size = checked_square_size(header, path);
+    if (size % 2 != 0) throw std::runtime_error("a spectrum has an even size, not " + std::to_string(size));
+    return size;
 }
 
 /// The layers of the spectrum that the channels hold.
@@ -122,7 +121,7 @@ std::vector<std::string> checked_layers(const Imf::Header& header, int size)
 {
     for (const int dimension : {2, 3}) {
         const auto layers = layers_of(dimension, size);
-        if (std::ranges::all_of(layers, [&](const auto& layer) { return has_channel(header, layer + "Y"); }))
+        if (std::ranges::all_of(layers, [&](const auto& layer) { return has_float_channel(header, layer + "Y"); }))
             return layers;
     }
     throw std::runtime_error("there is no float32 channel \"Y\", nor those of the planes of a 3D spectrum");
@@ -161,16 +160,16 @@ std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
     return reading(path, [&] {
         Imf::InputFile file(path.c_str());
         Spectrum plane;
-        plane.size = checked_size(file.header());
-        plane.points = count_attribute(file.header(), points_name);
-        plane.realizations = static_cast<int>(count_attribute(file.header(), realizations_name));
+        plane.size = checked_size(file.header(), path);
+        plane.points = count_attribute(file.header(), points_name, 1UL << 53);
+        plane.realizations = static_cast<int>(count_attribute(file.header(), realizations_name, INT_MAX));
 
         const auto pixels = static_cast<std::size_t>(plane.size) * plane.size;
         const auto layers = checked_layers(file.header(), plane.size);
         std::vector<Channel> channels;
         for (const auto& layer : layers) {
             channels.push_back({layer + "Y", std::vector<float>(pixels)});
-            if (has_channel(file.header(), layer + "variance"))
+            if (has_float_channel(file.header(), layer + "variance"))
                 channels.push_back({layer + "variance", std::vector<float>(pixels)});
         }
         file.setFrameBuffer(frame_buffer(channels, plane.size));
@@ -198,7 +197,7 @@ std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem:
 {
     return reading(path, [&] {
         const Imf::InputFile file(path.c_str());
-        checked_layers(file.header(), checked_size(file.header()));
+        checked_layers(file.header(), checked_size(file.header(), path));
         std::map<std::string, std::string> metadata;
         for (auto it = file.header().begin(); it != file.header().end(); ++it) {
             const std::string name = it.name();

@@ -1,5 +1,6 @@
 #include "analysis/square_image_file.hpp"
 
+#include "analysis/square_header.hpp"
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 
@@ -19,7 +20,6 @@ namespace poissonlab {
 namespace {
 
 const std::string metadata_prefix = "poissonlab:meta:"; // as in spectra
-constexpr int max_size = 1 << 15;                       // a larger picture is a damaged header
 
 Imf::FrameBuffer frame_buffer(std::vector<float>& pixels, int size)
 {
@@ -42,17 +42,10 @@ void turn_over(const std::vector<From>& from, std::vector<To>& to, int size)
                        [](From value) { return static_cast<To>(value); });
 }
 
-int checked_size(const Imf::Header& header)
+int checked_size(const Imf::Header& header, const std::filesystem::path& path)
 {
-    const auto& window = header.dataWindow();
-    const int width = window.max.x - window.min.x + 1;
-    const int height = window.max.y - window.min.y + 1;
-    if (window.min.x != 0 || window.min.y != 0 || width != height || width > max_size)
-        throw std::runtime_error("it is a square with its corner at (0, 0)");
-    const Imf::Channel* channel = header.channels().findChannel("Y");
-    if (!channel || channel->type != Imf::FLOAT || channel->xSampling != 1 || channel->ySampling != 1)
-        throw std::runtime_error("there is no float32 channel \"Y\"");
-    return width;
+    if (!has_float_channel(header, "Y")) throw std::runtime_error("there is no float32 channel \"Y\"");
+    return checked_square_size(header, path);
 }
 
 }
@@ -81,8 +74,9 @@ void write_square_image(const std::filesystem::path& path, const SquareImage& im
 SquareImage read_square_image(const std::filesystem::path& path)
 {
     try {
+        check_header_fits(path);
         Imf::InputFile file(path.c_str());
-        SquareImage image{checked_size(file.header()), {}};
+        SquareImage image{checked_size(file.header(), path), {}};
         std::vector<float> pixels(static_cast<std::size_t>(image.size) *
                                   static_cast<std::size_t>(image.size));
         file.setFrameBuffer(frame_buffer(pixels, image.size));

@@ -56,7 +56,7 @@ Polygon tidy(const Polygon& polygon)
     }
     while (corners.size() > 1 && !differ(corners.front(), corners.back())) corners.pop_back();
     const auto direction = [](const Position& p) { return std::atan2(p[1], p[0]); };
-    std::ranges::rotate(corners, std::ranges::min_element(corners, {}, direction));
+    std::rotate(corners.begin(), std::ranges::min_element(corners, {}, direction), corners.end());
     return corners;
 }
 

@@ -21,6 +21,17 @@ if(POISSONLAB_SANITIZE_THREADS)
   target_compile_options(lab_options INTERFACE -fsanitize=thread -fno-omit-frame-pointer -Wno-tsan)
   target_link_options(lab_options INTERFACE -fsanitize=thread)
 endif()
+if(POISSONLAB_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "POISSONLAB_FUZZ needs Clang, whose libFuzzer it is for: cmake --preset fuzz")
+  endif()
+  # Conversions of numbers that do not fit are not part of "undefined", but are what damaged files lead to.
+  set(fuzz_checks address,undefined,float-cast-overflow)
+  target_compile_options(lab_options INTERFACE
+    -fsanitize=fuzzer-no-link,${fuzz_checks} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(lab_options INTERFACE -fsanitize=${fuzz_checks})
+  target_compile_definitions(lab_options INTERFACE _GLIBCXX_ASSERTIONS)
+endif()
 target_include_directories(lab_options INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR})
 
 # Most of the time to build a library goes into the headers of the standard library and of fmt: they are compiled once,

@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <ranges>
 
 namespace poissonlab {
 
@@ -160,9 +159,9 @@ std::optional<std::vector<Lines>> line_up(std::size_t count, const LineUp& one)
 bool all_told_apart(const std::vector<std::string>& labels, const std::vector<Lines>& lines)
 {
     std::map<Lines, std::string> label_of;
-    return std::ranges::all_of(std::views::iota(std::size_t{0}, labels.size()), [&](std::size_t i) {
-        return label_of.emplace(lines[i], labels[i]).first->second == labels[i];
-    });
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        if (label_of.emplace(lines[i], labels[i]).first->second != labels[i]) return false;
+    return true;
 }
 
 }

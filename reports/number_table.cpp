@@ -3,6 +3,8 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -29,7 +31,7 @@ bool parse_line(const std::string& line, std::vector<double>& values)
 }
 
 std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path, const std::string& header,
-                                         const std::string& what)
+                                                   const std::string& what)
 {
     std::istringstream text(read_whole_file(path));
     std::string line;
@@ -41,11 +43,19 @@ std::vector<std::vector<double>> read_number_table(const std::filesystem::path& 
     for (int number = 2; std::getline(text, line); ++number) {
         if (!parse_line(line, values))
             throw InputError(path.string() + ":" + std::to_string(number) + ": must be " +
-                             std::to_string(values.size()) + " numbers, not '" + line + "'");
+                             std::to_string(values.size()) + " numbers, not '" + shortened(line) + "'");
         rows.push_back(values);
     }
     if (rows.empty()) throw InputError(path.string() + ": holds no " + what);
     return rows;
+}
+
+std::size_t table_count(double number, const std::filesystem::path& path, std::size_t row, const std::string& column)
+{
+    if (!(number >= 0 && number <= 0x1p53 && number == std::floor(number)))
+        throw InputError(fmt::format("{}:{}: {} = {}: must be a whole number of at least 0", path.string(), row + 2,
+                                     column, number));
+    return static_cast<std::size_t>(number);
 }
 
 }

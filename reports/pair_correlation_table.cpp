@@ -3,8 +3,9 @@
 #include "errors/errors.hpp"
 #include "reports/number_table.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <string>
 
 namespace poissonlab {
 
@@ -14,8 +15,8 @@ std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesyste
     for (const auto& row :
          read_number_table(path, "distance,pair_correlation,standard_error,pairs", "distances")) {
         if (!std::isfinite(row[2]) || !std::isfinite(row[3]))
-            throw InputError(path.string() + ":" + std::to_string(bins.size() + 2) +
-                             ": errors and numbers of pairs must be finite");
+            throw InputError(fmt::format("{}:{}: standard_error = {}, pairs = {}: must be finite", path.string(),
+                                         bins.size() + 2, row[2], row[3]));
         bins.push_back({row[0], row[1], row[2], row[3]});
     }
     return bins;

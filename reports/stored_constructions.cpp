@@ -1,6 +1,6 @@
 #include "reports/stored_constructions.hpp"
 
-#include "io/whole_file.hpp"
+#include "io/json_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ StoredConstruction read_construction(const StoredObject& object)
     c.tiles = static_cast<std::size_t>(object.integer("tiles", 1));
     c.points_per_tile = static_cast<std::size_t>(object.integer("points_per_tile", 1));
     c.relative_radius = object.number("relative_radius");
-    c.lloyd_iterations = static_cast<int>(object.integer("lloyd_iterations", 0));
+    c.lloyd_iterations = object.small_integer("lloyd_iterations", 0);
     c.repulsion = object.boolean("repulsion");
     c.filling = object.text("filling");
     c.file = object.file_name("file");
@@ -107,15 +107,6 @@ StoredPanel read_panel(const StoredObject& object, int dimension)
     return panel;
 }
 
-nlohmann::json parse(const std::filesystem::path& file)
-{
-    try {
-        return nlohmann::json::parse(read_whole_file(file));
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string() + ": is not JSON: " + error.what());
-    }
-}
-
 }
 
 bool StoredPanel::has_points() const
@@ -134,14 +125,14 @@ std::vector<StoredConstruction> read_constructions(const StoredObject& root)
 
 StoredScene read_scene(const std::filesystem::path& file)
 {
-    const nlohmann::json json = parse(file);
+    const nlohmann::json json = read_json_file(file);
     const StoredObject root(json, file);
     if (!root.has("format") || root.text("format") != "poissonlab-construction")
         throw root.error("format", "must be \"poissonlab-construction\"; this file is of another kind");
     if (root.integer("format_version", 1) != 1)
         throw root.error("format_version", "this program reads version 1");
     StoredScene scene;
-    scene.dimension = static_cast<int>(root.integer("dimension", 2));
+    scene.dimension = root.small_integer("dimension", 2);
     if (scene.dimension > 3) throw root.error("dimension", "must be 2 or 3");
     const std::int64_t width = root.integer("width", 1);
     if (width > tile_units / 2) throw root.error("width", "must be at most half a tile");

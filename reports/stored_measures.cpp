@@ -12,7 +12,7 @@ std::string read_integrand(const StoredObject& integral)
     const auto name = integral.text("integrand");
     const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
     if (name.empty() || !std::ranges::all_of(name, is_letter))
-        throw integral.error("integrand", "'" + name + "' must be small letters");
+        throw integral.error("integrand", "must be small letters");
     return name;
 }
 
@@ -61,7 +61,7 @@ StoredMeasures read_measures(const StoredObject& series)
     if (object.has("voronoi")) {
         const auto cells = object.object("voronoi");
         const auto shares = cells.numbers("neighbour_share");
-        measures.voronoi.emplace();
+        measures.voronoi = StoredMeasures::Cells{};
         if (shares.size() != measures.voronoi->neighbour_share.size())
             throw cells.error("neighbour_share", "must be five numbers");
         measures.voronoi->relative_area_variance = cells.number("relative_area_variance");

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace poissonlab {
 
@@ -16,8 +17,16 @@ StoredObject::StoredObject(const nlohmann::json& value, std::filesystem::path fi
 
 InputError StoredObject::error(const std::string& name, const std::string& problem) const
 {
-    return InputError(file_.string() + ": " + (member_.empty() ? name : member_ + "." + name) + ": " +
-                      problem);
+    const auto value = value_->find(name);
+    const bool is_single = value != value_->end() && value->is_primitive();
+    const std::string shown =
+        is_single ? " = " + shortened(value->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) : "";
+    return InputError(file_.string() + ": " + shortened(place_of(name), 200) + shown + ": " + problem);
+}
+
+std::string StoredObject::place_of(const std::string& name) const
+{
+    return member_.empty() ? name : member_ + "." + name;
 }
 
 const nlohmann::json& StoredObject::at(const std::string& name) const
@@ -54,12 +63,42 @@ double StoredObject::number(const std::string& name) const
     return value.get<double>();
 }
 
-std::int64_t StoredObject::integer(const std::string& name, std::int64_t minimum) const
+std::int64_t StoredObject::integer(const std::string& name, std::int64_t minimum, std::int64_t maximum) const
 {
     const auto& value = at(name);
-    if (!value.is_number_integer() || value.get<std::int64_t>() < minimum)
-        throw error(name, "must be an integer of at least " + std::to_string(minimum));
+    // As a double: the library lets unsigned integers of 64 bits wrap to negative ones.
+    const bool fits = value.is_number_integer() && value.get<double>() >= static_cast<double>(minimum) &&
+                      value.get<double>() <= static_cast<double>(maximum);
+    if (!fits)
+        throw error(name, "must be an integer of at least " + std::to_string(minimum) +
+                              (maximum == largest_integer ? "" : " and at most " + std::to_string(maximum)));
     return value.get<std::int64_t>();
+}
+
+int StoredObject::small_integer(const std::string& name, int minimum) const
+{
+    return static_cast<int>(integer(name, minimum, std::numeric_limits<int>::max()));
+}
+
+std::vector<std::int64_t> StoredObject::integers(const std::string& name) const
+{
+    const auto& list = at(name);
+    const auto fits = [](const nlohmann::json& v) {
+        return v.is_number_integer() && !(v.is_number_unsigned() && v.get<std::uint64_t>() > INT64_MAX);
+    };
+    if (!list.is_array() || !std::ranges::all_of(list, fits)) throw error(name, "must be a list of integers");
+    return list.get<std::vector<std::int64_t>>();
+}
+
+std::vector<std::size_t> StoredObject::counts(const std::string& name) const
+{
+    const auto& list = at(name);
+    const auto is_count = [](const nlohmann::json& v) {
+        return v.is_number_unsigned() && v.get<std::uint64_t>() <= largest_integer;
+    };
+    if (!list.is_array() || !std::ranges::all_of(list, is_count))
+        throw error(name, "must be a list of integers of at least 0");
+    return list.get<std::vector<std::size_t>>();
 }
 
 std::vector<double> StoredObject::numbers(const std::string& name) const
@@ -80,7 +119,7 @@ std::vector<std::string> StoredObject::texts(const std::string& name) const
 
 StoredObject StoredObject::object(const std::string& name) const
 {
-    return {at(name), file_, member_.empty() ? name : member_ + "." + name};
+    return {at(name), file_, place_of(name)};
 }
 
 std::vector<StoredObject> StoredObject::objects(const std::string& name) const
@@ -89,9 +128,7 @@ std::vector<StoredObject> StoredObject::objects(const std::string& name) const
     if (!list.is_array()) throw error(name, "must be a list of objects");
     std::vector<StoredObject> result;
     for (const auto& value : list)
-        result.emplace_back(value, file_,
-                            (member_.empty() ? name : member_ + "." + name) + "[" +
-                                std::to_string(result.size()) + "]");
+        result.emplace_back(value, file_, place_of(name) + "[" + std::to_string(result.size()) + "]");
     return result;
 }
 
@@ -123,18 +160,20 @@ std::string StoredObject::checked_file_name(const std::string& name, const std::
 {
     const std::filesystem::path path = value;
     const bool climbs = std::ranges::any_of(path, [](const auto& part) { return part == ".."; });
-    if (path.empty() || path.is_absolute() || climbs)
-        throw error(name, "'" + value + "' must be a file inside the result folder");
-    if (const auto full = file_.parent_path() / path; !std::filesystem::is_regular_file(full))
-        throw error(name, full.string() + " is missing");
+    if (path.empty() || path.is_absolute() || climbs || printable(value) != value)
+        throw error(name, (at(name).is_string() ? "" : "\"" + shortened(value) + "\" ") +
+                              "must be a file inside the result folder");
+    std::error_code none; // a name that is too long is that of no file
+    if (const auto full = file_.parent_path() / path; !std::filesystem::is_regular_file(full, none))
+        throw error(name, full.parent_path().string() + "/" + shortened(full.filename().string()) + " is missing");
     return value;
 }
 
 std::string StoredObject::folder_name(const std::string& name) const
 {
     const auto text = this->text(name);
-    if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos)
-        throw error(name, "'" + text + "' must be the name of a folder");
+    if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos || printable(text) != text)
+        throw error(name, "must be the name of a folder");
     return text;
 }
 

@@ -1,6 +1,6 @@
 #include "reports/stored_results.hpp"
 
-#include "io/whole_file.hpp"
+#include "io/json_file.hpp"
 #include "reports/stored_object.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,22 +15,12 @@ constexpr int supported_format_version = 1;
 constexpr auto kind_estimate = "power spectrum estimate";
 constexpr auto kind_periodogram = "periodogram";
 
-nlohmann::json parse(const std::filesystem::path& file)
-{
-    try {
-        return nlohmann::json::parse(read_whole_file(file));
-    } catch (const nlohmann::json::exception& error) {
-        throw InputError(file.string() + ": is not JSON: " + error.what());
-    }
-}
-
 void check_format(const StoredObject& root)
 {
     if (!root.has("format") || root.text("format") != "poissonlab-results")
         throw root.error("format", "must be \"poissonlab-results\"; this file is of another kind");
     if (const auto version = root.integer("format_version", 1); version != supported_format_version)
-        throw root.error("format_version", std::to_string(version) + ": this program reads version " +
-                                               std::to_string(supported_format_version));
+        throw root.error("format_version", "this program reads version " + std::to_string(supported_format_version));
 }
 
 std::optional<StoredStatistic> read_statistic(const StoredObject& series, const std::string& name)
@@ -58,12 +48,11 @@ void read_spectrum_members(const StoredObject& object, StoredSeries& series)
     const auto spectrum = object.object("spectrum");
     const auto kind = spectrum.text("kind");
     if (kind != kind_estimate && kind != kind_periodogram)
-        throw spectrum.error("kind", "'" + kind + "' must be \"" + kind_estimate + "\" or \"" +
-                                         kind_periodogram + "\"");
+        throw spectrum.error("kind", std::string("must be \"") + kind_estimate + "\" or \"" + kind_periodogram + "\"");
     series.is_estimate = kind == kind_estimate;
     if (series.is_estimate && (series.deterministic || series.realizations < 2))
         throw spectrum.error("kind", "one realization has a periodogram, not an estimate");
-    series.spectrum_size = static_cast<int>(spectrum.integer("size", 2));
+    series.spectrum_size = spectrum.small_integer("size", 2);
     series.spectrum_file = spectrum.file_name("file");
     if (spectrum.has("volume_file")) series.volume_file = spectrum.file_name("volume_file");
 }
@@ -99,7 +88,7 @@ std::optional<StoredZonePlate> read_zone_plate_members(const StoredObject& serie
     const auto object = series.object("zone_plate");
     const auto whole = read_statistic(object, "rms_error");
     if (!whole) throw object.error("rms_error", "is missing");
-    return StoredZonePlate{static_cast<int>(object.integer("size", 1)), object.file_name("file"),
+    return StoredZonePlate{object.small_integer("size", 1), object.file_name("file"),
                            object.file_name("error_file"), *whole,
                            read_statistic(object, "resolved_rms_error")};
 }
@@ -130,10 +119,9 @@ StoredSeries read_series(const StoredObject& object)
     series.parameters = read_named_texts(object, "parameters");
     series.deterministic = object.boolean("deterministic");
     series.points = static_cast<std::size_t>(object.integer("points", 1));
-    series.realizations = static_cast<int>(object.integer("realizations", 1));
+    series.realizations = object.small_integer("realizations", 1);
     if (object.has("points_each")) {
-        for (const double n : object.numbers("points_each"))
-            series.points_each.push_back(static_cast<std::size_t>(n));
+        series.points_each = object.counts("points_each");
         if (series.points_each.size() != static_cast<std::size_t>(series.realizations))
             throw object.error("points_each", "must have a size for each realization");
     }
@@ -189,8 +177,7 @@ void read_place(const StoredObject& object, const std::vector<StoredMethod>& met
     if (!object.has("method")) return;
     series.method = static_cast<std::size_t>(object.integer("method", 0));
     if (*series.method >= methods.size()) throw object.error("method", "must be the number of one of the methods");
-    if (object.has("place"))
-        for (const double index : object.numbers("place")) series.place.push_back(static_cast<std::size_t>(index));
+    if (object.has("place")) series.place = object.counts("place");
     const auto& axes = methods[*series.method].axes;
     bool inside = series.place.size() == axes.size();
     for (std::size_t i = 0; inside && i < axes.size(); ++i) inside = series.place[i] < axes[i].values.size();
@@ -205,7 +192,7 @@ std::vector<StoredSeries> read_all_series(const StoredObject& root, const std::v
         result.push_back(read_series(object));
         read_place(object, methods, result.back());
         if (!names.insert(result.back().name).second)
-            throw object.error("name", "'" + result.back().name + "' is used twice");
+            throw object.error("name", "is used twice");
     }
     return result;
 }
@@ -222,7 +209,7 @@ std::string StoredRun::machine_member(const std::string& name) const
 StoredRun read_stored_run(const std::filesystem::path& folder)
 {
     const auto file = folder / "results.json";
-    const auto json = parse(file);
+    const auto json = read_json_file(file);
     const StoredObject root(json, file);
     check_format(root);
 
@@ -235,7 +222,7 @@ StoredRun read_stored_run(const std::filesystem::path& folder)
     if (root.has("overrides")) run.overrides = root.texts("overrides");
     if (root.has("seed")) run.seed = root.shown("seed");
     if (root.has("engine")) run.engine = root.text("engine");
-    run.dimension = static_cast<int>(root.integer("dimension", 2));
+    run.dimension = root.small_integer("dimension", 2);
     if (run.dimension > 3) throw root.error("dimension", "must be 2 or 3");
     run.machine = read_named_texts(root, "machine");
     run.methods = read_methods(root);

@@ -27,7 +27,7 @@ StoredColors read_colors(const StoredObject& object)
     colors.frequencies = read_frequencies(object, "frequencies");
     const auto autocorrelation = object.object("autocorrelation");
     colors.autocorrelation_file = autocorrelation.file_name("file");
-    colors.lags = static_cast<int>(autocorrelation.integer("lags", 0));
+    colors.lags = autocorrelation.small_integer("lags", 0);
     colors.largest = autocorrelation.number("largest");
     const auto at = autocorrelation.numbers("largest_at");
     if (at.size() != 2) throw autocorrelation.error("largest_at", "must be two numbers");
@@ -50,23 +50,23 @@ TileKind read_kind(const StoredObject& object)
 {
     const auto kind = object.text("kind");
     if (kind != "corner" && kind != "wang" && kind != "cube")
-        throw object.error("kind", "'" + kind + "' must be \"corner\", \"wang\" or \"cube\"");
+        throw object.error("kind", "must be \"corner\", \"wang\" or \"cube\"");
     return kind == "wang" ? TileKind::wang : kind == "cube" ? TileKind::cube : TileKind::corner;
 }
 
 void read_window(const StoredObject& object, StoredTiling& tiling)
 {
-    const auto window = object.numbers("window");
+    const auto window = object.integers("window");
     const std::size_t axes = tiling.kind == TileKind::cube ? 3 : 2;
     if (window.size() != 2 * axes) throw object.error("window", fmt::format("must be {} numbers", 2 * axes));
     std::size_t tiles = 1;
     for (std::size_t i = 0; i < axes; ++i) {
-        const double size = window[axes + i];
-        if (!(size >= 1 && size <= static_cast<double>(most_tiles / tiles)))
+        const std::int64_t size = window[axes + i];
+        if (size < 1 || size > static_cast<std::int64_t>(most_tiles / tiles))
             throw object.error(
                 "window",
                 fmt::format("must have at least 1 tile along each axis and at most {} in all", most_tiles));
-        tiling.origin[i] = static_cast<std::int64_t>(window[i]);
+        tiling.origin[i] = window[i];
         tiling.size[i] = static_cast<std::size_t>(size);
         tiles *= tiling.size[i];
     }
@@ -78,9 +78,8 @@ StoredTiling read_tiling(const StoredObject& object)
     tiling.name = object.folder_name("name");
     tiling.label = object.text("label");
     tiling.kind = read_kind(object);
-    tiling.colors = static_cast<Color>(object.integer("colors", 2));
-    if (tiling.colors > (tiling.kind == TileKind::cube ? max_cube_colors : max_colors))
-        throw object.error("colors", "are more than tiles can have");
+    tiling.colors = static_cast<Color>(
+        object.integer("colors", 2, tiling.kind == TileKind::cube ? max_cube_colors : max_colors));
     tiling.tiles = static_cast<std::size_t>(object.integer("tiles", 1));
     tiling.file = object.file_name("file");
     if (object.has("regions")) tiling.regions = object.number("regions");
@@ -117,8 +116,8 @@ std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const Sto
     std::vector<TileIndex> tiles;
     for (std::uint64_t tile = 0; text >> tile;) {
         if (tile >= all.size())
-            throw InputError(
-                fmt::format("{}: {} is no tile of {} colours", file.string(), tile, tiling.colors));
+            throw InputError(fmt::format("{}: {} is no tile of {} colours; must be less than {}", file.string(), tile,
+                                         tiling.colors, all.size()));
         tiles.push_back(static_cast<TileIndex>(tile));
     }
     if (!text.eof() || tiles.size() != tiling.shown())

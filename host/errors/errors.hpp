@@ -1,18 +1,24 @@
 // What can go wrong, in two kinds: what the user can mend, and what OpenCL reports.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace poissonlab {
 
 /// Something the user can mend: a config key, a point file, an argument. Exit status 2.
 ///
-/// The message is one line that names the place, the value and what is allowed.
+/// The message is one line that names the place, the value and what is allowed. Values come from files, which can hold
+/// anything: what would end the line or command a terminal is escaped, see printable().
 class InputError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    explicit InputError(std::string_view message);
+
+    /// `details` are lines for the reader that follow the message as they are, such as what a program said.
+    InputError(std::string_view message, std::string_view details);
 };
 
 /// A failed OpenCL call, a kernel that does not build, no device at all. Exit status 3.
@@ -30,6 +36,13 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// `text` with control characters, and bytes that are no UTF-8, as \n, \t or \x1b: one line on any terminal.
+std::string printable(std::string_view text);
+
+/// `text`, or its beginning and "..." where it has more than `longest` bytes: messages quote what they are about, not all
+/// of it. Characters of UTF-8 are left whole.
+std::string shortened(std::string_view text, std::size_t longest = 60);
+
 /// A place in an input file. Line 0 means "no line": the whole file, or a command line argument.
 struct SourceLocation
 {
@@ -42,7 +55,7 @@ std::string to_string(const SourceLocation& location);
 
 /// The InputError for a key with a value that is not allowed:
 /// `file:line: key = value: allowed`, for example
-/// `quick.toml:12: relative_radius = 1.5: must be a number from 0 to 1`.
+/// `quick.toml:12: relative_radius = 1.5: must be a number from 0 to 1`. Long keys and values are shortened.
 InputError invalid_value(const SourceLocation& location, const std::string& key, const std::string& value,
                          const std::string& allowed);
 

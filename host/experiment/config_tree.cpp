@@ -6,14 +6,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace poissonlab {
 
 const ConfigNode* find(const ConfigTable& table, const std::string& key)
 {
-    const auto entry = std::ranges::find(
-        table, key, [](const auto& pair) -> const auto& { return pair.first; });
-    return entry == table.end() ? nullptr : &entry->second;
+    const auto entry = std::ranges::find(table, key, &ConfigEntry::key);
+    return entry == table.end() ? nullptr : &entry->node;
 }
 
 ConfigNode* find(ConfigTable& table, const std::string& key)
@@ -37,14 +37,9 @@ std::string whole_text(const ConfigNode& node)
 
 std::string shown(const ConfigNode& node)
 {
-    constexpr std::size_t longest = 60;
     std::string text = whole_text(node);
     std::ranges::replace(text, '\n', ' '); // a message is one line
-    if (text.size() <= longest) return text;
-    // Cut between characters, not inside one.
-    std::size_t end = longest;
-    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
-    return text.substr(0, end) + "...";
+    return shortened(text);
 }
 
 InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed)

@@ -5,16 +5,16 @@
 
 #include <cstdint>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 namespace poissonlab {
 
 struct ConfigNode;
+struct ConfigEntry;
 
 /// Keys and values in the order of the file, so that the first mistake is reported first.
-using ConfigTable = std::vector<std::pair<std::string, ConfigNode>>;
+using ConfigTable = std::vector<ConfigEntry>;
 using ConfigList = std::vector<ConfigNode>;
 
 /// Kinds of values that no key takes, such as dates; only their text matters, for messages.
@@ -38,6 +38,13 @@ struct ConfigNode
     {
         return std::get_if<T>(&value);
     }
+};
+
+/// A key of a table with its value.
+struct ConfigEntry
+{
+    std::string key;
+    ConfigNode node;
 };
 
 /// The value of a key, or null.

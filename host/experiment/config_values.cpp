@@ -47,7 +47,7 @@ std::string read_text(const ConfigTable& table, const std::string& key, const st
     const ConfigNode* node = find(table, key);
     if (!node) return otherwise;
     const auto* value = node->get_if<std::string>();
-    if (!value || value->empty() || value->find('\n') != std::string::npos)
+    if (!value || value->empty() || printable(*value) != *value) // labels go to terminals
         throw invalid_node(key, *node, "must be a line of text in quotes");
     return *value;
 }

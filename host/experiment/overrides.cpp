@@ -22,7 +22,7 @@ struct Override
 Override parse(const std::string& argument)
 {
     Override result;
-    result.origin = "--set " + argument;
+    result.origin = "--set " + shortened(argument, 200);
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos)
         throw InputError(result.origin + ": must be key=value, for example --set seed=2");
@@ -53,7 +53,7 @@ void set_below(ConfigTable& table, const Override& change, std::size_t from)
     ConfigNode* node = find(table, key);
     if (!node) {
         table.push_back({key, {ConfigTable{}, {change.origin, 0}, {}}});
-        node = &table.back().second;
+        node = &table.back().node;
     }
     if (from + 1 == change.path.size()) {
         *node = change.value;
@@ -61,7 +61,7 @@ void set_below(ConfigTable& table, const Override& change, std::size_t from)
     }
     auto* inner = node->get_if<ConfigTable>();
     if (!inner)
-        throw InputError(fmt::format("{}: \"{}\" is not a table and has no keys", change.origin, key));
+        throw InputError(fmt::format("{}: \"{}\" is not a table and has no keys", change.origin, shortened(key)));
     set_below(*inner, change, from + 1);
 }
 

@@ -54,7 +54,7 @@ public:
 
     ConfigTable table(const toml::table& source) const
     {
-        std::vector<std::pair<toml::source_position, std::pair<std::string, ConfigNode>>> entries;
+        std::vector<std::pair<toml::source_position, ConfigEntry>> entries;
         for (const auto& [key, value] : source)
             entries.push_back({key.source().begin, {std::string(key.str()), node(value)}});
         std::ranges::stable_sort(entries, [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -75,28 +75,39 @@ private:
     std::string typed_text(const toml::source_position& begin) const
     {
         if (begin.line == 0 || begin.line > lines_.size()) return {};
-        std::string_view line = lines_[begin.line - 1];
+        const std::string_view line = lines_[begin.line - 1];
+        if (begin.line != last_.line || begin.column < last_.column) last_ = {begin.line};
         // Columns count characters, UTF-8 continuation bytes are none.
-        std::size_t offset = 0;
-        for (toml::source_index column = 0; offset < line.size(); ++offset) {
-            if ((static_cast<unsigned char>(line[offset]) & 0xC0U) != 0x80U) ++column;
-            if (column == begin.column) break;
+        while (last_.column < begin.column && last_.offset < line.size()) {
+            ++last_.offset;
+            while (last_.offset < line.size() && is_continuation(line[last_.offset])) ++last_.offset;
+            ++last_.column;
         }
-        line.remove_prefix(offset);
-        return std::string(line.substr(0, line.find_first_of(",]}# \t\r\n")));
+        const std::string_view rest = line.substr(last_.offset);
+        return std::string(rest.substr(0, rest.find_first_of(",]}# \t\r\n")));
     }
+
+    static bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+    /// Where a column of a line is, in bytes.
+    struct Place
+    {
+        toml::source_index line = 0;
+        toml::source_index column = 1;
+        std::size_t offset = 0;
+    };
 
     std::string file_;
     std::vector<std::string_view> lines_;
+    mutable Place last_; ///< the next value is mostly further on in the same line, which may be very long
 };
 
-/// toml++ says "Error while parsing key-value pair: cannot redefine ..."; one line, control characters
-/// escaped by it.
+/// toml++ says "Error while parsing key-value pair: cannot redefine ...", with names of any length.
 std::string description(const toml::parse_error& error)
 {
     std::string text(error.description());
     std::ranges::replace(text, '\n', ' ');
-    return text;
+    return shortened(text, 300);
 }
 
 }
@@ -120,7 +131,7 @@ ConfigNode read_toml_value(const std::string& text, const std::string& origin)
         // A line break in the argument could smuggle in further keys.
         if (document.size() == 1 && document.contains("value")) {
             ConfigTable table = TreeBuilder(line, origin).table(document);
-            ConfigNode node = std::move(table.front().second);
+            ConfigNode node = std::move(table.front().node);
             struct DropLines
             {
                 // An argument has no lines.
@@ -130,7 +141,7 @@ ConfigNode read_toml_value(const std::string& text, const std::string& origin)
                     if (auto* list = item.get_if<ConfigList>())
                         for (ConfigNode& each : *list) (*this)(each);
                     if (auto* inner = item.get_if<ConfigTable>())
-                        for (auto& each : *inner) (*this)(each.second);
+                        for (auto& each : *inner) (*this)(each.node);
                 }
             };
             DropLines{}(node);

@@ -1,6 +1,7 @@
 #include "io/collection_file.hpp"
 
 #include "errors/errors.hpp"
+#include "io/json_file.hpp"
 #include "io/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,11 +16,32 @@ using Json = nlohmann::ordered_json;
 constexpr const char* format_name = "poissonlab-collection";
 constexpr int format_version = 1;
 
-/// Throws InputError for a name that is not one of a folder beside the file.
-void check_run(const fs::path& file, const std::string& run)
+[[noreturn]] void fail(const fs::path& file, const std::string& member, const std::string& problem)
 {
-    if (run.empty() || run.front() == '.' || fs::path(run).filename() != run)
-        throw InputError(file.string() + ": runs: \"" + run + "\" must be the name of a folder beside the file");
+    throw InputError(file.string() + ": " + member + ": " + problem);
+}
+
+std::string text_at(const nlohmann::json& json, const fs::path& file, const std::string& member)
+{
+    const auto found = json.find(member);
+    if (found == json.end() || !found->is_string()) fail(file, member, "must be a text in quotes");
+    return found->get<std::string>();
+}
+
+/// The member "runs": names of folders beside the file, at least one.
+std::vector<std::string> runs_of(const nlohmann::json& json, const fs::path& file)
+{
+    const auto found = json.find("runs");
+    if (found == json.end() || !found->is_array()) fail(file, "runs", "must be a list of names of folders");
+    if (found->empty()) fail(file, "runs", "must name at least one folder");
+    std::vector<std::string> runs;
+    for (const auto& run : *found) {
+        const std::string name = run.is_string() ? run.get<std::string>() : "";
+        if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos || printable(name) != name)
+            fail(file, "runs", shortened(run.dump()) + " must be the name of a folder beside the file");
+        runs.push_back(name);
+    }
+    return runs;
 }
 
 }
@@ -40,20 +62,12 @@ std::optional<CollectionFile> read_collection_file(const fs::path& folder)
     const fs::path file = folder / collection_file_name;
     std::error_code error;
     if (!fs::exists(file, error)) return std::nullopt;
-    try {
-        const Json json = Json::parse(read_whole_file(file));
-        if (json.at("format") != format_name)
-            throw InputError(file.string() + ": format: must be \"" + format_name + "\"; this file is of another kind");
-        if (json.at("format_version") != format_version)
-            throw InputError(file.string() + ": format_version: this program reads version " +
-                             std::to_string(format_version));
-        CollectionFile collection{json.at("title"), json.at("command"), json.at("runs")};
-        if (collection.runs.empty()) throw InputError(file.string() + ": runs: must name at least one folder");
-        for (const std::string& run : collection.runs) check_run(file, run);
-        return collection;
-    } catch (const nlohmann::json::exception& problem) {
-        throw InputError(file.string() + ": is not a collection: " + problem.what());
-    }
+    const nlohmann::json json = read_json_file(file);
+    if (!json.is_object() || json.value("format", nlohmann::json()) != format_name)
+        fail(file, "format", std::string("must be \"") + format_name + "\"; this file is of another kind");
+    if (json.value("format_version", nlohmann::json()) != format_version)
+        fail(file, "format_version", "this program reads version " + std::to_string(format_version));
+    return CollectionFile{text_at(json, file, "title"), text_at(json, file, "command"), runs_of(json, file)};
 }
 
 std::vector<fs::path> output_folders(const fs::path& folder)

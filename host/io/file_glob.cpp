@@ -38,7 +38,8 @@ std::vector<std::filesystem::path> matches(const std::string& pattern)
 std::vector<std::filesystem::path> named_files(const std::filesystem::path& folder, const std::string& entry)
 {
     const std::filesystem::path literal = folder / entry;
-    if (std::filesystem::exists(literal)) return {literal};
+    std::error_code none; // a name that is too long is that of no file
+    if (std::filesystem::exists(literal, none)) return {literal};
     if (std::filesystem::path(entry).is_absolute()) return matches(entry);
     return matches((escaped_for_glob(folder.string()) / std::filesystem::path(entry)).string());
 }

@@ -67,7 +67,8 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos && !parse_number(text.substr(0, colon), range.low)) return {};
     if (!parse_number(colon == std::string_view::npos ? text : text.substr(colon + 1), range.high)) return {};
-    if (!std::isfinite(range.low) || !std::isfinite(range.high) || !(range.low < range.high)) return {};
+    // Their difference must be a number, too.
+    if (!(range.low < range.high) || !std::isfinite(range.high - range.low)) return {};
     return range;
 }
 

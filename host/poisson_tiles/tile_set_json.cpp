@@ -13,7 +13,8 @@
 namespace poissonlab {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json; // its search for a key is not linear, as that of the ordered kind is
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto format_name = "poissonlab tile set";
 constexpr int version = 1;
@@ -39,7 +40,7 @@ constexpr std::array known_keys{"format",
 constexpr auto dart_throwing_name = "dart-throwing";
 constexpr auto relaxation_name = "relaxation-dart-throwing";
 
-Json parameters_to_json(const PoissonTileSet& set)
+OrderedJson parameters_to_json(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
     return {{"format", format_name},
@@ -70,10 +71,9 @@ const Json& value_of(const Json& json, const char* key)
 /// What is wrong with a value: it as it is written, shortened, and what is allowed.
 [[noreturn]] void refuse(const std::string& what, const Json& value, const std::string& allowed)
 {
-    std::string text =
-        value.is_structured() ? value.type_name() : value.dump(-1, ' ', true, Json::error_handler_t::replace);
-    if (text.size() > 40) text = text.substr(0, 40) + "...";
-    throw InputError(fmt::format("{} = {}: must be {}", what, text, allowed));
+    const std::string text =
+        value.is_structured() ? value.type_name() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    throw InputError(fmt::format("{} = {}: must be {}", what, shortened(text), allowed));
 }
 
 /// An integer that the type can hold. Floating-point numbers are none, even 3.0.
@@ -173,6 +173,8 @@ Json parsed(std::string_view text)
         return Json::parse(text);
     } catch (const Json::parse_error& error) {
         throw InputError(fmt::format("is no JSON: wrong at byte {}", error.byte));
+    } catch (const Json::out_of_range&) {
+        throw InputError("is no JSON: it has a number that is too large");
     }
 }
 
@@ -205,7 +207,7 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     for (const auto& [key, value] : json.items()) {
         if (std::ranges::find(known_keys, key) == known_keys.end())
             throw InputError(
-                fmt::format("{}: unknown key; known keys: {}", key, fmt::join(known_keys, ", ")));
+                fmt::format("{}: unknown key; known keys: {}", shortened(key), fmt::join(known_keys, ", ")));
     }
     PoissonTileSet set;
     set.parameters = parameters_from_json(json);

@@ -35,7 +35,8 @@ void PieceChoice::take(PieceStore& pieces, const std::function<void(const Constr
 {
     std::array<double, 8> surplus{}; // of the pieces so far, by their axes
     for (const auto& [piece, candidates] : candidates_) {
-        const auto [axes, variant] = piece;
+        const auto axes = piece.first;
+        const auto variant = piece.second;
         const double mean = parameters_.points_per_tile * regions_.volume(axes);
         const auto cost = [&](const Candidate& candidate) {
             const double total = surplus[axes] + static_cast<double>(candidate.points.size()) - mean;

@@ -2,6 +2,7 @@
 
 #include "analysis/spectrum_planes.hpp"
 #include "errors/errors.hpp"
+#include "io/whole_file.hpp"
 #include "support/point_patterns.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -9,6 +10,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfRgbaFile.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -165,6 +167,38 @@ TEST_F(SpectrumFile, RefusesTruncatedFiles)
     write_spectrum(path, random_spectrum(32), {});
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
     EXPECT_THROW(read_spectrum(path), InputError);
+}
+
+/// The file with the value of an attribute changed.
+void patch_attribute(const std::filesystem::path& path, const std::string& name_and_type, std::string_view value)
+{
+    std::string bytes = read_whole_file(path);
+    const std::size_t at = bytes.find(name_and_type);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at + name_and_type.size(), value.size(), value);
+    std::ofstream(path, std::ios::binary) << bytes;
+}
+
+TEST_F(SpectrumFile, TakesNoMemoryForWhatTheFileCannotHold)
+{
+    const auto path = folder_ / "spectrum.exr";
+    const auto error = [&] {
+        try {
+            read_spectrum(path);
+        } catch (const InputError& problem) {
+            return std::string(problem.what());
+        }
+        return std::string("no error");
+    };
+    // A window of 32,766 x 32,766 pixels, 4 GiB of power alone.
+    write_spectrum(path, random_spectrum(8), {});
+    patch_attribute(path, std::string("dataWindow\0box2i\0", 17),
+                    std::string("\x10\0\0\0\0\0\0\0\0\0\0\0\xfd\x7f\0\0\xfd\x7f\0\0", 20));
+    EXPECT_THAT(error(), testing::MatchesRegex(".*bytes are too few for its 32766 x 32766 pixels"));
+    // A text of 1 GiB.
+    write_spectrum(path, random_spectrum(8), {{"label", "L"}});
+    patch_attribute(path, std::string("poissonlab:meta:label\0string\0", 29), std::string("\0\0\0\x40", 4));
+    EXPECT_THAT(error(), testing::EndsWith("its header is longer than the file"));
 }
 
 TEST_F(SpectrumFile, ReportsWhatCannotBeWritten)

@@ -53,9 +53,11 @@ TEST(CollectionFile, MistakesAreNamed)
                ", \"title\": \"T\", \"command\": \"c\", \"runs\": " + runs + "}";
     };
     EXPECT_EQ(error_of(folder, with("[\"a\"]")), "no error");
-    EXPECT_THAT(error_of(folder, "{"), HasSubstr("collection.json: is not a collection"));
-    EXPECT_THAT(error_of(folder, "{}"), HasSubstr("collection.json: is not a collection"));
-    EXPECT_THAT(error_of(folder, with("[1]")), HasSubstr("collection.json: is not a collection"));
+    EXPECT_THAT(error_of(folder, "{\n"), HasSubstr("collection.json:2: is not JSON: unexpected end of input"));
+    EXPECT_THAT(error_of(folder, "{}"), HasSubstr("collection.json: format: must be"));
+    EXPECT_THAT(error_of(folder, "[]"), HasSubstr("collection.json: format: must be"));
+    EXPECT_THAT(error_of(folder, with("{}")), HasSubstr("collection.json: runs: must be a list of names of folders"));
+    EXPECT_THAT(error_of(folder, with("[1]")), HasSubstr("collection.json: runs: 1 must be the name of a folder"));
     EXPECT_THAT(error_of(folder, with("[\"a\"]", "poissonlab-results")), HasSubstr("format: must be"));
     EXPECT_THAT(error_of(folder, with("[\"a\"]", "poissonlab-collection", 2)), HasSubstr("reads version 1"));
     EXPECT_THAT(error_of(folder, with("[]")), HasSubstr("runs: must name at least one folder"));

@@ -24,6 +24,11 @@ TEST(FileGlob, GivesFilesInOrderAndTakesFoldersLiterally)
     EXPECT_THAT(named_files(folder, "d*"), IsEmpty());
 }
 
+TEST(FileGlob, OfNamesThatNoFileCanHaveIsNothing)
+{
+    EXPECT_THAT(named_files("/", std::string(5000, 'a')), IsEmpty());
+}
+
 TEST(FileGlob, SaysWhereItLooked)
 {
     EXPECT_EQ(no_such_file("/somewhere/x/..", "a"), "no such file in /somewhere/, the folder of the config");

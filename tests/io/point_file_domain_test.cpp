@@ -65,6 +65,9 @@ TEST(PointFileDomain, ErrorsNameIt)
               "points.dat:2: 4: must be a number in [0, 4), without 4 itself (on the torus, 4 is 0)");
     EXPECT_EQ(input_error_of("points.dat", "# domain 4:0\n1 4\n"),
               "points.dat:1: 4:0: a domain is LOW:HIGH, two numbers, the first smaller");
+    EXPECT_EQ(input_error_of("points.dat", "# domain -1.7e308:1.7e308\n1e308 0\n"),
+              "points.dat:1: -1.7e308:1.7e308: a domain is LOW:HIGH, two numbers, the first smaller")
+        << "its width is no number";
 }
 
 TEST(PointFileCount, MayComeFirstAndMustBeRight)

@@ -106,7 +106,7 @@ TEST_F(IterationReport, DamagedResultsNameTheMember)
     add_iterations(path(), json_["series"][0], 3);
     const auto error_of = [&](auto damage) { return error_after("iterations", damage); };
     EXPECT_THAT(error_of([](auto& json) { json["file"] = "random/none.csv"; }),
-                HasSubstr("series[0].iterations.file: "));
+                HasSubstr("series[0].iterations.file = "));
     EXPECT_THAT(error_of([](auto& json) { json.erase("energy"); }),
                 HasSubstr("series[0].iterations.energy: is missing"));
     EXPECT_THAT(error_of([](auto& json) { json["energy"]["mean"].erase(0); }),

@@ -53,7 +53,7 @@ TEST_F(PairCorrelationReport, DamagedResultsNameTheMember)
                             [](auto& json) {
                                 json = {{"file", "random/none.csv"}};
                             }),
-                HasSubstr("series[0].pair_correlation.file: "));
+                HasSubstr("series[0].pair_correlation.file = "));
 }
 
 }

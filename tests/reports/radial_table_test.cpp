@@ -38,6 +38,12 @@ TEST(RadialTable, ComplainsWithTheLine)
             EXPECT_THAT(error.what(), testing::HasSubstr("radial.csv:3: "));
         }
     EXPECT_THROW(read_radial_table(folder.write("radial.csv", header)), InputError);
+    for (const auto* samples : {"-1", "nan", "inf", "1e300", "2.5"}) try {
+            read_radial_table(folder.write("radial.csv", header + "1,1,1," + samples + ",0\n"));
+            ADD_FAILURE() << samples;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("radial.csv:2: samples = "));
+        }
 }
 
 }

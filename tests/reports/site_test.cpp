@@ -133,7 +133,7 @@ TEST_F(SiteTest, PlacesOutsideTheGridAreErrors)
     make_grid();
     EXPECT_THAT(error_after("place", [](auto& json) { json = {0, 2}; }), HasSubstr("series[0].place: must be an index"));
     EXPECT_THAT(error_after("place", [](auto& json) { json = {0}; }), HasSubstr("series[0].place: must be an index"));
-    EXPECT_THAT(error_after("method", [](auto& json) { json = 1; }), HasSubstr("series[0].method: must be the number"));
+    EXPECT_THAT(error_after("method", [](auto& json) { json = 1; }), HasSubstr("series[0].method = 1: must be the number"));
 }
 
 TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)

@@ -62,12 +62,12 @@ TEST_F(StoredConstructions, ScenesAreRead)
 
 TEST_F(StoredConstructions, DamagedScenesNameTheMember)
 {
-    EXPECT_THAT(error_after([](json& j) { j["format"] = "x"; }), HasSubstr("construction.json: format: "));
+    EXPECT_THAT(error_after([](json& j) { j["format"] = "x"; }), HasSubstr("construction.json: format = \"x\": "));
     EXPECT_THAT(error_after([](json& j) { j["format_version"] = 2; }), HasSubstr("reads version 1"));
-    EXPECT_THAT(error_after([](json& j) { j["dimension"] = 4; }), HasSubstr("dimension: must be 2 or 3"));
-    EXPECT_THAT(error_after([](json& j) { j["width"] = 40000; }), HasSubstr("width: "));
-    EXPECT_THAT(error_after([](json& j) { j["radius"] = 0; }), HasSubstr("radius: "));
-    EXPECT_THAT(error_after([](json& j) { j["columns"] = 0; }), HasSubstr("columns: "));
+    EXPECT_THAT(error_after([](json& j) { j["dimension"] = 4; }), HasSubstr("dimension = 4: must be 2 or 3"));
+    EXPECT_THAT(error_after([](json& j) { j["width"] = 40000; }), HasSubstr("width = 40000: "));
+    EXPECT_THAT(error_after([](json& j) { j["radius"] = 0; }), HasSubstr("radius = 0: "));
+    EXPECT_THAT(error_after([](json& j) { j["columns"] = 0; }), HasSubstr("columns = 0: "));
     EXPECT_THAT(error_after([](json& j) { j["panels"] = json::array(); }),
                 HasSubstr("panels: must hold at least one"));
     EXPECT_THAT(error_after([](json& j) {
@@ -75,7 +75,7 @@ TEST_F(StoredConstructions, DamagedScenesNameTheMember)
                 }),
                 HasSubstr("panels[1].window.size: "));
     EXPECT_THAT(error_after([](json& j) { j["panels"][0]["pieces"][0]["axes"] = 4; }),
-                HasSubstr("panels[0].pieces[0].axes: "));
+                HasSubstr("panels[0].pieces[0].axes = 4: "));
     EXPECT_THAT(error_after([](json& j) {
                     j["panels"][0]["pieces"][1]["colors"] = {0, 1, 2};
                 }),

@@ -85,9 +85,9 @@ TEST_F(StoredTilings, DamagedOnesNameTheMember)
         damage(json_);
         return error();
     };
-    EXPECT_THAT(error_after([](json& j) { j["name"] = "../n"; }), HasSubstr("tilings[0].name: "));
-    EXPECT_THAT(error_after([](json& j) { j["kind"] = "hexagon"; }), HasSubstr("tilings[0].kind: "));
-    EXPECT_THAT(error_after([](json& j) { j["colors"] = 257; }), HasSubstr("tilings[0].colors: "));
+    EXPECT_THAT(error_after([](json& j) { j["name"] = "../n"; }), HasSubstr("tilings[0].name = \"../n\": "));
+    EXPECT_THAT(error_after([](json& j) { j["kind"] = "hexagon"; }), HasSubstr("tilings[0].kind = \"hexagon\": "));
+    EXPECT_THAT(error_after([](json& j) { j["colors"] = 257; }), HasSubstr("tilings[0].colors = 257: "));
     EXPECT_THAT(error_after([](json& j) { j["window"] = {0, 0, 3}; }), HasSubstr("tilings[0].window: "));
     EXPECT_THAT(error_after([](json& j) {
                     j["window"] = {0, 0, 3, 1e18};
@@ -100,7 +100,7 @@ TEST_F(StoredTilings, DamagedOnesNameTheMember)
     EXPECT_THAT(error_after([](json& j) { j["colors"] = 2; }), HasSubstr("80 is no tile of 2 colours"));
     EXPECT_THAT(
         error_after([](json& j) { j["statistics"]["colors"][0]["autocorrelation"]["file"] = "b.exr"; }),
-        HasSubstr("colors[0].autocorrelation.file: "));
+        HasSubstr("colors[0].autocorrelation.file = "));
     json_ = good;
     folder_.write("tiles.txt", "1 2 3 4 5 x\n");
     EXPECT_THAT(error(), HasSubstr("must hold 6 tile indices"));

@@ -90,9 +90,9 @@ TEST_F(ZonePlateReport, DamagedResultsNameTheMember)
     add_zone_plate(path(), json_["series"][0], 64);
     const auto error_of = [&](auto damage) { return error_after("zone_plate", damage); };
     EXPECT_THAT(error_of([](auto& json) { json["file"] = "random/none.exr"; }),
-                HasSubstr("series[0].zone_plate.file: "));
+                HasSubstr("series[0].zone_plate.file = "));
     EXPECT_THAT(error_of([](auto& json) { json["error_file"] = "../zone-plate.csv"; }),
-                HasSubstr("series[0].zone_plate.error_file: "));
+                HasSubstr("series[0].zone_plate.error_file = "));
     EXPECT_THAT(error_of([](auto& json) { json.erase("rms_error"); }),
                 HasSubstr("series[0].zone_plate.rms_error: is missing"));
     EXPECT_THAT(error_of([](auto& json) { json["size"] = 65; }),

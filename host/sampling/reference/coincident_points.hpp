@@ -30,8 +30,8 @@ public:
             return std::ranges::lexicographical_compare(a, b);
         };
         const auto of = [&](std::size_t i) { return points_[i]; };
-        const auto range = std::ranges::equal_range(order_, position, less, of);
-        return {range.begin(), range.end()};
+        return {std::ranges::lower_bound(order_, position, less, of),
+                std::ranges::upper_bound(order_, position, less, of)};
     }
 
 private:

@@ -1,0 +1,136 @@
+// Poisson disk tile sets, .ptiles and JSON: what is accepted is written and read again, and small sets are certified and
+// looked up as `tiles verify` and `tiles points` do.
+//
+// Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
+#include "fuzz/fuzz_support.hpp"
+#include "poisson_tiles/tile_certificate.hpp"
+#include "poisson_tiles/tile_lookup.hpp"
+#include "poisson_tiles/tile_set_file.hpp"
+#include "poisson_tiles/tile_set_json.hpp"
+#include "poisson_tiles/xxh64_bytes.hpp"
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t max_size);
+
+namespace poissonlab::fuzz {
+namespace {
+
+constexpr std::size_t header_size = 128; // docs/tile-set-file.md
+constexpr std::size_t checksum_offset = 120;
+constexpr std::uint32_t most_certified_points = 1000;
+
+std::uint32_t word_at(const unsigned char* data, std::size_t offset)
+{
+    std::uint32_t word = 0;
+    std::memcpy(&word, data + offset, sizeof(word));
+    return word;
+}
+
+/// Makes the file as long as its header says, where there is room, and its checksum right. Returns the new size.
+std::size_t mended(unsigned char* data, std::size_t size, std::size_t max_size)
+{
+    if (size < header_size || std::memcmp(data, "PTILES", 6) != 0) return size;
+    const std::uint64_t points = std::uint64_t{word_at(data, 28)} * word_at(data, 32);
+    const std::uint64_t dimension = word_at(data, 20) % 4;
+    if (points <= max_size && header_size + points * dimension * 2 <= max_size) {
+        const std::size_t declared = header_size + points * dimension * 2;
+        for (std::size_t i = size; i < declared; ++i) data[i] = static_cast<unsigned char>(i * i * 37);
+        size = declared;
+    }
+    Xxh64 hash;
+    const auto* bytes = reinterpret_cast<const char*>(data);
+    hash.add({bytes, checksum_offset});
+    hash.add({bytes + header_size, size - header_size});
+    const std::uint64_t checksum = hash.value();
+    std::memcpy(data + checksum_offset, &checksum, sizeof(checksum));
+    return size;
+}
+
+void check_certificate(const PoissonTileSet& set)
+{
+    const TileCertificate certificate = certify(set);
+    require(certificate.squared_min_distance <= certificate.squared_closure_distance,
+            "more than the distance that occurs is guaranteed");
+    // Points of one tile are points of a tiling.
+    const auto d = static_cast<std::size_t>(set.parameters.dimension);
+    for (std::uint32_t tile = 0; tile < std::min(set.parameters.tiles, 16U); ++tile) {
+        const auto points = set.tile(tile);
+        for (std::size_t i = 0; i < points.size(); i += d)
+            for (std::size_t j = 0; j < i; j += d) {
+                std::uint64_t squared = 0;
+                for (std::size_t k = 0; k < d; ++k) {
+                    const std::int64_t x = std::int64_t{points[i + k]} - points[j + k];
+                    squared += static_cast<std::uint64_t>(x * x);
+                }
+                require(certificate.squared_min_distance <= squared, "points of a tile are nearer than is guaranteed");
+            }
+    }
+}
+
+void check_lookup(const PoissonTileSet& set)
+{
+    constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+    for (const std::int32_t period : {0, 1, 5, far}) {
+        const ptiles_tiling tiling = runtime_tiling(set, {7, period});
+        for (const std::int32_t x : {-far - 1, -1, 0, far})
+            for (const std::int32_t y : {-far - 1, 2, far})
+                require(ptiles_tile(&tiling, x, y, x) < set.parameters.tiles, "a tile that is not in the set");
+    }
+}
+
+/// What engines do with the file's bytes, without the help of the reader above.
+void check_runtime(std::string_view bytes)
+{
+    std::vector<std::uint16_t> at_even_address(bytes.size() / 2 + 1);
+    std::memcpy(at_even_address.data(), bytes.data(), bytes.size());
+    ptiles_tiling tiling{{}, 3, 0};
+    if (ptiles_open(&tiling.set, at_even_address.data(), bytes.size())) return;
+    const std::array<double, 3> position{0.3, -0.7, 0.1}, high{1.3, 0.3, 0.6};
+    ptiles_point nearest{};
+    if (tiling.set.points_per_tile > most_certified_points) return;
+    const double squared = ptiles_nearest(&tiling, position.data(), &nearest);
+    require(squared >= 0 && nearest.index < tiling.set.points_per_tile, "a nearest point that is none");
+    std::array<ptiles_point, 4> points{};
+    const std::uint64_t found = ptiles_in_window(&tiling, position.data(), high.data(), points.data(), points.size());
+    for (std::size_t i = 0; i < std::min<std::size_t>(found, points.size()); ++i)
+        require(points[i].position[0] >= position[0] && points[i].position[0] < high[0], "a point outside of the window");
+}
+
+void check_accepted(const PoissonTileSet& set)
+{
+    require(decode_tile_set(encode_tile_set(set), "again") == set, "a set that changes when it is written and read");
+    if (std::size_t{set.parameters.tiles} * set.parameters.points_per_tile > most_certified_points) return;
+    const PoissonTileSet again = decode_tile_set(tile_set_to_json(set), "again");
+    require(again == set, "a set that changes when it is written and read as JSON");
+    accepts("", [&] { check_certificate(set); });
+    check_lookup(set);
+}
+
+}
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t max_size,
+                                               unsigned int seed)
+{
+    size = LLVMFuzzerMutate(data, size, max_size);
+    return seed % 8 == 0 ? size : poissonlab::fuzz::mended(data, size, max_size);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
+{
+    using namespace poissonlab;
+    // Threads of their own would make libFuzzer's measurements differ from run to run.
+    static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+    fuzz::check_runtime(bytes);
+    PoissonTileSet set;
+    if (fuzz::accepts("a.ptiles", [&] { set = decode_tile_set(bytes, "a.ptiles"); })) fuzz::check_accepted(set);
+    return 0;
+}
