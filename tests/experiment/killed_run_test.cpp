@@ -66,15 +66,14 @@ TEST_F(KilledRun, GoesOnFromAnyMoment)
     const auto expected = lasting_results(folder_.path() / "undisturbed");
     ASSERT_GT(expected.size(), 100U);
 
-    // Ten times five moments: uniform over twice a fifth of a whole run, so that five of them reach its end on average, and
-    // some a little beyond.
+    // Five times ten moments: uniform over twice a tenth of a whole run, so that ten of them reach its end on average.
     std::mt19937 random(20261121);
-    for (int campaign = 0; campaign < 10; ++campaign) {
+    for (int campaign = 0; campaign < 5; ++campaign) {
         fs::remove_all(folder_.path() / "out");
         fs::remove_all(folder_.path() / "cache");
-        for (int kill = 0; kill < 5; ++kill) {
+        for (int kill = 0; kill < 10; ++kill) {
             const pid_t process = start({"c.toml", "--out", "out"});
-            std::this_thread::sleep_for(std::uniform_real_distribution(0.0, 0.4)(random) * whole);
+            std::this_thread::sleep_for(std::uniform_real_distribution(0.0, 0.2)(random) * whole);
             ::kill(process, SIGKILL);
             wait_for(process);
         }

@@ -175,7 +175,7 @@ TEST_F(Resuming, PartsPutTogetherAreTheWhole)
         double frequency = 0, power = 0, anisotropy = 0, samples = 0, error = 0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &frequency, &power, &anisotropy, &samples, &error), 5);
         EXPECT_NEAR(power, bin.power, 1e-12 * std::max(1.0, bin.power));
-        EXPECT_NEAR(error, bin.power_error.value_or(0), 1e-10 * std::max(1.0, bin.power));
+        EXPECT_NEAR(error, bin.power_error, 1e-10 * std::max(1.0, bin.power));
     }
 }
 

@@ -33,7 +33,7 @@ window = [0, 0, 8, 8]
 [[construction]]
 kind = "corner"
 show = "corner"
-colors = 1
+colors = 2
 points_per_tile = 32
 relative_radius = 0.6
 lloyd_iterations = 2

@@ -16,13 +16,13 @@ TEST(TomlReader, KeepsOrderLinesAndText)
                                         "a = { x = 0x10, \"é\" = true }\n",
                                         "c.toml");
     ASSERT_EQ(table.size(), 3U);
-    EXPECT_EQ(table[0].first, "title");
-    EXPECT_EQ(*table[0].second.get_if<std::string>(), "ρ");
-    EXPECT_EQ(table[0].second.text, "\"ρ\"");
-    EXPECT_EQ(to_string(table[0].second.location), "c.toml:1");
+    EXPECT_EQ(table[0].key, "title");
+    EXPECT_EQ(*table[0].node.get_if<std::string>(), "ρ");
+    EXPECT_EQ(table[0].node.text, "\"ρ\"");
+    EXPECT_EQ(to_string(table[0].node.location), "c.toml:1");
 
-    EXPECT_EQ(table[1].first, "b");
-    const auto& list = *table[1].second.get_if<ConfigList>();
+    EXPECT_EQ(table[1].key, "b");
+    const auto& list = *table[1].node.get_if<ConfigList>();
     ASSERT_EQ(list.size(), 3U);
     EXPECT_EQ(*list[0].get_if<double>(), 0.7);
     EXPECT_EQ(list[0].text, "0.70");
@@ -30,18 +30,18 @@ TEST(TomlReader, KeepsOrderLinesAndText)
     EXPECT_EQ(list[2].text, "+2.50");
     EXPECT_EQ(to_string(list[2].location), "c.toml:4");
 
-    const auto& inner = *table[2].second.get_if<ConfigTable>();
+    const auto& inner = *table[2].node.get_if<ConfigTable>();
     ASSERT_EQ(inner.size(), 2U);
-    EXPECT_EQ(*inner[0].second.get_if<std::int64_t>(), 16);
-    EXPECT_EQ(inner[0].second.text, "0x10");
-    EXPECT_EQ(*inner[1].second.get_if<bool>(), true);
-    EXPECT_EQ(inner[1].second.text, "true");
+    EXPECT_EQ(*inner[0].node.get_if<std::int64_t>(), 16);
+    EXPECT_EQ(inner[0].node.text, "0x10");
+    EXPECT_EQ(*inner[1].node.get_if<bool>(), true);
+    EXPECT_EQ(inner[1].node.text, "true");
 }
 
 TEST(TomlReader, ColumnsCountCharactersNotBytes)
 {
     const ConfigTable table = read_toml("a = { \"é\" = \"ρρρ\", x = 0.70 }\n", "c.toml");
-    EXPECT_EQ((*table[0].second.get_if<ConfigTable>())[1].second.text, "0.70");
+    EXPECT_EQ((*table[0].node.get_if<ConfigTable>())[1].node.text, "0.70");
 }
 
 TEST(TomlReader, SyntaxErrorsNameFileAndLine)
