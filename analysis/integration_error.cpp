@@ -132,8 +132,9 @@ const std::vector<Integrand>& integrands(int dimension)
     return dimension == 2 ? plane : space;
 }
 
-IntegrationErrorEstimate::IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts)
-    : dimension_(dimension), seed_(seed), shifts_(shifts)
+IntegrationErrorEstimate::IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts,
+                                                   std::size_t first)
+    : dimension_(dimension), seed_(seed), shifts_(shifts), first_(first)
 {
     integrands(dimension);
     if (shifts < 1) throw InputError("integration error: the number of shifts must be at least 1");
@@ -146,7 +147,7 @@ void IntegrationErrorEstimate::add(const PointSet& points)
     const auto shifts = static_cast<std::size_t>(shifts_);
     std::vector<std::vector<double>> errors(shifts);
     tbb::parallel_for(std::size_t{0}, shifts, [&](std::size_t s) {
-        errors[s] = errors_of(points, shift_of(seed_, squares_.size(), s));
+        errors[s] = errors_of(points, shift_of(seed_, first_ + squares_.size(), s));
     });
     std::vector<double> squares(integrands(dimension_).size());
     for (const auto& of_shift : errors) {
@@ -154,6 +155,12 @@ void IntegrationErrorEstimate::add(const PointSet& points)
     }
     squares_.push_back(std::move(squares));
     sizes_.push_back(static_cast<double>(points.size()));
+}
+
+void IntegrationErrorEstimate::append(const IntegrationErrorEstimate& other)
+{
+    squares_.insert(squares_.end(), other.squares_.begin(), other.squares_.end());
+    sizes_.insert(sizes_.end(), other.sizes_.begin(), other.sizes_.end());
 }
 
 std::vector<IntegrationError> IntegrationErrorEstimate::mean() const

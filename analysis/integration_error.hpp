@@ -56,20 +56,32 @@ struct IntegrationError
 class IntegrationErrorEstimate
 {
 public:
-    /// `shifts` of each set. Throws InputError unless shifts > 0 and dimension 2 or 3.
-    IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts = 16);
+    /// `shifts` of each set; `first` is the number of the first set, where others are elsewhere. Throws InputError unless
+    /// shifts > 0 and dimension 2 or 3.
+    IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts = 16, std::size_t first = 0);
 
     /// Adds one set; sizes may vary. Throws InputError for another dimension or an empty set. Coordinates
     /// must lie in [0, 1).
     void add(const PointSet& points);
 
+    /// As if the sets of `other`, which begins with the number after the last one here, had been added here.
+    void append(const IntegrationErrorEstimate& other);
+
     /// One entry an integrand, in the order of integrands(); none where no set was added.
     std::vector<IntegrationError> mean() const;
+
+    /// For cereal: what was added, into an estimate that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(squares_, sizes_);
+    }
 
 private:
     int dimension_;
     std::uint64_t seed_;
     int shifts_;
+    std::size_t first_;
     std::vector<std::vector<double>> squares_; ///< [set][integrand], mean of e^2 over the shifts
     std::vector<double> sizes_;                ///< N of each set
 };

@@ -199,6 +199,12 @@ void PairCorrelationEstimate::add(const PointSet& points)
     values_.push_back(std::move(values));
 }
 
+void PairCorrelationEstimate::append(const PairCorrelationEstimate& other)
+{
+    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
+    for (std::size_t k = 0; k < bins_; ++k) pairs_[k] += other.pairs_[k];
+}
+
 std::vector<PairCorrelationBin> PairCorrelationEstimate::mean() const
 {
     if (values_.empty()) return {};

@@ -45,8 +45,18 @@ public:
     /// in [0, 1).
     void add(const PointSet& points);
 
+    /// As if the sets of `other`, which was constructed alike, had been added after those here, up to rounding.
+    void append(const PairCorrelationEstimate& other);
+
     /// The mean of what was added; no bins where nothing was.
     std::vector<PairCorrelationBin> mean() const;
+
+    /// For cereal: what was added, into an estimate that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(values_, pairs_);
+    }
 
 private:
     int dimension_;

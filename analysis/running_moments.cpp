@@ -28,4 +28,28 @@ void RunningMoments::add(std::span<const double> values)
     });
 }
 
+void RunningMoments::append(const RunningMoments& other)
+{
+    if (other.count_ == 0) return;
+    if (count_ == 0) {
+        *this = other;
+        return;
+    }
+    const bool had_squares = count_ > 1;
+    const double all = count_ + other.count_;
+    const double share = other.count_ / all;
+    const double weight = count_ * share;
+    count_ += other.count_;
+    if (!had_squares) squares_.resize(mean_.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mean_.size(), 65536), [&](const auto& range) {
+        if (!had_squares) std::fill_n(squares_.begin() + range.begin(), range.size(), 0.0);
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const double difference = other.mean_[i] - mean_[i];
+            mean_[i] += difference * share;
+            squares_[i] += difference * difference * weight;
+            if (other.count_ > 1) squares_[i] += other.squares_[i];
+        }
+    });
+}
+
 }

@@ -15,11 +15,22 @@ public:
     /// As many values each time.
     void add(std::span<const double> values);
 
+    /// As if all observations of `other` had been added after those here, up to rounding. Chan, Golub and LeVeque,
+    /// Algorithms for Computing the Sample Variance, The American Statistician 37(3), 1983, equations 2.1.
+    void append(const RunningMoments& other);
+
     int count() const { return count_; }
     std::span<const double> mean() const { return mean_; }
 
     /// Squared deviations from the mean, summed up: the variance times count - 1. Empty for one observation.
     std::span<const double> squares() const { return squares_; }
+
+    /// For cereal.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(count_, mean_, squares_);
+    }
 
 private:
     int count_ = 0;

@@ -37,22 +37,35 @@ SpectrumEstimate& SpectrumEstimate::operator=(SpectrumEstimate&&) noexcept = def
 
 void SpectrumEstimate::add(const PointSet& points)
 {
-    const std::string name = "realization " + std::to_string(power_.count());
-    if (points.dimension != dimension_) {
-        throw InputError(name + " has dimension " + std::to_string(points.dimension) + ", the spectrum " +
-                         std::to_string(dimension_));
-    }
-    if (points.size() == 0) throw InputError(name + " has no points");
+    check("realization " + std::to_string(power_.count()), points.dimension, points.size());
     if (power_.count() == 0) points_ = points.size();
-    if (!sizes_vary_ && points.size() != points_) {
-        throw InputError(name + " has " + std::to_string(points.size()) + " points where the first has " +
-                         std::to_string(points_));
-    }
-
     compute_periodogram(points);
     radial_curves_.push_back(radial_means(periodogram_));
     radial_.add(bin_width_ == 1 ? radial_curves_.back() : radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);
+}
+
+void SpectrumEstimate::check(const std::string& name, int dimension, std::size_t points)
+{
+    if (dimension != dimension_) {
+        throw InputError(name + " has dimension " + std::to_string(dimension) + ", the spectrum " +
+                         std::to_string(dimension_));
+    }
+    if (points == 0) throw InputError(name + " has no points");
+    if (!sizes_vary_ && power_.count() > 0 && points != points_) {
+        throw InputError(name + " has " + std::to_string(points) + " points where the first has " +
+                         std::to_string(points_));
+    }
+}
+
+void SpectrumEstimate::append(const SpectrumEstimate& other)
+{
+    if (other.power_.count() == 0) return;
+    check("realization " + std::to_string(power_.count()), other.dimension_, other.points_);
+    if (power_.count() == 0) points_ = other.points_;
+    power_.append(other.power_);
+    radial_.append(other.radial_);
+    radial_curves_.insert(radial_curves_.end(), other.radial_curves_.begin(), other.radial_curves_.end());
 }
 
 void SpectrumEstimate::compute_periodogram(const PointSet& points)

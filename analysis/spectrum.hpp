@@ -81,6 +81,9 @@ public:
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
+    /// As if the realizations of `other` had been added after those here, up to rounding. Throws InputError as add() does.
+    void append(const SpectrumEstimate& other);
+
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
@@ -94,7 +97,15 @@ public:
     /// The periodogram of the last realization.
     const HalfSpectrum& last_periodogram() const { return periodogram_; }
 
+    /// For cereal: what was added, into an estimate that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(points_, power_, radial_, radial_curves_);
+    }
+
 private:
+    void check(const std::string& name, int dimension, std::size_t points);
     void compute_periodogram(const PointSet& points);
 
     int dimension_, size_;

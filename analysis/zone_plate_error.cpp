@@ -3,6 +3,7 @@
 #include "analysis/zone_plate.hpp"
 #include "analysis/zone_plate_reference.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {
@@ -46,6 +47,17 @@ PlateError ZonePlateError::add(const SquareImage& image)
             if (plate_frequency(distance, size) <= 0.5) resolved.add(difference);
         }
     return {whole.root(), resolved.root()};
+}
+
+void ZonePlateError::append(const ZonePlateError& other)
+{
+    if (first_size_ == 0) first_size_ = other.first_size_;
+    squares_.resize(std::max(squares_.size(), other.squares_.size()));
+    pixels_.resize(squares_.size());
+    for (std::size_t k = 0; k < other.squares_.size(); ++k) {
+        squares_[k] += other.squares_[k];
+        pixels_[k] += other.pixels_[k];
+    }
 }
 
 std::vector<ErrorBin> ZonePlateError::curve() const

@@ -41,8 +41,18 @@ public:
     /// Adds a picture and returns its own error.
     PlateError add(const SquareImage& image);
 
+    /// As if the pictures of `other` had been added after those here, up to rounding.
+    void append(const ZonePlateError& other);
+
     /// Ranges by distance of the pixels' centres, without those that hold no pixel.
     std::vector<ErrorBin> curve() const;
+
+    /// For cereal.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(first_size_, squares_, pixels_);
+    }
 
 private:
     SquareImage reference_;

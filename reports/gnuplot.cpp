@@ -1,6 +1,7 @@
 #include "reports/gnuplot.hpp"
 
 #include "errors/errors.hpp"
+#include "io/scratch_folder.hpp"
 #include "io/whole_file.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <memory>
@@ -22,31 +22,6 @@ extern char** environ;
 namespace poissonlab {
 
 namespace {
-
-// A new folder for scripts and pictures, removed at the end.
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        auto name = (std::filesystem::temp_directory_path() / "poissonlab-plots-XXXXXX").string();
-        if (!mkdtemp(name.data()))
-            throw StorageError(name + ": cannot make a temporary folder: " + std::strerror(errno));
-        path_ = name;
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
 
 // The two kinds of picture, and how gnuplot is told about them.
 struct Terminal
@@ -66,6 +41,18 @@ std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture
                        terminal.scale * picture.height);
 }
 
+// What gnuplot ends with where it finds no fonts.
+constexpr int status_without_letters = 77;
+
+// Without fonts gnuplot draws pictures without letters and says nothing. It leaves no margin for them either, which
+// shows. SVG files leave the letters to the browser.
+std::string font_check()
+{
+    return fmt::format("set terminal pngcairo font 'sans-serif,12' size 200,200\nset output 'letters.png'\nplot [0:1] x\n"
+                       "if (GPVAL_TERM_XMIN < 2) {{ exit status {} }}\nset output\n",
+                       status_without_letters);
+}
+
 // One of the processes of a terminal: every so many pictures from the first on.
 struct Part
 {
@@ -76,6 +63,7 @@ struct Part
 std::string script_for(const Terminal& terminal, const std::vector<GnuplotPicture>& pictures, const Part& part)
 {
     std::string script = "set encoding utf8\n";
+    if (part.first == 0 && terminal.extension == "png") script += font_check();
     for (std::size_t i = part.first; i < pictures.size(); i += part.step)
         script += fmt::format("reset session\n{}set output '{}.{}'\n{}\nset output\n",
                               set_terminal(terminal, pictures[i]), i, terminal.extension, pictures[i].commands);
@@ -92,6 +80,18 @@ std::vector<std::string> neutral_environment()
             result.emplace_back(text);
     }
     return result;
+}
+
+// Messages of several lines, and what gnuplot points at with lines of blanks, as one line.
+std::string in_one_line(const std::string& text)
+{
+    std::string line;
+    for (const char c : text) {
+        const bool is_blank = static_cast<unsigned char>(c) <= ' ';
+        if (!is_blank) line += c;
+        else if (!line.empty() && line.back() != ' ') line += ' ';
+    }
+    return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
 // A running gnuplot: script.NAME in the folder, messages to messages.NAME. Waited for by finish() or at the end.
@@ -132,8 +132,14 @@ public:
     void finish()
     {
         const int status = wait();
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-            throw StorageError("gnuplot failed: " + read_whole_file(messages_));
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
+        if (WIFEXITED(status) && WEXITSTATUS(status) == status_without_letters)
+            throw StorageError("gnuplot finds no fonts, and would leave out all letters: install the package "
+                               "fonts-dejavu-core");
+        const std::string said = in_one_line(read_whole_file(messages_));
+        const std::string how = WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
+                                                    : fmt::format("failed with status {}", WEXITSTATUS(status));
+        throw StorageError("gnuplot " + how + (said.empty() ? "" : ": " + said));
     }
 
 private:
@@ -175,6 +181,23 @@ std::vector<std::filesystem::path> files_of(const GnuplotPicture& picture)
     return files;
 }
 
+// A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one.
+std::string drawn_picture(const std::filesystem::path& file)
+{
+    const auto fail = [](const std::string& why) {
+        throw StorageError("gnuplot ended without an error, but a picture of it " + why + ": is the right gnuplot in PATH?");
+    };
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) fail("is missing");
+    std::string picture = read_whole_file(file);
+    const bool is_svg = file.extension() == ".svg";
+    const std::string_view begin = is_svg ? std::string_view("<?xml") : std::string_view("\x89PNG\r\n");
+    const std::string_view end = is_svg ? std::string_view("</svg>") : std::string_view("IEND");
+    const std::size_t tail = picture.size() - std::min<std::size_t>(picture.size(), 16);
+    if (!picture.starts_with(begin) || picture.find(end, tail) == std::string::npos) fail("is damaged");
+    return picture;
+}
+
 // Runs all processes at once and waits for them.
 void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures)
 {
@@ -199,12 +222,12 @@ void draw_with_gnuplot(const std::vector<GnuplotPicture>& all, PictureStore* sto
     for (const auto& picture : all)
         if (!store || !store->is_current(files_of(picture), input_of(picture))) pictures.push_back(picture);
     if (!pictures.empty()) {
-        const TemporaryFolder folder;
+        const ScratchFolder folder;
         run_gnuplot(folder.path(), pictures);
         for (std::size_t i = 0; i < pictures.size(); ++i)
             for (const auto& terminal : terminals) {
                 const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
-                write_whole_file(file_of(pictures[i], terminal), read_whole_file(drawn));
+                write_whole_file(file_of(pictures[i], terminal), drawn_picture(drawn));
             }
     }
     if (store)

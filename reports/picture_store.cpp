@@ -2,7 +2,7 @@
 
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
-#include "poisson_tiles/xxh64_bytes.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace poissonlab {
 namespace {
 
@@ -15,6 +17,26 @@ void checked(const BufferImpl& buffer, const char* doing, std::size_t bytes, Tra
     }
 }
 
+}
+
+BufferImpl::BufferImpl(std::shared_ptr<DeviceImpl> owner, std::size_t size) : device(std::move(owner)), bytes(size)
+{
+    try {
+        memory = cl::Buffer(device->context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
+    } catch (const cl::Error& error) {
+        throw device_error(
+            fmt::format("{}: allocating {} bytes of {}", device->info.name, bytes, device->info.global_memory_bytes),
+            error);
+    }
+    const std::lock_guard lock(device->memory_mutex);
+    device->memory.add(bytes);
+    device->peak_memory = either(device->peak_memory, device->memory);
+}
+
+BufferImpl::~BufferImpl()
+{
+    const std::lock_guard lock(device->memory_mutex);
+    device->memory.total -= bytes;
 }
 
 void read_buffer(BufferImpl& buffer, std::size_t offset, std::size_t bytes, void* target)

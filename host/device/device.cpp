@@ -1,23 +1,18 @@
 #include "device/device.hpp"
 
+#include "device/kernel_cache.hpp"
 #include "device/kernel_source.hpp"
 #include "device/opencl.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cctype>
-#include <charconv>
 #include <chrono>
 #include <map>
 #include <mutex>
+#include <optional>
 
 namespace poissonlab {
 namespace {
-
-constexpr const char* no_device = "no OpenCL device found: install the package pocl-opencl-icd (runs on the "
-                                  "CPU) or the OpenCL driver of your GPU";
 
 std::string type_name(cl_device_type type)
 {
@@ -42,9 +37,8 @@ std::string why_unusable(const cl::Device& device)
     return {};
 }
 
-DeviceInfo describe(const cl::Device& device)
+void read_info(const cl::Device& device, DeviceInfo& info)
 {
-    DeviceInfo info;
     info.platform = cl::Platform(device.getInfo<CL_DEVICE_PLATFORM>()).getInfo<CL_PLATFORM_NAME>();
     info.name = device.getInfo<CL_DEVICE_NAME>();
     info.vendor = device.getInfo<CL_DEVICE_VENDOR>();
@@ -53,79 +47,57 @@ DeviceInfo describe(const cl::Device& device)
     info.device_version = device.getInfo<CL_DEVICE_VERSION>();
     info.compute_units = device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>();
     info.global_memory_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
+    info.max_allocation_bytes = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
     info.local_memory_bytes = device.getInfo<CL_DEVICE_LOCAL_MEM_SIZE>();
     info.max_work_group_size = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
     info.unusable = why_unusable(device);
+}
+
+/// A device that does not even say what it is stays in the list, so that others keep their numbers.
+DeviceInfo describe(const cl::Device& device)
+{
+    DeviceInfo info;
+    try {
+        read_info(device, info);
+    } catch (const cl::Error& error) {
+        if (info.name.empty()) info.name = "unknown device";
+        info.unusable = device_error("asking what it is", error).what();
+    }
     return info;
 }
 
+/// A driver that fails does not keep others from being used.
 std::vector<cl::Device> all_devices()
 {
-    std::vector<cl::Device> devices;
+    static std::once_flag once;
+    std::call_once(once, provide_kernel_cache);
+    const std::string doing = "looking for OpenCL devices";
+    std::vector<cl::Platform> platforms;
     try {
-        std::vector<cl::Platform> platforms;
         cl::Platform::get(&platforms);
-        for (const cl::Platform& platform : platforms) {
-            std::vector<cl::Device> found;
-            try {
-                platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
-            } catch (const cl::Error& error) {
-                if (error.err() != CL_DEVICE_NOT_FOUND) throw;
-            }
-            devices.insert(devices.end(), found.begin(), found.end());
-        }
     } catch (const cl::Error& error) {
         // A loader without any driver says so by this code.
-        if (error.err() != -1001) throw device_error("looking for OpenCL devices", error);
+        if (error.err() != -1001) throw device_error(doing, error);
     }
+    std::vector<cl::Device> devices;
+    std::optional<DeviceError> failed;
+    for (const cl::Platform& platform : platforms) {
+        std::vector<cl::Device> found;
+        try {
+            platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
+        } catch (const cl::Error& error) {
+            if (error.err() != CL_DEVICE_NOT_FOUND) failed = device_error(doing, error);
+        }
+        devices.insert(devices.end(), found.begin(), found.end());
+    }
+    if (devices.empty() && failed) throw *failed;
     return devices;
-}
-
-std::string lower_case(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
-
-bool names(const DeviceInfo& info, const std::string& selector)
-{
-    return lower_case(info.name + "\n" + info.platform).find(lower_case(selector)) != std::string::npos;
-}
-
-bool is_pocl(const DeviceInfo& info) { return info.platform == "Portable Computing Language"; }
-
-std::string list_of_names(const std::vector<DeviceInfo>& infos)
-{
-    std::vector<std::string> lines;
-    for (std::size_t i = 0; i < infos.size(); ++i) lines.push_back(fmt::format("{}: {}", i, infos[i].name));
-    return fmt::format("{}", fmt::join(lines, ", "));
-}
-
-std::size_t select(const std::vector<DeviceInfo>& infos, const std::string& selector)
-{
-    if (infos.empty()) throw DeviceError(no_device);
-    if (selector.empty()) {
-        const auto usable_pocl = [](const DeviceInfo& i) { return is_pocl(i) && i.unusable.empty(); };
-        const auto usable = [](const DeviceInfo& i) { return i.unusable.empty(); };
-        auto found = std::find_if(infos.begin(), infos.end(), usable_pocl);
-        if (found == infos.end()) found = std::find_if(infos.begin(), infos.end(), usable);
-        if (found == infos.end()) found = infos.begin(); // says below why it is not usable
-        return static_cast<std::size_t>(found - infos.begin());
-    }
-    std::size_t number = 0;
-    const char* end = selector.data() + selector.size();
-    const auto parsed = std::from_chars(selector.data(), end, number);
-    if (parsed.ec == std::errc{} && parsed.ptr == end && number < infos.size()) return number;
-    for (std::size_t i = 0; i < infos.size(); ++i) {
-        if (names(infos[i], selector)) return i;
-    }
-    throw DeviceError(
-        fmt::format("no OpenCL device matches \"{}\"; there are: {}", selector, list_of_names(infos)));
 }
 
 cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned compute_units)
 {
-    if (threads == 0 || threads >= compute_units) return device;
+    if (threads == 0 || threads >= compute_units || !(device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU))
+        return device;
     const cl_device_partition_property properties[] = {CL_DEVICE_PARTITION_BY_COUNTS, threads,
                                                        CL_DEVICE_PARTITION_BY_COUNTS_LIST_END, 0};
     std::vector<cl::Device> parts;
@@ -134,18 +106,33 @@ cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned
     return parts.at(0);
 }
 
+/// Empty where the driver has none, or is no longer there to give it.
+std::string build_log(const cl::Program& program, const cl::Device& device)
+{
+    try {
+        return program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(device);
+    } catch (const cl::Error&) {
+        return {};
+    }
+}
+
 cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file,
                   const std::string& options)
 {
     const auto start = std::chrono::steady_clock::now();
-    cl::Program program(impl.context, text);
+    cl::Program program;
     try {
-        program.build(impl.device, ("-cl-std=CL1.2 " + options).c_str());
+        program = cl::Program(impl.context, text);
+        // Not by cl::Program::build, which asks for the log and fails with that where the device is gone.
+        const cl_device_id device = impl.device();
+        const cl_int code =
+            ::clBuildProgram(program(), 1, &device, ("-cl-std=CL1.2 " + options).c_str(), nullptr, nullptr);
+        if (code != CL_SUCCESS) throw cl::Error(code, "clBuildProgram");
     } catch (const cl::Error& error) {
-        const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(impl.device);
+        const std::string log = build_log(program, impl.device);
         throw DeviceError(
             device_error(impl.info.name + ": building kernels/" + file + " (" + options + ")", error).what() +
-            std::string("; build log:\n") + log);
+            (log.empty() ? "" : "; build log:\n" + log));
     }
     impl.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return program;
@@ -174,6 +161,12 @@ std::vector<DeviceInfo> list_devices()
     return infos;
 }
 
+DeviceInfo Device::find(const std::string& selector)
+{
+    const std::vector<DeviceInfo> infos = list_devices();
+    return infos[select(infos, selector)];
+}
+
 Device::Device(std::shared_ptr<DeviceImpl> impl) : impl_(std::move(impl)) {}
 
 Device Device::open(const std::string& selector, unsigned threads)
@@ -181,7 +174,7 @@ Device Device::open(const std::string& selector, unsigned threads)
     const std::vector<cl::Device> devices = all_devices();
     std::vector<DeviceInfo> infos;
     for (const cl::Device& device : devices) infos.push_back(describe(device));
-    const std::size_t chosen = select(infos, selector);
+    const std::size_t chosen = choose_device(infos, selector);
     if (!infos[chosen].unusable.empty()) {
         throw DeviceError("the OpenCL device " + infos[chosen].name +
                           " cannot be used: " + infos[chosen].unusable);
@@ -224,18 +217,25 @@ Kernel Device::kernel_from_text(const std::string& text, const std::string& file
     return Kernel(std::move(impl));
 }
 
-std::shared_ptr<BufferImpl> Device::allocate(std::size_t bytes)
+std::shared_ptr<BufferImpl> Device::allocate(std::size_t bytes) { return std::make_shared<BufferImpl>(impl_, bytes); }
+
+DeviceMemory Device::memory() const
 {
-    auto impl = std::make_shared<BufferImpl>();
-    impl->device = impl_;
-    try {
-        impl->memory = cl::Buffer(impl_->context, CL_MEM_READ_WRITE, std::max<std::size_t>(bytes, 1));
-    } catch (const cl::Error& error) {
-        throw device_error(fmt::format("{}: allocating {} bytes of {}", impl_->info.name, bytes,
-                                       impl_->info.global_memory_bytes),
-                           error);
-    }
-    return impl;
+    const std::lock_guard lock(impl_->memory_mutex);
+    return impl_->memory;
+}
+
+DeviceMemory Device::peak_memory() const
+{
+    const std::lock_guard lock(impl_->memory_mutex);
+    return impl_->peak_memory;
+}
+
+void Device::watch_memory()
+{
+    const std::lock_guard lock(impl_->memory_mutex);
+    impl_->memory.largest = 0;
+    impl_->peak_memory = impl_->memory;
 }
 
 void Device::finish()

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "device/buffer.hpp"
+#include "device/device_memory.hpp"
 #include "device/kernel.hpp"
 
 #include <cstddef>
@@ -25,6 +26,7 @@ struct DeviceInfo
     std::string device_version;
     unsigned compute_units = 0;
     std::uint64_t global_memory_bytes = 0;
+    std::uint64_t max_allocation_bytes = 0; ///< of one buffer
     std::uint64_t local_memory_bytes = 0;
     std::size_t max_work_group_size = 0;
     std::string unusable; ///< why the laboratory's kernels cannot run there; empty: they can
@@ -33,17 +35,24 @@ struct DeviceInfo
 /// Every OpenCL device of this machine, in the order of platforms. Empty where there is none.
 std::vector<DeviceInfo> list_devices();
 
+/// The device that Device::open() opens, by its number in the list. `selector`: such a number; a name, or a part of
+/// one device's or platform's name (letter case does not matter); or empty for the default: PoCL where it is there,
+/// else the first usable one. Throws DeviceError when none matches, or several that differ in their names.
+std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::string& selector);
+
 struct DeviceImpl;
 
 /// An open device with one in-order command queue. Copies share the device.
 class Device
 {
 public:
-    /// Opens a device. `selector`: a number as list_devices() counts from 0, a part of a device's or
-    /// platform's name (letter case does not matter), or empty for the default: PoCL where it is there, else
-    /// the first usable one. `threads` > 0 restricts a CPU device to that many compute units; 0 takes all.
-    /// Throws DeviceError when there is no such device. A device that is open already is handed out again.
+    /// Opens the device that choose_device() chooses. `threads` > 0 restricts a CPU device to that many compute
+    /// units; 0 takes all, and other devices have no threads of this machine. Throws DeviceError when there is no
+    /// such device. A device that is open already is handed out again.
     static Device open(const std::string& selector = {}, unsigned threads = 0);
+
+    /// What open() would open, which stays closed. Throws DeviceError as it does.
+    static DeviceInfo find(const std::string& selector = {});
 
     const DeviceInfo& info() const;
 
@@ -57,6 +66,12 @@ public:
 
     /// Seconds spent on building programs so far.
     double build_seconds() const;
+
+    /// The memory of buffers: what there is of them now, and the most that there was since watch_memory().
+    /// `largest` is that of all buffers since then in both.
+    DeviceMemory memory() const;
+    DeviceMemory peak_memory() const;
+    void watch_memory();
 
     /// An uninitialised buffer of `count` values.
     template <typename T>
@@ -79,7 +94,9 @@ private:
 template <typename T>
 void reserve(Device& device, Buffer<T>& buffer, std::size_t count)
 {
-    if (buffer.size() < count) buffer = device.buffer<T>(count);
+    if (buffer.size() >= count) return;
+    buffer = {}; // before the new one: there may be no room for both
+    buffer = device.buffer<T>(count);
 }
 
 }

@@ -10,6 +10,7 @@
 #include "errors/errors.hpp"
 
 #include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -29,11 +30,19 @@ struct DeviceImpl
     DeviceInfo info;
     std::map<std::pair<std::string, std::string>, cl::Program> programs; // by source text and options
     double build_seconds = 0;
+    std::mutex memory_mutex;
+    DeviceMemory memory, peak_memory;
 };
 
 struct BufferImpl
 {
+    BufferImpl(std::shared_ptr<DeviceImpl> owner, std::size_t size);
+    BufferImpl(const BufferImpl&) = delete;
+    BufferImpl& operator=(const BufferImpl&) = delete;
+    ~BufferImpl();
+
     std::shared_ptr<DeviceImpl> device;
+    std::size_t bytes;
     cl::Buffer memory;
 };
 

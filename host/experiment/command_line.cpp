@@ -2,9 +2,11 @@
 
 #include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
+#include "experiment/crew.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/nearest_key.hpp"
 #include "io/shell_words.hpp"
+#include "io/standard_streams.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,7 +37,7 @@ constexpr auto main_footer = R"(Examples:
   poissonlab help samplers                                 every method of making point sets
 
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
-3 OpenCL failed; 4 diff found changes; 1 anything else.)";
+3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
 constexpr auto run_footer =
     R"(CONFIG is a TOML file; configs/quick.toml explains every key. `poissonlab samplers` lists the methods.
@@ -44,7 +46,19 @@ constexpr auto run_footer =
   --set method.0.label=White   --set "method.relative_radius=[0.6, 0.7]" (every method that has it)
   --set method.0.start.relative_radius=0.7 (in a table of the method)
 Results are written to DIR when everything is done; see docs/output-folder.md. Until then, and when something
-fails, a previous result in DIR stays as it is. The last line of output is the path of the report.)";
+fails, a previous result in DIR stays as it is. The last line of output is the path of the report.
+
+Finished work is kept in DIR/.units: a run that was interrupted goes on where it was, and one with other settings makes
+only what these change. Several processes share the work:
+  mpirun -n 8 poissonlab run CONFIG --out DIR         on machines that share DIR
+  poissonlab run CONFIG --out DIR --shard 1/3         and 2/3, 3/3, each anywhere; if DIR is shared, the last one writes
+                                                      the results; if not, `poissonlab merge`, then run without --shard)";
+
+constexpr auto merge_footer =
+    R"(Copies what is stored in DIR/.units and not in OUT/.units; what is damaged is left out. Then the same run writes
+the results:
+  poissonlab merge out/all out/shard-1 out/shard-2 out/shard-3
+  poissonlab run config.toml --out out/all)";
 
 constexpr auto analyze_footer =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
@@ -123,6 +137,7 @@ public:
         app_.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
         app_.footer(main_footer);
         add_run();
+        add_merge();
         add_analyze();
         add_report();
         add_diff();
@@ -142,6 +157,7 @@ public:
 
 private:
     void add_run();
+    void add_merge();
     void add_analyze();
     void add_report();
     void add_diff();
@@ -158,6 +174,7 @@ private:
     CLI::App app_{"poissonlab: makes Poisson disk point sets on OpenCL devices, analyses them, and reports.",
                   "poissonlab"};
     RunOptions run_options_;
+    MergeOptions merge_options_;
     AnalyzeOptions analyze_options_;
     ReportOptions report_options_;
     DiffOptions diff_options_;
@@ -168,6 +185,7 @@ private:
     std::string topic_;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
+    CLI::App* merge_ = nullptr;
     CLI::App* analyze_ = nullptr;
     CLI::App* report_ = nullptr;
     CLI::App* diff_ = nullptr;
@@ -198,8 +216,20 @@ void CommandLine::add_run()
                      "Use so many threads, and compute units of a CPU device; default: all")
         ->option_text("N")
         ->check(CLI::Range(1, 4096));
+    run_->add_option("--shard", o.shard, "Only share i of n of the work, see below")->option_text("i/n");
     run_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
+    run_->add_flag("--json", o.json, "Print progress as JSON objects, one a line")->excludes("--quiet");
     run_->footer(run_footer);
+}
+
+void CommandLine::add_merge()
+{
+    MergeOptions& o = merge_options_;
+    merge_ = app_.add_subcommand("merge", "Take over finished work of other output folders, such as those of shards");
+    merge_->add_option("OUT", o.out, "The output folder that gets it")->required();
+    merge_->add_option("DIR", o.folders, "Output folders of `run --shard`")->required();
+    merge_->add_flag("--quiet", o.quiet, "Print nothing but errors");
+    merge_->footer(merge_footer);
 }
 
 void CommandLine::add_analyze()
@@ -352,11 +382,18 @@ std::vector<std::string> CommandLine::command_names() const
     return names;
 }
 
-/// The command as it would be typed: arguments in quotes where a shell needs them.
+/// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the work,
+/// results are the same.
 std::string typed_command(int argc, const char* const* argv)
 {
     std::string text = "poissonlab";
-    for (int i = 1; i < argc; ++i) text += " " + shell_word(argv[i]);
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument = argv[i];
+        if (argument == "--shard")
+            ++i;
+        else if (!argument.starts_with("--shard="))
+            text += " " + shell_word(argv[i]);
+    }
     return text;
 }
 
@@ -399,6 +436,7 @@ int CommandLine::execute()
 {
     if (*diff_) return diff_command(diff_options_, compare_runs_) ? exit_changed : 0;
     if (*run_) run_command(run_options_, write_report_);
+    if (*merge_) merge_command(merge_options_);
     if (*analyze_) analyze_command(analyze_options_, write_report_);
     if (*report_) report_command(report_options_, write_report_);
     if (*tiling_) tiling_command(tiling_options_);
@@ -413,9 +451,18 @@ int CommandLine::execute()
 
 int fail(int status, const std::string& message)
 {
+    if (is_crew_follower()) return status; // the process that leads says it
     std::fflush(stdout);
-    fmt::print(stderr, "poissonlab: error: {}\n", message);
+    // Not by fmt, which throws where standard error is closed, too.
+    std::fputs(("poissonlab: error: " + message + "\n").c_str(), stderr);
     return status;
+}
+
+/// The status, unless some of the output is lost.
+int flushed(int status)
+{
+    const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+    return is_lost ? fail(exit_other, "cannot write to standard output") : status;
 }
 
 }
@@ -423,19 +470,23 @@ int fail(int status, const std::string& message)
 int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
                      const RunComparer& compare_runs)
 {
+    open_standard_streams();
     try {
         CommandLine command_line(write_report, compare_runs);
         try {
             command_line.parse(argc, argv);
         } catch (const CLI::ParseError& outcome) {
-            if (outcome.get_exit_code() == 0) return command_line.show_help_or_version(outcome);
+            if (outcome.get_exit_code() == 0) return flushed(command_line.show_help_or_version(outcome));
             std::string message = outcome.what();
             std::ranges::replace(message, '\n', ' ');
             return fail(exit_input, message + " (see poissonlab --help)");
         }
         catch_interrupts();
-        const int status = command_line.execute();
-        return std::fflush(stdout) == 0 ? status : fail(exit_other, "cannot write to standard output");
+        return flushed(command_line.execute());
+    } catch (const Interrupted&) {
+        std::fflush(stdout);
+        tell_of_interruption();
+        return exit_interrupted;
     } catch (const InputError& error) {
         return fail(exit_input, error.what());
     } catch (const DeviceError& error) {

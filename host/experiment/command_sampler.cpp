@@ -3,15 +3,16 @@
 #include "experiment/interrupt.hpp"
 #include "io/point_file.hpp"
 #include "io/program_run.hpp"
+#include "io/scratch_folder.hpp"
 #include "io/shell_words.hpp"
+#include "io/whole_file.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "sampling/random.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -78,28 +79,14 @@ fs::path folder_of(const Parameters& parameters)
 class OutputFolder
 {
 public:
-    OutputFolder()
-    {
-        std::string name = (fs::temp_directory_path() / "poissonlab-XXXXXX").string();
-        if (!::mkdtemp(name.data())) throw StorageError("cannot create the folder " + name);
-        path_ = name;
-    }
-    ~OutputFolder()
-    {
-        std::error_code error;
-        fs::remove_all(path_, error);
-    }
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
-
     /// What {out} stands for. Programs may add an extension.
-    std::string out() const { return (path_ / "points").string(); }
+    std::string out() const { return (folder_.path() / "points").string(); }
 
     /// The one file that is there. Throws InputError.
     fs::path file() const
     {
         std::vector<fs::path> files;
-        for (const auto& entry : fs::directory_iterator(path_)) files.push_back(entry.path());
+        for (const auto& entry : fs::directory_iterator(folder_.path())) files.push_back(entry.path());
         if (files.empty()) throw InputError("it wrote no file {out}");
         if (files.size() > 1) throw InputError("it wrote several files that begin with {out}; one is needed");
         return files.front();
@@ -123,7 +110,7 @@ public:
     }
 
 private:
-    fs::path path_;
+    ScratchFolder folder_;
 };
 
 /// The last lines that a program said, each on a line of its own.
@@ -191,6 +178,26 @@ private:
     double limit_;
 };
 
+/// A hash of the program and of all files that the command names: a script that was changed makes other points. What these
+/// read themselves is not seen.
+std::uint64_t program_hash(const Parameters& parameters)
+{
+    const fs::path folder = folder_of(parameters);
+    const std::vector<std::string> words = command_words(parameters.text(command_key), {});
+    std::vector<fs::path> files;
+    if (const auto program = find_program(words[0], folder)) files.push_back(*program);
+    for (std::size_t i = 1; i < words.size(); ++i) files.push_back(folder / words[i]);
+    Xxh64 hash;
+    for (const fs::path& file : files) {
+        std::error_code error;
+        if (!fs::is_regular_file(file, error)) continue;
+        const std::string content = read_whole_file(file);
+        hash.add(fmt::format("{} ", content.size()));
+        hash.add(content);
+    }
+    return hash.value();
+}
+
 void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     if (!parameters.has(command_key))
@@ -198,7 +205,7 @@ void check(const Parameters& parameters, const SampleRequest&, const SourceLocat
                                             "\"mysampler {points} {seed} {out}\"");
     try {
         const auto words = command_words(parameters.text(command_key), {});
-        if (!is_program(words[0], folder_of(parameters)))
+        if (!find_program(words[0], folder_of(parameters)))
             throw InputError(fmt::format("there is no program {}{}", words[0],
                                          words[0].find('/') != std::string::npos
                                              ? " (paths are relative to the folder of the config)"
@@ -256,6 +263,7 @@ SamplerSpec command_sampler()
     spec.parameters = {command, limit};
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
     spec.check = check;
+    spec.outside_input = program_hash;
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
         return std::make_unique<CommandSampler>(parameters, request);
     };

@@ -2,10 +2,12 @@
 
 #include "device/device.hpp"
 #include "experiment/plan.hpp"
+#include "experiment/plan_memory.hpp"
 #include "experiment/thread_limit.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,25 +16,64 @@ namespace poissonlab {
 namespace {
 
 /// The device of a run, opened when it is first needed.
-struct LazyDevice
+class LazyDevice
 {
-    std::string selector;
-    unsigned threads = 0;
-    std::optional<Device> device;
+public:
+    LazyDevice(std::string selector, unsigned threads, Engine engine)
+        : selector_(std::move(selector)), threads_(threads), engine_(engine)
+    {}
+
+    bool is_open() const { return device_.has_value(); }
 
     Device& get()
     {
-        if (!device) device = Device::open(selector, threads);
-        return *device;
+        if (!device_) device_ = Device::open(selector_, threads_);
+        return *device_;
     }
+
+    /// Results may differ in their last bits between kinds of devices, and times between all: those of a graphics card are
+    /// never taken for those of another. Processors count as one, so that machines of a cluster may differ.
+    std::string identity()
+    {
+        const auto info = described();
+        if (!info) return "none";
+        return info->type == "CPU" ? info->platform + ", CPU" : info->platform + ", " + info->name;
+    }
+
+    std::string name()
+    {
+        const auto info = described();
+        return info ? info->platform + ", " + info->name : "none";
+    }
+
+private:
+    /// Nothing where no device is needed or none is there.
+    const std::optional<DeviceInfo>& described()
+    {
+        if (is_described_ || engine_ != Engine::opencl) return info_;
+        is_described_ = true;
+        try {
+            info_ = Device::find(selector_);
+        } catch (const DeviceError&) {
+            // Who needs the device will say so.
+        }
+        return info_;
+    }
+
+    std::string selector_;
+    unsigned threads_;
+    Engine engine_;
+    std::optional<Device> device_;
+    std::optional<DeviceInfo> info_;
+    bool is_described_ = false;
 };
 
-Machine machine_of(const LazyDevice& lazy)
+Machine machine_of(LazyDevice& lazy, bool with_device)
 {
     Machine machine;
     machine.threads = ThreadLimit::current();
-    if (!lazy.device) return machine;
-    const DeviceInfo& info = lazy.device->info();
+    if (!with_device) return machine;
+    const DeviceInfo& info = lazy.get().info();
     machine.device = info.name;
     machine.platform = info.platform;
     machine.driver = info.driver_version;
@@ -41,7 +82,31 @@ Machine machine_of(const LazyDevice& lazy)
     return machine;
 }
 
-SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device)
+/// What files and programs decide about the sets of a method, and of those that it starts from.
+void add_outside_input(UnitKey& key, const SamplerSpec& sampler, const Parameters& parameters)
+{
+    if (sampler.outside_input) key.add("input", sampler.outside_input(parameters));
+    using Start = std::shared_ptr<const SamplerChoice>;
+    for (const auto& [name, entry] : parameters.entries())
+        if (const auto* start = std::get_if<Start>(&entry.value))
+            add_outside_input(key, *(*start)->spec, (*start)->parameters);
+}
+
+UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
+{
+    UnitKey key("sets");
+    key.add("sampler", series.sampler->name);
+    for (const auto& [name, entry] : series.parameters.entries()) key.add(name, to_string(entry.value));
+    add_outside_input(key, *series.sampler, series.parameters);
+    return key.add("points", series.request.points)
+        .add("dimension", series.request.dimension)
+        .add("seed", series.request.seed)
+        .add("engine", engine == Engine::opencl ? "opencl" : "reference")
+        .add("device", device.identity());
+}
+
+SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device,
+                     const std::shared_ptr<Workplace>& workplace)
 {
     SeriesTask task;
     task.name = series.name;
@@ -51,12 +116,32 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     task.deterministic = series.deterministic;
     task.realizations = series.realizations;
     task.is_timed = !series.sampler->has_own_points;
+    task.points = series.request.points;
     task.place = series.place;
-    task.create = [series, engine, device] {
-        return series.sampler->create(series.parameters, series.request, engine,
+    task.identity = [series, engine, device] { return identity_of(series, engine, *device); };
+    task.create = [series, engine, device, workplace = std::weak_ptr(workplace)] {
+        SampleRequest request = series.request;
+        request.on_step = [workplace](const std::string& what) {
+            const auto there = workplace.lock();
+            if (there && there->on_step) there->on_step(what);
+        };
+        return series.sampler->create(series.parameters, request, engine,
                                       [device]() -> Device& { return device->get(); });
     };
     return task;
+}
+
+/// Where there is no usable device that is left to whoever needs one: everything may be stored already.
+void check_memory_of_device(const std::vector<SeriesPlan>& plan, const std::string& selector)
+{
+    const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
+        return static_cast<bool>(series.sampler->device_memory);
+    });
+    if (!needs_device) return;
+    const std::vector<DeviceInfo> devices = list_devices();
+    if (devices.empty()) return;
+    const DeviceInfo& device = devices[choose_device(devices, selector)];
+    if (device.unusable.empty()) check_device_memory(plan, device);
 }
 
 /// The name of a folder that no other has.
@@ -97,9 +182,7 @@ std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<
 
 Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
 {
-    auto lazy = std::make_shared<LazyDevice>();
-    lazy->selector = device;
-    lazy->threads = threads;
+    const auto lazy = std::make_shared<LazyDevice>(device, threads, config.engine);
 
     Experiment experiment;
     experiment.title = config.title;
@@ -112,8 +195,10 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
     experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
-    for (const SeriesPlan& series : make_plan(config))
-        experiment.series.push_back(make_task(series, config.engine, lazy));
+    const std::vector<SeriesPlan> plan = make_plan(config);
+    if (config.engine == Engine::opencl) check_memory_of_device(plan, device);
+    for (const SeriesPlan& series : plan)
+        experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
     std::set<std::string> names; // folders of the series come first
     for (const SeriesTask& task : experiment.series) names.insert(task.name);
     experiment.tilings = tiling_tasks(config, names);
@@ -122,7 +207,13 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
         return engine == Engine::opencl ? make_tile_filler(settings, lazy->get())
                                         : reference::make_tile_filler(settings);
     };
-    experiment.machine = [lazy] { return machine_of(*lazy); };
+    Workplace& workplace = *experiment.workplace;
+    workplace.identity = [lazy] { return lazy->identity(); };
+    workplace.machine_conditions = [lazy] {
+        return fmt::format("device: {}; threads: {}", lazy->name(), ThreadLimit::current());
+    };
+    workplace.is_device_open = [lazy] { return lazy->is_open(); };
+    workplace.machine = [lazy](bool with_device) { return machine_of(*lazy, with_device); };
     if (config.engine == Engine::opencl && !device.empty()) lazy->get();
     return experiment;
 }

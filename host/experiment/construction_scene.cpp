@@ -56,12 +56,13 @@ bool SceneBox::holds(const TilePosition& position, int dimension) const
     return true;
 }
 
-std::array<std::size_t, point_class_names.size()> point_counts(const Scene& scene)
+SceneSummary summary_of(const Scene& scene)
 {
-    std::array<std::size_t, point_class_names.size()> counts{};
+    SceneSummary summary;
+    summary.panels = scene.panels.size();
     for (const ScenePanel& panel : scene.panels)
-        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += panel.points[i].size();
-    return counts;
+        for (std::size_t i = 0; i < summary.points.size(); ++i) summary.points[i] += panel.points[i].size();
+    return summary;
 }
 
 std::string scene_json(const Scene& scene)

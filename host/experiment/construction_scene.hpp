@@ -68,8 +68,14 @@ struct Scene
     std::vector<ScenePanel> panels;
 };
 
-/// How many points of each class all panels have together.
-std::array<std::size_t, point_class_names.size()> point_counts(const Scene& scene);
+/// What results.json says of a scene.
+struct SceneSummary
+{
+    std::size_t panels = 0;
+    std::array<std::size_t, point_class_names.size()> points{}; ///< of each class, in all panels together
+};
+
+SceneSummary summary_of(const Scene& scene);
 
 /// The text of construction.json.
 std::string scene_json(const Scene& scene);

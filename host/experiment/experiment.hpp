@@ -14,6 +14,7 @@
 #include "experiment/method_grid.hpp"
 #include "experiment/tiling_table.hpp"
 #include "sampling/sampler.hpp"
+#include "store/unit_key.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -33,8 +34,12 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
+    std::size_t points = 0; ///< as asked of each set, 0: not known
     bool is_timed = true; ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
+    /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work begins;
+    /// empty: name and sampler say enough.
+    std::function<UnitKey()> identity;
     std::function<std::unique_ptr<Sampler>()> create;
 };
 
@@ -61,6 +66,30 @@ struct Machine
     std::string device_version;
     unsigned compute_units = 0;
     int threads = 0;
+    int processes = 0; ///< that shared the work; 0: one
+};
+
+/// Told what is being done, in a few words, by work that takes long.
+using StepListener = std::function<void(const std::string& what)>;
+
+/// The devices and threads of an experiment.
+struct Workplace
+{
+    /// What of the device decides results beyond their last bits, for keys of stored work; nothing is opened.
+    std::function<std::string()> identity;
+    /// What times depend on beside processes: device and threads; nothing is opened.
+    std::function<std::string()> machine_conditions;
+    int processes = 1; ///< that share the work; set by who runs the experiment
+    std::function<bool()> is_device_open;
+    /// With the device, which is opened for that, or without.
+    std::function<Machine(bool with_device)> machine;
+    StepListener on_step; ///< set by who runs the experiment
+
+    /// What times depend on.
+    std::string conditions() const
+    {
+        return (machine_conditions ? machine_conditions() : "") + "; processes: " + std::to_string(processes);
+    }
 };
 
 struct Experiment
@@ -80,7 +109,7 @@ struct Experiment
     std::vector<TilingTask> tilings;
     std::vector<ConstructionTask> constructions;
     FillerFactory make_filler;        ///< of constructions
-    std::function<Machine()> machine; ///< asked at the end: devices are opened when they are needed
+    std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
 };
 
 /// What the sampling test came to. Vectors have one value a realization.
@@ -122,7 +151,7 @@ struct SeriesResult
     SeriesMeasures measures;
     bool has_pair_correlation = false; ///< sets of one point have none
     std::vector<std::string> point_files;                 ///< relative to the output folder
-    std::vector<double> sample_seconds; ///< of the realizations, then of further runs
+    std::vector<double> sample_seconds; ///< of the realizations, then of further runs; under one run's conditions
     std::optional<TileSetRecord> tile_set; ///< of methods that tile
     double build_seconds = 0;
     double preparation_seconds = 0;

@@ -4,6 +4,7 @@
 #include "experiment/plan.hpp"
 #include "experiment/thread_limit.hpp"
 #include "io/point_file.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +35,18 @@ void check_set(const PointSet& points, const std::string& place, const PointSet&
         throw InputError(
             fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
                         points.size(), first_place, first.size()));
+}
+
+/// All coordinates decide, wherever they were read.
+UnitKey identity_of(const std::vector<PointSet>& sets)
+{
+    Xxh64 hash;
+    for (const PointSet& set : sets) {
+        const std::vector<double>& x = set.coordinates;
+        hash.add(fmt::format("{} {} ", set.dimension, x.size()));
+        hash.add({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
+    }
+    return UnitKey("imported sets").add("coordinates", hash.value());
 }
 
 /// A folder name that is not one of the output folder's files.
@@ -75,6 +88,8 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     task.parameters.set("path", paths);
     task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets->size());
+    task.points = sets->front().size();
+    task.identity = [sets] { return identity_of(*sets); };
     task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
 
     Experiment experiment;
@@ -82,7 +97,11 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     experiment.dimension = sets->front().dimension;
     experiment.realizations = task.realizations;
     experiment.series.push_back(std::move(task));
-    experiment.machine = [] { return Machine{{}, {}, {}, {}, 0, ThreadLimit::current()}; };
+    experiment.workplace->machine = [](bool) {
+        Machine machine;
+        machine.threads = ThreadLimit::current();
+        return machine;
+    };
     return experiment;
 }
 

@@ -1,9 +1,13 @@
-// Ctrl-C and `kill`: stop between two realizations and clean up, instead of leaving half a result.
+// Ctrl-C and `kill`: stop at the next opportunity, or within a second without one.
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace poissonlab {
+
+/// The exit status of a process that was asked to stop.
+inline constexpr int exit_interrupted = 130;
 
 /// The user asked the program to stop.
 class Interrupted : public std::runtime_error
@@ -12,9 +16,16 @@ public:
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// From now on the first SIGINT, SIGTERM or SIGHUP is remembered; the second ends the process at once. A
-/// closed pipe no longer ends it.
+/// From now on the first SIGINT, SIGTERM or SIGHUP is remembered, and ends the process after 0.7 s if it is still there
+/// then: work that is not finished is lost, which is all that a kernel or a triangulation could save by going on. The second
+/// one ends the process at once. A closed pipe no longer ends it.
 void catch_interrupts();
+
+/// What the user is told when the process stops: how to go on. Empty: nothing more than that it was interrupted.
+void say_when_interrupted(const std::string& advice);
+
+/// Says that the process was interrupted, once. Ends the line of a terminal that is being updated.
+void tell_of_interruption() noexcept;
 
 /// Throws Interrupted when a signal has come.
 void stop_if_interrupted();

@@ -121,6 +121,7 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     SeriesPlan series;
     series.place = {method_index, indices_of(method, chosen)};
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
+    series.where = method.where;
     series.sampler = &sampler;
     series.parameters = chosen_parameters(method.settings, chosen);
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};

@@ -15,6 +15,7 @@ struct SeriesPlan
 {
     std::string name;  ///< the series' folder, unique in the plan: letters, digits, '.', '_', '-'
     std::string label; ///< for the report
+    SourceLocation where; ///< of its [[method]]
     const SamplerSpec* sampler = nullptr;
     Parameters parameters;
     SampleRequest request;

@@ -1,66 +1,90 @@
-// How far the work is: one line that updates itself on a terminal, a plain line a series in a pipe.
+// How far the work is: a bar that updates itself on a terminal, plain lines in a pipe, or events for scripts.
 #pragma once
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace poissonlab {
+
+/// What there is to do, in realizations.
+struct WorkTotals
+{
+    std::uint64_t realizations = 0; ///< in all
+    std::uint64_t to_make = 0;      ///< that are not stored
+    std::uint64_t to_analyse = 0;   ///< whose analysis is not stored
+};
 
 class Progress
 {
 public:
     enum class Style
     {
-        quiet,
-        terminal,
-        plain
+        quiet,    ///< nothing but what was asked for, such as a path
+        terminal, ///< a line that updates itself
+        plain,    ///< a line a series, and one now and then while that takes long
+        json      ///< one JSON object a line
     };
 
-    /// Writes to standard output.
-    explicit Progress(Style style);
+    using Clock = std::function<std::chrono::steady_clock::time_point()>;
+
+    /// Writes to standard output. `clock`: for tests.
+    explicit Progress(Style style, Clock clock = std::chrono::steady_clock::now);
     ~Progress();
 
-    /// quiet, or what standard output is.
-    static Style detect(bool quiet);
+    /// quiet, json, or what standard output is.
+    static Style detect(bool quiet, bool json = false);
 
-    /// Run `number`, counted from 1, of the `count` runs of a collection is next: says so, and keeps saying it.
-    void start_run(std::size_t number, std::size_t count, const std::string& title);
+    /// Work begins; starts the clock.
+    void start(const WorkTotals& totals);
 
-    /// `total` realizations of all series are to come; starts the clock.
-    void start(std::uint64_t total);
+    /// A realization was made, of so many points, in so many seconds of sampling.
+    void sampled(std::size_t points, double seconds);
 
-    void start_series(const std::string& label, std::uint32_t realizations);
+    /// A realization was analysed.
+    void analysed() { elsewhere(0, 1); }
 
-    /// Another realization is done; `points` and `seconds` of sampling give the rate.
-    void realization_done(std::size_t points, double seconds);
+    /// Other processes have made and analysed realizations.
+    void elsewhere(std::uint64_t made, std::uint64_t analysed);
 
-    /// The series is done; `line` sums it up.
+    /// A series is done; `line` sums it up.
     void finish_series(const std::string& line);
 
-    /// A step without a count, such as a picture of the report. Terminal only.
+    /// Run `number`, counted from 1, of the `count` runs of a collection begins.
+    void start_run(std::size_t number, std::size_t count, const std::string& title);
+
+    /// A step of long work without a count, such as the parts of a tile set or the pictures of the report.
     void step(const std::string& what);
 
-    /// All runs are done: what follows is about all of them.
-    void finish_runs() { run_.clear(); }
+    /// Something that the user must know.
+    void message(const std::string& text);
 
     /// Removes the updating line.
     void finish() { clear(); }
 
+    /// All is done: the path of the report. Said in every style.
+    void report(const std::string& path);
+
 private:
+    std::string state() const;
+    void show_state();
     void print(const std::string& line);
     void update(const std::string& line);
     void clear();
+    bool is_time(double seconds);
+    double elapsed() const;
+    double seconds_left() const;
 
     Style style_;
+    Clock clock_;
     std::chrono::steady_clock::time_point begin_;
-    std::uint64_t total_ = 0;
-    std::uint64_t done_ = 0;
-    std::string run_; ///< "[3/34] "; empty: not of a collection
-    std::string label_;
-    std::uint32_t series_total_ = 0;
-    std::uint32_t series_done_ = 0;
+    std::chrono::steady_clock::time_point said_; ///< when something was last said without need
+    WorkTotals totals_;
+    std::uint64_t made_ = 0;
+    std::uint64_t analysed_ = 0;
+    double points_per_second_ = 0; ///< of the last realization made here
     bool line_open_ = false;
 };
 

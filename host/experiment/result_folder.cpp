@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 namespace poissonlab {
 namespace {
 
+constexpr const char* staging_prefix = ".unfinished-";
+
 void require(const std::error_code& error, const std::string& doing)
 {
     if (error) throw StorageError("cannot " + doing + ": " + error.message());
@@ -96,19 +98,11 @@ ResultFolder::~ResultFolder() { remove_staging(); }
 void ResultFolder::create_folders()
 {
     std::error_code error;
-    std::vector<fs::path> missing;
-    for (fs::path folder = fs::absolute(out_, error).lexically_normal(); !fs::exists(folder, error);
-         folder = folder.parent_path()) {
-        if (folder.has_filename()) missing.push_back(folder); // "a/b/" has an empty last element
-        if (folder == folder.parent_path()) break;
-    }
-    for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
-        fs::create_directory(*folder, error);
-        require(error, "create the folder " + folder->string());
-        created_.push_back(*folder);
-    }
-    const fs::path staging = out_ / (".unfinished-" + std::to_string(getpid()));
-    fs::remove_all(staging, error); // of an earlier process with this number
+    fs::create_directories(out_, error);
+    require(error, "create the folder " + out_.string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(out_, error))
+        if (entry.path().filename().string().starts_with(staging_prefix)) fs::remove_all(entry.path(), error);
+    const fs::path staging = out_ / (staging_prefix + std::to_string(getpid()));
     fs::create_directory(staging, error);
     require(error, "write to the folder " + out_.string());
     staging_ = staging;
@@ -118,18 +112,19 @@ void ResultFolder::remove_staging() noexcept
 {
     std::error_code error;
     if (!staging_.empty()) fs::remove_all(staging_, error);
-    if (published_) return;
-    // Only folders made here, and only while nobody else has put anything into them.
-    for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder) fs::remove(*folder, error);
 }
 
-fs::path ResultFolder::series_folder(const std::string& name) const
+void ResultFolder::add(const std::string& series, const std::map<std::string, fs::path>& files) const
 {
     std::error_code error;
-    fs::path folder = staging_ / name;
+    const fs::path folder = staging_ / series;
     fs::create_directory(folder, error);
     require(error, "create the folder " + folder.string());
-    return folder;
+    for (const auto& [name, file] : files) {
+        fs::create_hard_link(file, folder / name, error);
+        if (error) fs::copy_file(file, folder / name, fs::copy_options::overwrite_existing, error);
+        require(error, "write " + (out_ / series / name).string());
+    }
 }
 
 void ResultFolder::publish(const std::string& results_json)
@@ -149,7 +144,6 @@ void ResultFolder::publish(const std::string& results_json)
         if (fs::exists(fs::symlink_status(out_ / name, error))) move(out_ / name, old / name);
     for (const std::string& name : series_) move(staging_ / name, out_ / name);
     move(staging_ / "results.json", out_ / "results.json");
-    published_ = true;
     remove_staging();
 }
 

@@ -2,20 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
 
 /// Collects an experiment's files in a hidden folder inside the output folder, and moves them into place at
-/// the end.
+/// the end. One process at a time.
 ///
 /// Until publish() a previous result in the same folder stays as it is. Without publish() the destructor
-/// removes what was written, and the folders that were created.
+/// removes what was written.
 class ResultFolder
 {
 public:
-    /// Creates `out` where it is missing. `series` are the folders that will be published. Throws InputError
+    /// Creates `out` where it is missing, and removes what processes that were killed left unfinished there. `series` are the folders that will be published. Throws InputError
     /// when `out` is a file or a collection, or has a folder of such a name that is not a series, StorageError when it cannot
     /// be written.
     ResultFolder(const std::filesystem::path& out, const std::vector<std::string>& series);
@@ -27,8 +28,9 @@ public:
     ResultFolder(const ResultFolder&) = delete;
     ResultFolder& operator=(const ResultFolder&) = delete;
 
-    /// Where a series' files are to be written until publish(); created.
-    std::filesystem::path series_folder(const std::string& name) const;
+    /// Adds a series with its files, by their names there: as further links to the same files where the file system can
+    /// do that, else as copies. Throws StorageError.
+    void add(const std::string& series, const std::map<std::string, std::filesystem::path>& files) const;
 
     /// Puts everything in place: the series folders, results.json last. Removes the previous result, its
     /// report included. Throws StorageError.
@@ -42,8 +44,6 @@ private:
     std::filesystem::path staging_;
     std::vector<std::string> series_;
     std::vector<std::string> previous_;          ///< series of the result that is there
-    std::vector<std::filesystem::path> created_; ///< folders that were missing, outermost first
-    bool published_ = false;
 };
 
 }

@@ -93,6 +93,7 @@ Json machine_json(const Machine& machine)
     add("device_version", machine.device_version);
     add("compute_units", machine.compute_units);
     add("threads", machine.threads);
+    add("processes", machine.processes);
     return json;
 }
 
@@ -271,14 +272,13 @@ Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& 
     return json;
 }
 
-Json construction_json(const ConstructionTask& task, const Scene& scene)
+Json construction_json(const ConstructionTask& task, const SceneSummary& scene)
 {
     const ConstructionConfig& config = task.config;
     const PoissonTileParameters& p = config.parameters;
     Json points = Json::object();
-    const auto counts = point_counts(scene);
-    for (std::size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0) points[point_class_names[i]] = counts[i];
+    for (std::size_t i = 0; i < scene.points.size(); ++i)
+        if (scene.points[i] > 0) points[point_class_names[i]] = scene.points[i];
     return {{"name", task.name},
             {"label", config.label},
             {"kind", kind_name(p)},
@@ -292,7 +292,7 @@ Json construction_json(const ConstructionTask& task, const Scene& scene)
             {"repulsion", p.repulsion},
             {"seed", p.seed},
             {"file", task.name + "/construction.json"},
-            {"panels", scene.panels.size()},
+            {"panels", scene.panels},
             {"points", points}};
 }
 
@@ -301,7 +301,7 @@ Json construction_json(const ConstructionTask& task, const Scene& scene)
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine,
                          const std::vector<std::optional<TilingStatistics>>& statistics,
-                         const std::vector<Scene>& scenes)
+                         const std::vector<SceneSummary>& scenes)
 {
     Json json;
     json["format"] = "poissonlab-results";

@@ -15,6 +15,6 @@ namespace poissonlab {
 std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
                          const Machine& machine,
                          const std::vector<std::optional<TilingStatistics>>& statistics = {},
-                         const std::vector<Scene>& scenes = {});
+                         const std::vector<SceneSummary>& scenes = {});
 
 }

@@ -23,6 +23,21 @@ void ZonePlateAnalysis::add(const PointSet& points)
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+void ZonePlateAnalysis::append(const ZonePlateAnalysis& other)
+{
+    const auto append_to = [](std::vector<double>& values, const std::vector<double>& more) {
+        values.insert(values.end(), more.begin(), more.end());
+    };
+    error_.append(other.error_);
+    append_to(result_.rms_error, other.result_.rms_error);
+    append_to(result_.resolved_rms_error, other.result_.resolved_rms_error);
+    if (first_.size == 0) {
+        result_.size = other.result_.size;
+        first_ = other.first_;
+    }
+    seconds_ += other.seconds_;
+}
+
 std::string ZonePlateAnalysis::csv() const
 {
     std::string text = "distance,frequency,rms_error,pixels\n";

@@ -17,6 +17,9 @@ public:
     /// `points` must be 2D and not empty, as SeriesAnalysis demands it.
     void add(const PointSet& points);
 
+    /// As if the realizations of `other` had been added after those here.
+    void append(const ZonePlateAnalysis& other);
+
     /// The picture of the first realization.
     const SquareImage& first_image() const { return first_; }
 
@@ -25,6 +28,13 @@ public:
 
     const ZonePlateResult& result() const { return result_; }
     double seconds() const { return seconds_; }
+
+    /// For cereal.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(first_, error_, result_, seconds_);
+    }
 
 private:
     SquareImage first_;

@@ -163,21 +163,23 @@ void drain_output(Pipe& pipe, std::string& output)
 
 }
 
-bool is_program(const std::string& name, const fs::path& folder)
+std::optional<fs::path> find_program(const std::string& name, const fs::path& folder)
 {
     const auto is_executable = [](const fs::path& file) {
         std::error_code error;
         return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
     };
-    if (name.find('/') != std::string::npos) return is_executable(folder / name);
+    if (name.find('/') != std::string::npos)
+        return is_executable(folder / name) ? std::optional(folder / name) : std::nullopt;
     const char* variable = std::getenv("PATH");
     const std::string path = variable ? variable : "/bin:/usr/bin";
     for (std::size_t begin = 0; begin <= path.size();) {
         const std::size_t end = std::min(path.find(':', begin), path.size());
-        if (is_executable(folder / path.substr(begin, end - begin) / name)) return true;
+        const fs::path file = folder / path.substr(begin, end - begin) / name;
+        if (is_executable(file)) return file;
         begin = end + 1;
     }
-    return false;
+    return std::nullopt;
 }
 
 ProgramOutcome run_program(const std::vector<std::string>& words, const fs::path& folder, double limit_seconds,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ struct ProgramOutcome
     bool succeeded() const { return is_in_time && status == 0 && signal == 0; }
 };
 
-/// Whether there is a program that `name` starts: a path relative to `folder`, or a file in the folders of PATH.
-bool is_program(const std::string& name, const std::filesystem::path& folder);
+/// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is none.
+std::optional<std::filesystem::path> find_program(const std::string& name, const std::filesystem::path& folder);
 
 /// Runs the program words[0] with the rest as its arguments, in `folder`, with nothing on standard input, and waits for
 /// it. `check` is called again and again meanwhile; what it throws ends the program. When it ends, is late or is ended,

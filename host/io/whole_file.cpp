@@ -7,7 +7,10 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <exception>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <system_error>
 
 #include <unistd.h>
@@ -20,12 +23,55 @@ using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 std::string last_system_error() { return std::generic_category().message(errno); }
 
+constexpr std::string_view temporary_mark = ".tmp";
+
+/// Temporary files that are there.
+class TemporaryFiles
+{
+public:
+    void add(const std::filesystem::path& file)
+    {
+        const std::lock_guard lock(mutex_);
+        files_.insert(file);
+    }
+    void remove(const std::filesystem::path& file)
+    {
+        std::error_code ignored;
+        std::filesystem::remove(file, ignored);
+        const std::lock_guard lock(mutex_);
+        files_.erase(file);
+    }
+    void remove_all()
+    {
+        const std::lock_guard lock(mutex_);
+        std::error_code ignored;
+        for (const auto& file : files_) std::filesystem::remove(file, ignored);
+    }
+
+private:
+    std::mutex mutex_;
+    std::set<std::filesystem::path> files_;
+};
+
+TemporaryFiles& temporary_files()
+{
+    static auto& files = *new TemporaryFiles; // never destroyed: a thread that ends the process may come late
+    return files;
+}
+
+/// Whether a name is one of temporary_beside().
+bool is_temporary(const std::filesystem::path& file)
+{
+    const std::string name = file.filename().string();
+    return name.starts_with(".") && (file.extension() == temporary_mark || file.stem().extension() == temporary_mark);
+}
+
 /// A name beside `path` that no other thread or process uses, hidden, with the same extension.
 std::filesystem::path temporary_beside(const std::filesystem::path& path)
 {
     static std::atomic<unsigned> counter = 0;
-    const std::string name = fmt::format(".{}.{}-{}.tmp{}", path.stem().string(), ::getpid(), ++counter,
-                                         path.extension().string());
+    const std::string name = fmt::format(".{}.{}-{}{}{}", path.stem().string(), ::getpid(), ++counter,
+                                         temporary_mark, path.extension().string());
     return path.parent_path() / name;
 }
 
@@ -33,14 +79,13 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path)
 class TemporaryFile
 {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target)) {}
+    explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
+    {
+        temporary_files().add(path_);
+    }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile()
-    {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
+    ~TemporaryFile() { temporary_files().remove(path_); }
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -87,6 +132,33 @@ void write_whole_file(const std::filesystem::path& path,
     std::error_code error;
     std::filesystem::rename(temporary.path(), path, error);
     if (error) throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+void remove_temporary_files() noexcept
+{
+    try {
+        temporary_files().remove_all();
+    } catch (const std::exception&) {
+        // What stays is removed by the next run.
+    }
+}
+
+void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
+                                  const std::filesystem::path& except) noexcept
+{
+    namespace fs = std::filesystem;
+    try {
+        const auto oldest = fs::file_time_type::clock::now() - age;
+        std::error_code error;
+        for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+            if (entry->path().filename() == except) entry.disable_recursion_pending();
+            std::error_code unknown;
+            if (is_temporary(entry->path()) && entry->last_write_time(unknown) <= oldest && !unknown)
+                fs::remove(entry->path(), unknown);
+        }
+    } catch (const std::exception&) {
+        // They cost space only.
+    }
 }
 
 std::string read_whole_file(const std::filesystem::path& path)

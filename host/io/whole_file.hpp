@@ -1,6 +1,7 @@
 // Files that are there whole or not at all: written to a temporary name beside the target, then renamed.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -23,6 +24,15 @@ void write_whole_file_in_pieces(const std::filesystem::path& path,
 /// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// Removes the temporary files that other threads are writing at this moment: for a process that is about to end without
+/// waiting for them.
+void remove_temporary_files() noexcept;
+
+/// Removes temporary files of processes that were killed while they wrote, below a folder but not in folders of the name
+/// `except`: those older than `age`, which no process can be writing any more.
+void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
+                                  const std::filesystem::path& except = {}) noexcept;
 
 /// The content of a file. Throws InputError when it cannot be read.
 std::string read_whole_file(const std::filesystem::path& path);

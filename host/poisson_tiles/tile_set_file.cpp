@@ -5,7 +5,7 @@
 #include "io/byte_order.hpp"
 #include "io/whole_file.hpp"
 #include "poisson_tiles/tile_set_json.hpp"
-#include "poisson_tiles/xxh64_bytes.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 

@@ -141,6 +141,12 @@ std::uint32_t lattice_side(std::size_t points, int dimension)
     return static_cast<std::uint32_t>(above_is_nearer ? below + 1 : below);
 }
 
+std::size_t lattice_points(const Parameters&, const SampleRequest& request)
+{
+    const std::size_t side = lattice_side(request.points, request.dimension);
+    return request.dimension == 2 ? side * side : side * side * side;
+}
+
 SamplerSpec random_sampler()
 {
     return describe<RandomSampler>("random", "Random", "independent uniform points (a Poisson process)");
@@ -152,14 +158,17 @@ SamplerSpec regular_sampler()
         "regular", "Regular",
         "a square (3D: cubic) lattice; of as many points as the nearest square (cube) number");
     spec.deterministic = true;
+    spec.most_points = lattice_points;
     return spec;
 }
 
 SamplerSpec jittered_sampler()
 {
-    return describe<JitteredSampler>(
+    SamplerSpec spec = describe<JitteredSampler>(
         "jittered", "Jittered",
         "one uniform point in each cell of a lattice; of as many points as the nearest square (cube) number");
+    spec.most_points = lattice_points;
+    return spec;
 }
 
 }

@@ -9,6 +9,7 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace poissonlab {
@@ -49,6 +50,43 @@ struct Point
 
 using Words = Buffer<std::uint32_t>;
 
+// Words of device memory, as in the kernel file.
+
+std::size_t dart_words(int dimension) { return static_cast<std::size_t>(dimension) + 2; }
+constexpr std::size_t rival_words = 7 + 1;
+std::size_t point_words(int dimension) { return static_cast<std::size_t>(dimension) + 1; }
+
+std::size_t level_0_cells(const CellHierarchy& hierarchy, int dimension)
+{
+    const std::size_t layer = std::size_t{hierarchy.size} * hierarchy.size;
+    return dimension == 2 ? layer : layer * hierarchy.size;
+}
+
+/// A bit for each cell that a point of this cell may reach.
+std::size_t mask_words(const CellHierarchy& hierarchy, int dimension)
+{
+    const std::size_t width = 2 * static_cast<std::size_t>(hierarchy.reach) + 1;
+    return (width * width * (dimension == 2 ? 1 : width) + 31) / 32;
+}
+
+std::size_t six_deviations_above(double mean)
+{
+    return static_cast<std::size_t>(mean + 6 * std::sqrt(mean)) + 1;
+}
+
+/// No batch has more darts than the first, a Poisson number.
+std::size_t most_darts(std::size_t cells, int dimension)
+{
+    return six_deviations_above(static_cast<double>(cells) * darts_per_cell(0, dimension));
+}
+
+/// The first subdivision leaves 0.83 open cells for each cell of level 0 in 2D, 1.60 in 3D, whatever the size of the
+/// set; later batches fewer. The lists begin with one.
+std::size_t most_open_cells(std::size_t cells, int dimension)
+{
+    return dimension == 2 ? cells : six_deviations_above(1.6 * static_cast<double>(cells));
+}
+
 }
 
 struct DartThrower::Buffers
@@ -80,24 +118,24 @@ public:
         insert_ = device.kernel(file, "insert_points", options);
 
         Buffers& b = buffers_;
-        const std::size_t cells = power(hierarchy_.size);
+        const std::size_t cells = level_0_cells(hierarchy_, D);
         reserve(device, b.slots, cells);
-        reserve(device, b.masks, cells * mask_words());
+        reserve(device, b.masks, cells * mask_words(hierarchy_, D));
         reserve(device, b.positions, cells * D);
-        reserve(device, b.points, packing_bound(request.min_distance, D) * (D + 1));
+        reserve(device, b.points, packing_bound(request.min_distance, D) * point_words(D));
         reserve(device, b.counters, counter_count);
         b.counters.write(std::array<std::uint32_t, counter_count>{});
 
         // A guess that is rarely too small: throw_batch() mends it.
         reserve(device, b.parents, cells * D);
         reserve(device, b.open, cells * D);
-        reserve(device, b.darts, cells * dart_words);
+        reserve(device, b.darts, cells * dart_words(D));
     }
 
     PointSet run()
     {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::size_t parent_count = power(hierarchy_.size);
+        std::size_t parent_count = level_0_cells(hierarchy_, D);
         int level = 0;
         for (std::uint32_t batch = 0; point_count() < target && parent_count > 0; ++batch) {
             write_thresholds(batch);
@@ -115,22 +153,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t dart_words = D + 2;  // as in the kernel file
-    static constexpr std::size_t rival_words = 7 + 1; // likewise
-
-    static std::size_t power(std::size_t base)
-    {
-        std::size_t result = 1;
-        for (int k = 0; k < D; ++k) result *= base;
-        return result;
-    }
-
-    std::size_t mask_words() const
-    {
-        const std::size_t window = power(2 * static_cast<std::size_t>(hierarchy_.reach) + 1);
-        return (window + 31) / 32;
-    }
-
     void write_thresholds(std::uint32_t batch)
     {
         if (batch > 0 && darts_per_cell(batch, D) == darts_per_cell(batch - 1, D)) return;
@@ -157,17 +179,17 @@ private:
                        hierarchy_.size, hierarchy_.step, level, u32(split), u32(is_last_level), batch,
                        squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds,
                        threshold_count_, b.open, u32(b.open.size() / D), b.darts,
-                       u32(b.darts.size() / dart_words), b.counters,
+                       u32(b.darts.size() / dart_words(D)), b.counters,
                        LocalMemory{staged * D * sizeof(std::uint32_t)}, u32(staged),
-                       LocalMemory{staged * dart_words * sizeof(std::uint32_t)}, u32(staged),
+                       LocalMemory{staged * dart_words(D) * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{4 * sizeof(std::uint32_t)});
             std::array<std::uint32_t, 2> counts;
             b.counters.read(counts, open_cells);
-            const bool fits = counts[0] <= b.open.size() / D && counts[1] <= b.darts.size() / dart_words;
+            const bool fits = counts[0] <= b.open.size() / D && counts[1] <= b.darts.size() / dart_words(D);
             if (fits) return {counts[0], counts[1]};
             b.counters.write(std::array<std::uint32_t, 2>{}, open_cells);
             reserve(device_, b.open, counts[0] * D);
-            reserve(device_, b.darts, counts[1] * dart_words);
+            reserve(device_, b.darts, counts[1] * dart_words(D));
         }
     }
 
@@ -215,7 +237,7 @@ private:
     {
         std::vector<Point<D>> sorted(point_count());
         static_assert(sizeof(Point<D>) == (D + 1) * sizeof(std::uint32_t));
-        buffers_.points.read({reinterpret_cast<std::uint32_t*>(sorted.data()), sorted.size() * (D + 1)});
+        buffers_.points.read({reinterpret_cast<std::uint32_t*>(sorted.data()), sorted.size() * point_words(D)});
         auto begin = sorted.begin();
         for (const std::size_t batch_end : batch_ends_) {
             const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(batch_end);
@@ -258,6 +280,27 @@ PointSet DartThrower::throw_darts(const DartThrowingRequest& request)
 {
     return request.dimension == 2 ? Throwing<2, Buffers>(device_, *buffers_, request, work_group_size_).run()
                                   : Throwing<3, Buffers>(device_, *buffers_, request, work_group_size_).run();
+}
+
+DeviceMemory DartThrower::memory(const DartThrowingRequest& request)
+{
+    const int d = request.dimension;
+    const auto axes = static_cast<std::uint64_t>(d);
+    const CellHierarchy hierarchy = cell_hierarchy(request.min_distance, d);
+    const std::size_t cells = level_0_cells(hierarchy, d);
+    const std::size_t darts = most_darts(cells, d);
+    DeviceMemory memory;
+    const auto words = [&memory](std::uint64_t count) { memory.add_buffer<std::uint32_t>(count); };
+    words(cells);
+    words(cells * mask_words(hierarchy, d));
+    words(cells * axes);
+    words(packing_bound(request.min_distance, d) * point_words(d));
+    words(counter_count);
+    for (int i = 0; i < 2; ++i) words(most_open_cells(cells, d) * axes);
+    words(std::max(cells, darts) * dart_words(d)); // at first a cell each
+    for (int i = 0; i < 3; ++i) words(darts); // next, and the states
+    words(darts * rival_words);
+    return memory;
 }
 
 }

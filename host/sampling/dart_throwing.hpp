@@ -41,6 +41,9 @@ public:
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
+    /// What throw_darts() takes, nearly: the number of darts in a batch is a matter of chance.
+    static DeviceMemory memory(const DartThrowingRequest& request);
+
 private:
     struct Buffers;
 

@@ -30,6 +30,25 @@ double min_distance_of(const Parameters& parameters, const SampleRequest& reques
     return min_distance_for(saturation_relative_radius(request.dimension), request.points, request.dimension);
 }
 
+DartThrowingRequest darts_of(const Parameters& parameters, const SampleRequest& request)
+{
+    DartThrowingRequest darts;
+    darts.dimension = request.dimension;
+    darts.min_distance = min_distance_of(parameters, request);
+    if (!to_saturation(parameters)) darts.points = request.points;
+    return darts;
+}
+
+/// At saturation, six standard deviations above the mean.
+std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
+{
+    if (!to_saturation(parameters)) return request.points;
+    const double ratio =
+        saturation_relative_radius(request.dimension) / relative_radius(min_distance_of(parameters, request), 1, request.dimension);
+    const double mean = std::pow(ratio, request.dimension);
+    return static_cast<std::size_t>(mean + 6.0 * std::sqrt(saturation_structure_factor * mean)) + 1;
+}
+
 /// Is a relative radius out of reach by more than six standard deviations of the number of points at
 /// saturation?
 bool is_hopeless(double relative_radius, const SampleRequest& request)
@@ -101,10 +120,7 @@ public:
 
     PointSet sample(std::uint32_t realization) override
     {
-        DartThrowingRequest request;
-        request.dimension = request_.dimension;
-        request.min_distance = min_distance_of(parameters_, request_);
-        if (!sizes_vary()) request.points = request_.points;
+        DartThrowingRequest request = darts_of(parameters_, request_);
         request.stream = stream_key(request_.seed, Purpose::dart_throwing, realization);
         PointSet points = thrower_ ? thrower_->throw_darts(request) : reference::throw_darts(request);
         if (!sizes_vary() && points.size() < request_.points)
@@ -177,6 +193,10 @@ SamplerSpec dart_throwing_sampler()
             check_points(parameters, request, where);
         }
         check_memory(parameters, request);
+    };
+    spec.most_points = most_points;
+    spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
+        return DartThrower::memory(darts_of(parameters, request));
     };
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {

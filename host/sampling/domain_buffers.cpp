@@ -42,6 +42,11 @@ DomainBuffers::DomainBuffers(Device device, const Domain& domain, int dimension)
     is_fixed = upload(device, domain.is_fixed);
 }
 
+DeviceMemory DomainBuffers::memory_of_torus()
+{
+    return DeviceMemory{}.add_buffer<double>(1).add_buffer<double>(1).add_buffer<std::uint8_t>(1);
+}
+
 PointMover::PointMover(Device device, const Domain& domain, int dimension, std::size_t work_group_size)
     : work_group_size_(work_group_size), domain_(device, domain, dimension),
       move_(device.kernel("relaxation.cl", "move_points", fmt::format("-D DIMENSION={}", dimension)))

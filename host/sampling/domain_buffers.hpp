@@ -15,6 +15,9 @@ struct DomainBuffers
 {
     DomainBuffers(Device device, const Domain& domain, int dimension);
 
+    /// What the whole torus takes, where nothing is held: almost nothing.
+    static DeviceMemory memory_of_torus();
+
     Buffer<double> regions;     ///< dimension + 2 values each: centre, first and end of its half-spaces
     Buffer<double> half_spaces; ///< dimension + 1 values each: normal, offset
     Buffer<std::uint8_t> is_fixed;

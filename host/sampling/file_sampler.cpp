@@ -2,6 +2,8 @@
 
 #include "io/file_glob.hpp"
 #include "io/point_file.hpp"
+#include "io/whole_file.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -122,6 +124,15 @@ SamplerSpec file_sampler()
     spec.check = check;
     spec.available_realizations = [](const Parameters& parameters) {
         return read_realizations(parameters).size();
+    };
+    spec.outside_input = [](const Parameters& parameters) {
+        Xxh64 hash;
+        for (const std::filesystem::path& file : files_of(parameters)) {
+            const std::string content = read_whole_file(file);
+            hash.add(fmt::format("{} ", content.size()));
+            hash.add(content);
+        }
+        return hash.value();
     };
     spec.create = [](const Parameters& parameters, const SampleRequest&, Engine, const DeviceProvider&) {
         return std::make_unique<FileSampler>(read_realizations(parameters));

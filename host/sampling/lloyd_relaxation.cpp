@@ -19,6 +19,8 @@ constexpr std::size_t default_work_group_size = 64;
 /// Points that one work-item of summarize_points owns. Sums are taken in this order on every device.
 constexpr std::uint32_t summary_run = 256;
 
+std::size_t summaries_of(std::size_t points) { return (points + summary_run - 1) / summary_run; }
+
 class DeviceState
 {
 public:
@@ -53,7 +55,7 @@ public:
     PointSet kept() { return std::move(kept_); }
 
 private:
-    std::size_t summaries() const { return (points_ + summary_run - 1) / summary_run; }
+    std::size_t summaries() const { return summaries_of(points_); }
 
     std::size_t points_;
     std::size_t group_size_;
@@ -76,6 +78,14 @@ LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain,
 {
     DeviceState state(device_, points, domain, work_group_size_);
     return run_iterations(state, points.size(), points.dimension, request);
+}
+
+DeviceMemory LloydRelaxation::memory(int dimension, std::size_t points)
+{
+    DeviceMemory sums;
+    sums.add_buffer<double>(summaries_of(points)).add_buffer<double>(summaries_of(points));
+    return PointGrid::memory(dimension, points, VoronoiKernels::cells_per_axis(dimension, points)) +
+           VoronoiKernels::memory(dimension, points) + DomainBuffers::memory_of_torus() + sums;
 }
 
 }

@@ -43,6 +43,9 @@ public:
 
     LloydResult relax(const PointSet& points, const Domain& domain, const LloydRequest& request);
 
+    /// What relax() takes on the torus, and gives back.
+    static DeviceMemory memory(int dimension, std::size_t points);
+
 private:
     Device device_;
     std::size_t work_group_size_;

@@ -11,14 +11,36 @@ namespace {
 /// Memory that an iteration needs, and CGAL's much more, limit what is worth asking for.
 constexpr std::int64_t max_iterations = 1'000'000;
 
+SamplerChoice start_of(const Parameters& parameters)
+{
+    return parameters.has("start") ? parameters.sampler("start") : SamplerChoice{find_sampler("random"), {}};
+}
+
+bool repels(const Parameters& parameters) { return parameters.has("repulsion") && parameters.flag("repulsion"); }
+
+RepulsionRequest repulsion_request(double relative_radius, std::size_t points, int dimension)
+{
+    return {min_distance_for(relative_radius, points, dimension)};
+}
+
+/// What relaxation takes, or repulsion after it.
+DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points, int dimension)
+{
+    const DeviceMemory relaxation = LloydRelaxation::memory(dimension, points);
+    if (!repels(parameters)) return relaxation;
+    const RepulsionRequest repulsion =
+        repulsion_request(parameters.number("until_relative_radius"), points, dimension);
+    return either(relaxation, Repulsion::memory(dimension, points, repulsion));
+}
+
 class LloydSampler final : public Sampler
 {
 public:
     LloydSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                  const DeviceProvider& device)
+        : parameters_(parameters)
     {
-        const SamplerChoice start =
-            parameters.has("start") ? parameters.sampler("start") : SamplerChoice{find_sampler("random"), {}};
+        const SamplerChoice start = start_of(parameters);
         if (engine == Engine::opencl) {
             device_ = &device();
             built_before_ = device_->build_seconds();
@@ -29,19 +51,20 @@ public:
             request_.until_relative_radius = parameters.number("until_relative_radius");
         }
         request_.keep_best = parameters.has("keep") && parameters.text("keep") == "best";
-        repels_ = parameters.has("repulsion") && parameters.flag("repulsion");
+        repels_ = repels(parameters);
     }
 
     PointSet sample(std::uint32_t realization) override
     {
         const Domain torus;
         const PointSet start = start_->sample(realization);
+        if (device_) check_memory(start);
         LloydResult result = device_ ? LloydRelaxation(*device_).relax(start, torus, request_)
                                      : reference::relax(start, torus, request_);
         iterations_ = std::move(result.iterations);
         if (repels_) {
-            const RepulsionRequest repulsion{
-                min_distance_for(request_.until_relative_radius, start.size(), start.dimension)};
+            const RepulsionRequest repulsion =
+                repulsion_request(request_.until_relative_radius, start.size(), start.dimension);
             result.points = device_ ? Repulsion(*device_).repel(result.points, torus, repulsion).points
                                     : reference::repel(result.points, torus, repulsion).points;
         }
@@ -54,6 +77,14 @@ public:
     double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 private:
+    /// Starts from files and programs have as many points as they have.
+    void check_memory(const PointSet& start) const
+    {
+        check_fits(fmt::format("Lloyd relaxation of {} points", start.size()),
+                   relaxation_memory(parameters_, start.size(), start.dimension), device_->info());
+    }
+
+    Parameters parameters_;
     std::unique_ptr<Sampler> start_;
     LloydRequest request_;
     bool repels_ = false;
@@ -97,12 +128,26 @@ std::vector<ParameterSpec> parameters()
     return {iterations, start, until, keep, repulsion};
 }
 
+std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
+{
+    const SamplerChoice start = start_of(parameters);
+    return start.spec->most_points ? start.spec->most_points(start.parameters, request) : request.points;
+}
+
+/// Beside what the start keeps.
+DeviceMemory device_memory(const Parameters& parameters, const SampleRequest& request, const DeviceInfo& device)
+{
+    const SamplerChoice start = start_of(parameters);
+    DeviceMemory memory = relaxation_memory(parameters, most_points(parameters, request), request.dimension);
+    if (start.spec->device_memory) memory = memory + start.spec->device_memory(start.parameters, request, device);
+    return memory;
+}
+
 void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     const std::string place = to_string(where) + ": sampler = \"lloyd\": ";
     if (!parameters.has("iterations")) throw InputError(place + "needs iterations");
-    if (parameters.has("repulsion") && parameters.flag("repulsion") &&
-        !parameters.has("until_relative_radius")) {
+    if (repels(parameters) && !parameters.has("until_relative_radius")) {
         throw parameters.error("repulsion",
                                "needs until_relative_radius, the relative radius that it is to reach");
     }
@@ -120,6 +165,8 @@ SamplerSpec lloyd_sampler()
     spec.parameters = parameters();
     spec.follows_start = true;
     spec.check = check;
+    spec.most_points = most_points;
+    spec.device_memory = device_memory;
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<LloydSampler>(given, request, engine, device);

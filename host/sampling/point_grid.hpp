@@ -18,6 +18,9 @@ public:
     PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
               std::size_t work_group_size);
 
+    /// What such a grid takes.
+    static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis);
+
     /// Replaces all points; ids count from 0. Not sorted yet.
     void load(const PointSet& points);
 

@@ -68,6 +68,43 @@ GridLimits grid_limits(std::size_t points, int dimension)
     return {most_grid_bits, std::min(cover_bits, most_table_bits / dimension - most_grid_bits)};
 }
 
+/// Sizes of what the kernels work on, in elements.
+struct GridSizes
+{
+    std::size_t cells;
+    std::size_t parts;
+};
+
+GridSizes grid_sizes(const GridLimits& limits, int dimension)
+{
+    return {std::size_t{1} << dimension * limits.most_grid_bits,
+            std::size_t{1} << dimension * (limits.most_grid_bits + limits.cover_bits)};
+}
+
+std::uint64_t darts_a_block(int dimension) { return 4 / static_cast<std::uint64_t>(dimension); }
+
+/// Blocks of the largest batch, padded to whole work-groups.
+std::size_t most_blocks(int dimension, std::size_t group_size)
+{
+    return largest_batch / darts_a_block(dimension) + 8 * group_size;
+}
+
+std::size_t point_words(int dimension) { return static_cast<std::size_t>(dimension) + 1; } // as in the kernel file
+
+/// The most levels beyond the present one that a batch is looked at for.
+std::uint64_t most_levels_ahead(const RelaxationDartThrowingRequest& request)
+{
+    const double levels = std::log(least_radius_ahead) / std::log(request.factor);
+    return std::clamp(static_cast<std::uint64_t>(std::min(levels, 1e3)), least_levels_ahead, std::uint64_t{1000});
+}
+
+/// Levels that the next rounds can reach, and those that the table of thresholds has.
+std::uint64_t levels_in_reach(const RelaxationDartThrowingRequest& request)
+{
+    return (rounds_at_once + 1) * (most_levels_ahead(request) + 1);
+}
+std::uint64_t levels_of_table(const RelaxationDartThrowingRequest& request) { return 8 * levels_in_reach(request); }
+
 }
 
 std::uint64_t RadiusLevels::squared_min_distance() const
@@ -108,11 +145,12 @@ public:
 
         Buffers& b = buffers_;
         reserve(device, b.state, state_count);
-        reserve(device, b.flags, largest_batch / darts_a_block + 8 * group_size); // padded to whole groups
+        const auto [cells, parts] = grid_sizes(limits_, D);
+        reserve(device, b.flags, most_blocks(D, group_size));
         reserve(device, b.candidates, largest_batch / darts_a_word);
-        reserve(device, b.points, request.points * point_words);
-        reserve(device, b.heads, std::size_t{1} << D * limits_.most_grid_bits);
-        reserve(device, b.table, std::size_t{1} << D * (limits_.most_grid_bits + limits_.cover_bits));
+        reserve(device, b.points, request.points * point_words(D));
+        reserve(device, b.heads, cells);
+        reserve(device, b.table, parts);
     }
 
     RelaxationDarts run()
@@ -133,9 +171,6 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t darts_a_block = 4 / D;
-    static constexpr std::size_t point_words = D + 1; // as in the kernel file
-
     static std::uint32_t u32(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
 
     void throw_batch()
@@ -143,7 +178,7 @@ private:
         Buffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        throw_.run(batch_ / darts_a_block / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y,
+        throw_.run(batch_ / darts_a_block(D) / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y,
                    b.flags);
         find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points,
                   grid_bits_, key_x, key_y, b.candidates);
@@ -181,23 +216,15 @@ private:
         update_table();
     }
 
-    /// The most levels beyond the present one that a batch is looked at for.
-    std::uint64_t most_levels_ahead() const
-    {
-        const double levels = std::log(least_radius_ahead) / std::log(request_.factor);
-        return std::clamp(static_cast<std::uint64_t>(std::min(levels, 1e3)), least_levels_ahead,
-                          std::uint64_t{1000});
-    }
-
     /// Makes the table of thresholds hold all levels that the next rounds can reach.
     void fit_window()
     {
-        const std::uint64_t reach = (rounds_at_once + 1) * (most_levels_ahead() + 1);
+        const std::uint64_t reach = levels_in_reach(request_);
         if (state_[level] + reach < window_.level() + window_thresholds_.size()) return;
         while (window_.level() < state_[level]) window_.reduce();
         window_thresholds_.clear();
         RadiusLevels levels = window_;
-        for (std::uint64_t i = 0; i < 8 * reach; ++i, levels.reduce())
+        for (std::uint64_t i = 0; i < levels_of_table(request_); ++i, levels.reduce())
             window_thresholds_.push_back(levels.squared_min_distance());
         reserve(device_, buffers_.thresholds, window_thresholds_.size());
         buffers_.thresholds.write(window_thresholds_);
@@ -210,7 +237,7 @@ private:
         const auto darts = static_cast<double>(state_[next_dart] - before[next_dart]);
         const auto levels = static_cast<double>(state_[level] - before[level]);
         const auto found = static_cast<double>(state_[candidates] - before[candidates]);
-        const double most_levels = static_cast<double>(most_levels_ahead());
+        const double most_levels = static_cast<double>(most_levels_ahead(request_));
         double wanted = darts * candidates_a_batch / std::max(found, 1.0);
         if (levels > 0) wanted = std::min(wanted, darts * most_levels / levels);
         batch_ = std::clamp(static_cast<std::uint64_t>(wanted), std::max(smallest_batch, batch_ / 2),
@@ -222,10 +249,10 @@ private:
 
     PointSet accepted_points() const
     {
-        const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words);
+        const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words(D));
         std::vector<TorusPoint<D>> positions(request_.points);
         for (std::size_t i = 0; i < positions.size(); ++i)
-            std::copy_n(&words[i * point_words], D, positions[i].begin());
+            std::copy_n(&words[i * point_words(D)], D, positions[i].begin());
         return to_point_set<D>(std::span<const TorusPoint<D>>(positions));
     }
 
@@ -258,6 +285,17 @@ RelaxationDarts RelaxationDartThrower::throw_darts(const RelaxationDartThrowingR
 {
     return request.dimension == 2 ? Throwing<2, Buffers>(device_, *buffers_, request, work_group_size_).run()
                                   : Throwing<3, Buffers>(device_, *buffers_, request, work_group_size_).run();
+}
+
+DeviceMemory RelaxationDartThrower::memory(const RelaxationDartThrowingRequest& request)
+{
+    const auto [cells, parts] = grid_sizes(grid_limits(request.points, request.dimension), request.dimension);
+    DeviceMemory memory;
+    memory.add_buffer<std::uint64_t>(state_count).add_buffer<std::uint64_t>(levels_of_table(request));
+    memory.add_buffer<std::uint8_t>(most_blocks(request.dimension, default_work_group_size));
+    memory.add_buffer<std::uint64_t>(largest_batch / darts_a_word);
+    memory.add_buffer<std::uint32_t>(request.points * point_words(request.dimension));
+    return memory.add_buffer<std::uint32_t>(cells).add_buffer<std::uint16_t>(parts);
 }
 
 }

@@ -84,6 +84,9 @@ public:
 
     RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request);
 
+    /// What throw_darts() takes.
+    static DeviceMemory memory(const RelaxationDartThrowingRequest& request);
+
 private:
     struct Buffers;
 

@@ -118,6 +118,9 @@ SamplerSpec relaxation_dart_throwing_sampler()
     spec.dimensions = {2, 3};
     spec.parameters = parameter_specs();
     spec.check = check_effort;
+    spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
+        return RelaxationDartThrower::memory(request_for(parameters, request));
+    };
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<RelaxationDartThrowingSampler>(parameters, request, engine, device);

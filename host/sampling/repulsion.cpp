@@ -18,6 +18,8 @@ constexpr std::size_t default_work_group_size = 64;
 /// Points that one work-item of summarize_points looks at.
 constexpr std::uint32_t run_of_points = 256;
 
+std::size_t runs_of(std::size_t points) { return (points + run_of_points - 1) / run_of_points; }
+
 }
 
 RepulsionPass repulsion_pass(const RepulsionRequest& request, std::size_t points, int dimension)
@@ -36,7 +38,7 @@ struct Repulsion::Buffers
         : dimension(dimension_), grid(device, dimension, points, cells_per_axis, work_group_size)
     {
         const std::size_t values = points * static_cast<std::size_t>(dimension);
-        runs = (points + run_of_points - 1) / run_of_points;
+        runs = runs_of(points);
         displacements = device.buffer<double>(values);
         squared_near = device.buffer<double>(points);
         best = device.buffer<double>(values);
@@ -97,6 +99,16 @@ RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain,
     }
     b.best.read(result.points.coordinates);
     return result;
+}
+
+DeviceMemory Repulsion::memory(int dimension, std::size_t points, const RepulsionRequest& request)
+{
+    const std::uint64_t values = points * static_cast<std::uint64_t>(dimension);
+    DeviceMemory buffers;
+    buffers.add_buffer<double>(values).add_buffer<double>(values).add_buffer<double>(points);
+    buffers.add_buffer<double>(runs_of(points)).add_buffer<double>(runs_of(points));
+    return PointGrid::memory(dimension, points, repulsion_pass(request, points, dimension).cells_per_axis) + buffers +
+           DomainBuffers::memory_of_torus();
 }
 
 }

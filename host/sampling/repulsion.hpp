@@ -63,6 +63,9 @@ public:
 
     RepulsionResult repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request);
 
+    /// What repel() takes on the torus.
+    static DeviceMemory memory(int dimension, std::size_t points, const RepulsionRequest& request);
+
 private:
     struct Buffers;
 

@@ -4,6 +4,7 @@
 // Config keys, checks, help, series names and the report follow from the description.
 #pragma once
 
+#include "device/device_memory.hpp"
 #include "geometry/point_set.hpp"
 #include "sampling/parameters.hpp"
 
@@ -17,6 +18,7 @@
 namespace poissonlab {
 
 class Device;
+struct DeviceInfo;
 
 /// Which of the two twins does the work.
 enum class Engine
@@ -31,6 +33,8 @@ struct SampleRequest
     std::size_t points = 0; ///< target size; methods that cannot hit it exactly come as near as they can
     int dimension = 2;      ///< 2 or 3
     std::uint64_t seed = 0;
+    /// Told of the steps of what takes long before the first set; what it throws ends that. May be empty.
+    std::function<void(const std::string& what)> on_step = {};
 };
 
 /// The state of an iterative method before its first iteration (entry 0) and after each one.
@@ -128,8 +132,19 @@ struct SamplerSpec
     /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
 
+    /// A hash of what decides its sets beside its parameters, such as the contents of files; empty: nothing does.
+    std::function<std::uint64_t(const Parameters&)> outside_input;
+
     /// How many realizations there are, where the method decides that (files); empty: as many as asked.
     std::function<std::size_t(const Parameters&)> available_realizations;
+
+    /// The most memory that its sampler takes on a device of this kind, at a time, with that of its start; at most
+    /// 1.3 times what it really takes. Empty: none.
+    std::function<DeviceMemory(const Parameters&, const SampleRequest&, const DeviceInfo&)> device_memory;
+
+    /// The number of points that a set may have, where that is not the number that is asked for (as near as chance
+    /// lets it be said). Empty: that number.
+    std::function<std::size_t(const Parameters&, const SampleRequest&)> most_points;
 
     std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine,
                                            const DeviceProvider&)>

@@ -21,6 +21,14 @@ std::uint32_t VoronoiKernels::cells_per_axis(int dimension, std::size_t points)
     return std::max(1u, static_cast<std::uint32_t>(dimension == 2 ? std::sqrt(cells) : std::cbrt(cells)));
 }
 
+DeviceMemory VoronoiKernels::memory(int dimension, std::size_t points)
+{
+    DeviceMemory memory;
+    memory.add_buffer<double>(points * static_cast<std::uint64_t>(dimension));
+    for (int i = 0; i < 3; ++i) memory.add_buffer<double>(points); // volumes, energies, distances
+    return memory.add_buffer<std::uint32_t>(points).add_buffer<std::uint32_t>(1);
+}
+
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
     : work_group_size_(work_group_size)
 {

@@ -33,6 +33,9 @@ public:
     /// For sets of so many points.
     VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size);
 
+    /// What the results take.
+    static DeviceMemory memory(int dimension, std::size_t points);
+
     /// The grid that points must be sorted by.
     static std::uint32_t cells_per_axis(int dimension, std::size_t points);
 

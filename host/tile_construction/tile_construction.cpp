@@ -30,9 +30,6 @@ constexpr std::uint32_t attempts_a_round = 64;
 constexpr std::uint32_t frame_stage = 8;
 constexpr std::uint32_t interior_stage = 9;
 
-/// Masters of template tiles to choose from.
-constexpr std::size_t master_tiles = 4;
-
 class Construction
 {
 public:
@@ -193,7 +190,7 @@ private:
         return stage;
     }
 
-    std::int32_t margin() const { return std::min(tile_units / 2, surrounding_radii * regions_.width); }
+    std::int32_t margin() const { return surroundings_margin(regions_); }
 
     FillProblem interior_problem(std::uint32_t tile)
     {

@@ -13,6 +13,7 @@
 #include "poisson_tiles/tile_pieces.hpp"
 #include "tile_construction/tile_filling.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,15 @@ namespace poissonlab {
 /// How far around a tile its surroundings are filled, in radii, but at most half a tile: the cells of its own
 /// points end before.
 inline constexpr std::int32_t surrounding_radii = 3;
+
+/// The same in units.
+inline std::int32_t surroundings_margin(const TileRegions& regions)
+{
+    return std::min(tile_units / 2, surrounding_radii * regions.width);
+}
+
+/// Masters of template tiles to choose from.
+inline constexpr std::size_t master_tiles = 4;
 
 /// A torus that was filled, for those who want to look.
 struct ConstructionRecord
@@ -62,5 +72,8 @@ struct ConstructedTileSet
 /// wanted distance: which one, and what relative radius was reached.
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
                                       const ConstructionOptions& options = {});
+
+/// What the construction takes on such a device, nearly: how many points lie in which region is a matter of chance.
+DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
 
 }

@@ -8,7 +8,13 @@ namespace poissonlab {
 namespace {
 
 /// What the buffers of one launch may take; larger batches are cut.
-constexpr std::size_t max_batch_bytes = std::size_t{256} << 20;
+constexpr std::uint64_t max_batch_bytes = std::uint64_t{256} << 20;
+
+/// Less where a device has less: the largest buffer of a batch is at most half of it.
+std::uint64_t batch_bytes(const DeviceInfo& device)
+{
+    return std::min({max_batch_bytes, device.global_memory_bytes / 4, device.max_allocation_bytes});
+}
 
 constexpr std::size_t lanes = 8;
 
@@ -41,6 +47,38 @@ constexpr double list_slack = 0.5;
 /// As in the kernel.
 std::size_t list_words(int dimension) { return dimension == 2 ? 64 : 256; }
 
+/// Elements of buffers that a torus takes.
+struct TorusRoom
+{
+    std::size_t capacity; ///< points with their images, a multiple of `lanes`
+    std::size_t lists;
+};
+
+TorusRoom torus_room(const FillShape& shape, int dimension)
+{
+    return {(shape.points * shape.images + lanes - 1) / lanes * lanes, shape.active * list_words(dimension)};
+}
+
+/// Tori that are filled at once.
+std::size_t batch_size(const TorusRoom& room, int dimension, const DeviceInfo& device)
+{
+    const std::size_t bytes =
+        room.capacity * static_cast<std::size_t>(dimension) * (3 * sizeof(std::int32_t) + sizeof(double)) +
+        room.lists * sizeof(std::uint16_t);
+    return std::max<std::size_t>(1, batch_bytes(device) / std::max<std::size_t>(1, bytes));
+}
+
+/// What all problems of a stage have room in.
+FillShape shape_of(const FillStage& stage, std::span<const FillProblem> problems, int dimension)
+{
+    FillShape shape{problems.size(), 0, 0, stage.is_one_tile ? std::size_t{1} << dimension : 1};
+    for (const FillProblem& p : problems) {
+        shape.points = std::max(shape.points, p.held.size() + p.active + p.surroundings);
+        shape.active = std::max<std::size_t>(shape.active, p.active);
+    }
+    return shape;
+}
+
 class DeviceFiller final : public TileFiller
 {
 public:
@@ -65,17 +103,12 @@ public:
                                   std::uint32_t attempt) override
     {
         region_values_.write(region_values(stage.regions));
-        copies_ = stage.is_one_tile ? 1u << settings_.dimension : 1u;
-        std::size_t most = 0;
-        max_active_ = 0;
-        for (const FillProblem& p : problems) {
-            most = std::max(most, p.held.size() + p.active + p.surroundings);
-            max_active_ = std::max<std::size_t>(max_active_, p.active);
-        }
-        capacity_ = (most * copies_ + lanes - 1) / lanes * lanes;
-        const std::size_t bytes = capacity_ * axes() * (3 * sizeof(std::int32_t) + sizeof(double)) +
-                                  max_active_ * list_words(settings_.dimension) * sizeof(std::uint16_t);
-        const std::size_t batch = std::max<std::size_t>(1, max_batch_bytes / std::max<std::size_t>(1, bytes));
+        const FillShape shape = shape_of(stage, problems, settings_.dimension);
+        const TorusRoom room = torus_room(shape, settings_.dimension);
+        copies_ = shape.images;
+        max_active_ = shape.active;
+        capacity_ = room.capacity;
+        const std::size_t batch = batch_size(room, settings_.dimension, device_.info());
         std::vector<FilledTorus> results;
         for (std::size_t i = 0; i < problems.size(); i += batch) {
             fill_batch(stage, problems.subspan(i, std::min(batch, problems.size() - i)), attempt, results);
@@ -250,6 +283,27 @@ std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Devic
                                              std::size_t work_group_size)
 {
     return std::make_unique<DeviceFiller>(settings, std::move(device), work_group_size);
+}
+
+DeviceMemory filling_memory(const FillSettings& settings, std::span<const FillShape> stages, const DeviceInfo& device)
+{
+    // Buffers are kept from stage to stage, each as large as the largest needs it.
+    std::size_t values = 0, lists = 1, most = 0;
+    for (const FillShape& stage : stages) {
+        const TorusRoom room = torus_room(stage, settings.dimension);
+        const std::size_t tori = std::min(stage.tori, batch_size(room, settings.dimension, device));
+        values = std::max(values, tori * room.capacity * static_cast<std::size_t>(settings.dimension));
+        lists = std::max(lists, tori * room.lists);
+        most = std::max(most, tori);
+    }
+    DeviceMemory memory;
+    memory.add_buffer<std::uint32_t>(settings.squared_distances.size());
+    memory.add_buffer<std::int32_t>(voronoi_reaches(settings).size());
+    memory.add_buffer<std::int32_t>(region_values({}).size());
+    for (int i = 0; i < 3; ++i) memory.add_buffer<std::int32_t>(values); // points, moved, kept
+    memory.add_buffer<double>(values).add_buffer<std::uint16_t>(lists);
+    for (int i = 0; i < 9; ++i) memory.add_buffer<std::uint32_t>(most); // numbers of each torus
+    return memory;
 }
 
 }

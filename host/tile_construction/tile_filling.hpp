@@ -91,4 +91,16 @@ std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings);
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
                                              std::size_t work_group_size = 0);
 
+/// How large the tori of a stage are.
+struct FillShape
+{
+    std::size_t tori;
+    std::size_t points;     ///< of the fullest
+    std::size_t active;     ///< of them, of the one with the most
+    std::size_t images = 1; ///< that are kept of each point
+};
+
+/// What the filler takes on such a device for stages like these; large batches are cut to fit.
+DeviceMemory filling_memory(const FillSettings& settings, std::span<const FillShape> stages, const DeviceInfo& device);
+
 }

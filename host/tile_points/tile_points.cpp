@@ -15,6 +15,14 @@ constexpr std::uint32_t max_block_size = 65536;
 /// Numbers that stream() hands over at once, unless a tile has more: 16 MiB.
 constexpr std::size_t values_per_piece = std::size_t{1} << 22;
 
+/// Tiles that stream() makes at once; fewer on small devices.
+std::size_t tiles_per_piece(std::size_t values_per_tile, const DeviceInfo& device)
+{
+    const std::uint64_t bytes = std::min(device.max_allocation_bytes, device.global_memory_bytes / 8);
+    const std::uint64_t values = std::min<std::uint64_t>(values_per_piece, bytes / sizeof(std::uint32_t));
+    return std::max<std::size_t>(1, values / values_per_tile);
+}
+
 /// Longer runs are refused: kernels divide the numbers of tiles below 2^31.
 constexpr std::uint32_t max_run = std::uint32_t{1} << 30;
 
@@ -126,7 +134,7 @@ void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& blo
 void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block,
                                 const std::function<void(std::span<const std::uint32_t> units)>& sink)
 {
-    const std::size_t most = std::max<std::size_t>(1, values_per_piece / values_per_tile_);
+    const std::size_t most = tiles_per_piece(values_per_tile_, device_.info());
     const std::uint64_t tiles = block.tiles();
     std::vector<std::uint32_t> values;
     Buffer<std::uint32_t> points =
@@ -150,6 +158,15 @@ PointSet TilePointGenerator::generate_torus(std::uint32_t seed, std::uint32_t pe
         append_torus_points(units, period, set.coordinates);
     });
     return set;
+}
+
+DeviceMemory TilePointGenerator::memory(const PoissonTileParameters& p, std::uint64_t tiles, const DeviceInfo& device)
+{
+    const std::size_t values_per_tile = std::size_t{p.points_per_tile} * static_cast<std::size_t>(p.dimension);
+    const std::uint64_t piece = std::min<std::uint64_t>(tiles, tiles_per_piece(values_per_tile, device));
+    DeviceMemory memory;
+    memory.add_buffer<std::uint16_t>(p.tiles * values_per_tile);
+    return memory.add_buffer<std::uint32_t>(piece).add_buffer<std::uint32_t>(piece * values_per_tile);
 }
 
 }

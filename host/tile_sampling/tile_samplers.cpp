@@ -2,6 +2,7 @@
 
 #include "poisson_tiles/poisson_tile_set.hpp"
 #include "sampling/random.hpp"
+#include "tile_construction/tile_construction.hpp"
 #include "tile_points/tile_points.hpp"
 #include "tile_sampling/tile_set_cache.hpp"
 
@@ -56,7 +57,7 @@ public:
             built_before_ = device_->build_seconds();
         }
         const auto begin = std::chrono::steady_clock::now();
-        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder());
+        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
         tiles_ = std::move(cached.set);
         tile_set_ = std::move(cached.record);
         if (device_) generator_.emplace(*device_, tiles_);
@@ -176,6 +177,20 @@ void check_parameters(const TileMethod& method, const std::string& sampler, cons
                         to_string(where), sampler, request.points));
 }
 
+/// The number of tiles of a set's tiling.
+std::uint64_t tiles_of_sets(const PoissonTileParameters& tiles, std::size_t points)
+{
+    const std::uint64_t side = tiling_side(points, tiles.points_per_tile, tiles.dimension);
+    return side * side * (tiles.dimension == 3 ? side : 1);
+}
+
+/// Building the tile set, then taking points from it.
+DeviceMemory device_memory(const PoissonTileParameters& tiles, std::size_t points, const DeviceInfo& device)
+{
+    return either(construction_memory(tiles, device),
+                  TilePointGenerator::memory(tiles, tiles_of_sets(tiles, points), device));
+}
+
 SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string title, std::string summary)
 {
     SamplerSpec spec;
@@ -187,6 +202,14 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
     spec.check = [method, name](const Parameters& parameters, const SampleRequest& request,
                                 const SourceLocation& where) {
         check_parameters(method, name, parameters, request, where);
+    };
+    spec.most_points = [method](const Parameters& parameters, const SampleRequest& request) -> std::size_t {
+        const PoissonTileParameters tiles = tile_parameters(method, parameters, request.seed);
+        return tiles_of_sets(tiles, request.points) * tiles.points_per_tile;
+    };
+    spec.device_memory = [method](const Parameters& parameters, const SampleRequest& request,
+                                  const DeviceInfo& device) {
+        return device_memory(tile_parameters(method, parameters, request.seed), request.points, device);
     };
     // With a single tile there is a single tiling.
     spec.is_deterministic = [method](const Parameters& parameters) {

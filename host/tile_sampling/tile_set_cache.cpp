@@ -1,9 +1,11 @@
 #include "tile_sampling/tile_set_cache.hpp"
 
+#include "code_hashes.hpp"
 #include "errors/errors.hpp"
 #include "poisson_tiles/region_counts.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
+#include "store/file_lock.hpp"
 #include "tile_sampling/tile_set_build.hpp"
 
 #include <fmt/format.h>
@@ -19,9 +21,6 @@
 
 namespace poissonlab {
 namespace {
-
-/// Of the construction: another one gives other tiles for the same parameters.
-constexpr int construction_version = 1;
 
 std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file,
                                          const PoissonTileParameters& parameters)
@@ -53,8 +52,14 @@ void try_to_store(const std::filesystem::path& file, const PoissonTileSet& set, 
 
 /// Builds a set and takes the time.
 std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters& parameters, Engine engine,
-                                                    const DeviceProvider& device)
+                                                    const DeviceProvider& device,
+                                                    const std::function<void(const std::string& what)>& on_step)
 {
+    ConstructionOptions options;
+    if (on_step)
+        options.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
+            on_step(fmt::format("{} Poisson tiles: {} {} of {}", kind_name(parameters), stage, done, total));
+        };
     TileSetBuild build;
     Device* const opened = engine == Engine::opencl ? &device() : nullptr;
     const auto compile_seconds = [&] { return opened ? opened->build_seconds() : 0.0; };
@@ -62,7 +67,7 @@ std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters&
     build.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     const double compiled_before = compile_seconds();
     const auto begin = std::chrono::steady_clock::now();
-    PoissonTileSet set = build_tile_set(parameters, engine, [=]() -> Device& { return *opened; }).set;
+    PoissonTileSet set = build_tile_set(parameters, engine, [=]() -> Device& { return *opened; }, options).set;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     build.seconds = std::max(0.0, seconds - (compile_seconds() - compiled_before));
     return {std::move(set), std::move(build)};
@@ -77,6 +82,18 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
     for (int cell = 0; cell <= set.parameters.dimension; ++cell)
         points.push_back({counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
     return points;
+}
+
+/// Lets one process build a set while others wait. Nothing where there is no folder that could be written.
+std::optional<FileLock> building_lock(const std::filesystem::path& file)
+{
+    try {
+        std::filesystem::create_directories(file.parent_path());
+        return FileLock(file.string() + ".lock");
+    } catch (const std::filesystem::filesystem_error&) {
+    } catch (const StorageError&) {
+    }
+    return std::nullopt;
 }
 
 CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build)
@@ -116,23 +133,29 @@ std::filesystem::path tile_cache_folder()
 
 std::string tile_cache_name(const PoissonTileParameters& p, Engine engine)
 {
-    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-v{}.ptiles", kind_name(p),
+    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-{}.ptiles", kind_name(p),
                        p.kind == PoissonTileKind::frame ? "t" : "c",
                        p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile,
                        p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
                        p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed,
-                       engine == Engine::opencl ? "opencl" : "reference", construction_version);
+                       engine == Engine::opencl ? "opencl" : "reference", POISSONLAB_CONSTRUCTION_VERSION);
 }
 
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                              const DeviceProvider& device, const std::filesystem::path& folder)
+                              const DeviceProvider& device, const std::filesystem::path& folder,
+                              const std::function<void(const std::string& what)>& on_step)
 {
     const std::filesystem::path file = folder / tile_cache_name(parameters, engine);
+    std::optional<FileLock> lock;
     if (!folder.empty()) {
-        if (auto stored = stored_set(file, parameters))
-            return recorded(*std::move(stored), true, read_build_record(file));
+        auto stored = stored_set(file, parameters);
+        if (!stored) {
+            lock = building_lock(file);
+            stored = stored_set(file, parameters); // another process may have built it meanwhile
+        }
+        if (stored) return recorded(*std::move(stored), true, read_build_record(file));
     }
-    auto [set, build] = timed_build(parameters, engine, device);
+    auto [set, build] = timed_build(parameters, engine, device, on_step);
     if (!folder.empty()) try_to_store(file, set, build);
     return recorded(std::move(set), false, std::move(build));
 }

@@ -7,6 +7,7 @@
 #include "tile_construction/tile_construction.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace poissonlab {
@@ -20,7 +21,7 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
 /// ~/.cache/poissonlab; empty where the environment has none of these.
 std::filesystem::path tile_cache_folder();
 
-/// The name of a tile set's file there: all its parameters, and the engine.
+/// The name of a tile set's file there: all its parameters, the engine, and the version of the code that builds it.
 std::string tile_cache_name(const PoissonTileParameters& parameters, Engine engine);
 
 /// A tile set and where it came from.
@@ -30,10 +31,12 @@ struct CachedTileSet
     TileSetRecord record;
 };
 
-/// The tile set from `folder`, or built and put there, with a record of what that took. A file that cannot be read, is damaged or holds
-/// something else is replaced; where nothing can be written, the set is not kept. An empty folder: always
-/// built.
-CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                              const DeviceProvider& device, const std::filesystem::path& folder);
+/// The tile set from `folder`, or built and put there, with a record of what that took. A file that cannot be read, is
+/// damaged or holds something else is replaced; where nothing can be written, the set is not kept. An empty folder: always
+/// built. Of several processes that want the same set, one builds it and the others wait. `on_step` is told of the steps
+/// of building; what it throws ends that.
+CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
+                              const std::filesystem::path& folder,
+                              const std::function<void(const std::string& what)>& on_step = {});
 
 }

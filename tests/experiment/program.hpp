@@ -52,12 +52,12 @@ inline Outcome run_program(const std::filesystem::path& folder, const std::vecto
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(error)};
 }
 
-/// Every file below a folder: name relative to it, and content.
+/// Every file below a folder: name relative to it, and content. Without stored units, whose records hold times.
 inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder)
 {
     std::map<std::string, std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
-        if (entry.is_regular_file())
+        if (entry.is_regular_file() && entry.path().string().find("/.units/") == std::string::npos)
             files[entry.path().lexically_relative(folder).string()] = content_of(entry.path());
     return files;
 }

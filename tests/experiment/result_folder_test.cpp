@@ -25,8 +25,9 @@ std::string listing(const std::string& series)
 
 void publish(const fs::path& out, const std::string& series, const std::string& content)
 {
+    const TemporaryFolder store;
     ResultFolder folder(out, {series});
-    write(folder.series_folder(series) / "realization-000.dat", content);
+    folder.add(series, {{"realization-000.dat", store.write("points", content)}});
     folder.publish(listing(series));
 }
 
@@ -42,11 +43,33 @@ TEST(ResultFolder, PublishesEverythingAndNothingElse)
 TEST(ResultFolder, LeavesNothingWithoutPublish)
 {
     const TemporaryFolder temporary;
+    const TemporaryFolder store;
     {
-        ResultFolder folder(temporary.path() / "a/b", {"s"});
-        write(folder.series_folder("s") / "realization-000.dat", "points");
+        ResultFolder folder(temporary.path(), {"s"});
+        folder.add("s", {{"realization-000.dat", store.write("points", "points")}});
     }
     EXPECT_TRUE(temporary.names().empty());
+}
+
+TEST(ResultFolder, RemovesWhatAKilledProcessLeft)
+{
+    const TemporaryFolder temporary;
+    write(temporary.path() / ".unfinished-123/s/realization-000.dat", "left over");
+    publish(temporary.path(), "s", "points");
+    EXPECT_EQ(files_below(temporary.path()),
+              (Files{{"results.json", listing("s")}, {"s/realization-000.dat", "points"}}));
+}
+
+TEST(ResultFolder, LinksFilesWhereItCan)
+{
+    const TemporaryFolder temporary;
+    const fs::path file = temporary.write("points", "points");
+    {
+        ResultFolder folder(temporary.path() / "out", {"s"});
+        folder.add("s", {{"a.dat", file}});
+        folder.publish(listing("s"));
+    }
+    EXPECT_TRUE(fs::equivalent(file, temporary.path() / "out/s/a.dat"));
 }
 
 TEST(ResultFolder, KeepsThePreviousResultUntilPublish)
@@ -57,8 +80,9 @@ TEST(ResultFolder, KeepsThePreviousResultUntilPublish)
     write(temporary.path() / "notes.txt", "mine");
     const Files before = files_below(temporary.path());
     {
+        const TemporaryFolder store;
         ResultFolder folder(temporary.path(), {"old", "new"});
-        write(folder.series_folder("new") / "realization-000.dat", "points");
+        folder.add("new", {{"realization-000.dat", store.write("points", "points")}});
     }
     EXPECT_EQ(files_below(temporary.path()), before);
 }

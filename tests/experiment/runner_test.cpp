@@ -103,7 +103,7 @@ TEST(Runner, SizesMayVaryWhereTheSamplerSaysSo)
     EXPECT_EQ(json["series"][0]["points_each"], nlohmann::json({16, 17}));
 
     const auto mistake = experiment_of({task("s", 2, [](std::uint32_t k) { return diagonal(16 + k, k); })});
-    EXPECT_EQ(message_of([&] { run(mistake, folder.path()); }),
+    EXPECT_EQ(message_of([&] { run(mistake, folder.path() / "mistake"); }),
               "s: realization 1 has 17 points where the first has 16");
 }
 
@@ -179,14 +179,22 @@ TEST(Runner, TimesTheFirstRealizationAgainWhereThereAreFew)
     EXPECT_EQ(series()["relative_radius"]["each"].size(), 2U);
 
     asked.clear();
-    experiment.timing_runs = 1;
     run(experiment, folder.path());
+    EXPECT_TRUE(asked.empty()) << "times are kept like all else";
+    experiment.timing_runs = 7;
+    run(experiment, folder.path());
+    EXPECT_EQ(asked, (std::vector<std::uint32_t>{0, 0}));
+    asked.clear();
+    experiment.timing_runs = 1;
+    run(experiment, folder.path() / "once");
     EXPECT_EQ(asked.size(), 2U);
     experiment.timing_runs = 5;
     experiment.series[0].is_timed = false;
-    run(experiment, folder.path());
+    run(experiment, folder.path() / "not timed");
     EXPECT_EQ(asked.size(), 4U);
-    EXPECT_TRUE(series()["timing"]["sample_seconds"].empty());
+    const auto series_not_timed =
+        nlohmann::json::parse(content_of(folder.path() / "not timed/results.json"))["series"][0];
+    EXPECT_TRUE(series_not_timed["timing"]["sample_seconds"].empty());
 }
 
 TEST(Runner, SetsAreCheckedWithoutSpectraToo)
@@ -273,7 +281,7 @@ TEST(Runner, AFailureInALaterSeriesLeavesThePreviousResultAlone)
     EXPECT_THROW(run(experiment_of({good, bad}), folder.path()), DeviceError);
     EXPECT_EQ(files_below(folder.path()), before);
     EXPECT_THROW(run(experiment_of({good, bad}), folder.path() / "new"), DeviceError);
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "new"));
+    EXPECT_TRUE(files_below(folder.path() / "new").empty());
 }
 
 TEST(Runner, ManyRealizationsKeepTheirOrderInNames)

@@ -4,7 +4,7 @@
 #include "errors/errors.hpp"
 #include "io/whole_file.hpp"
 #include "poisson_tiles/made_up_tile_sets.hpp"
-#include "poisson_tiles/xxh64_bytes.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

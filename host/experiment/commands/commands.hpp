@@ -18,9 +18,18 @@ struct RunOptions
     std::filesystem::path out; ///< empty: out/<config's stem>
     std::string device;
     std::vector<std::string> overrides;
-    int threads = 0; ///< 0: all
+    int threads = 0;   ///< 0: all
+    std::string shard; ///< "i/n"; empty: everything
     bool quiet = false;
-    std::string command; ///< as it would be typed
+    bool json = false;
+    std::string command; ///< as it would be typed, without what does not change results
+};
+
+struct MergeOptions
+{
+    std::filesystem::path out;
+    std::vector<std::filesystem::path> folders;
+    bool quiet = false;
 };
 
 struct AnalyzeOptions
@@ -120,8 +129,8 @@ void tiles_points_command(const TilesPointsOptions& options);
 /// that are none, are damaged, or promise more than is proven, the last after printing.
 void tiles_verify_command(const TilesVerifyOptions& options);
 
-/// Runs every config of a collection, see docs/output-folder.md, and writes one report over all.
-void run_collection(const Collection& collection, const RunOptions& options, const ReportWriter& write_report);
+/// Copies finished work of other output folders into one.
+void merge_command(const MergeOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,

@@ -1,8 +1,6 @@
 #include "experiment/commands/commands.hpp"
 #include "experiment/interrupt.hpp"
 
-#include <fmt/format.h>
-
 namespace poissonlab {
 
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
@@ -12,8 +10,7 @@ void finish_report(const std::vector<std::filesystem::path>& folders, const std:
         stop_if_interrupted();
         progress.step("report: " + step);
     });
-    progress.finish();
-    fmt::print("{}\n", (out / "index.html").string());
+    progress.report((out / "index.html").string());
 }
 
 }

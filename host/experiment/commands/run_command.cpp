@@ -1,26 +1,157 @@
-// poissonlab run: a config's experiment, or a collection of them, and the report.
+// poissonlab run: the experiment of a config, or those of a collection, on as many processes as there are, and the report.
 #include "experiment/commands/commands.hpp"
-#include "experiment/config_run.hpp"
+#include "experiment/commands/run_plan.hpp"
+#include "experiment/interrupt.hpp"
 #include "experiment/runner.hpp"
 #include "experiment/thread_limit.hpp"
+#include "io/collection_file.hpp"
+#include "io/whole_file.hpp"
+#include "store/file_lock.hpp"
+#include "store/unit_store.hpp"
+#include "tile_sampling/tile_set_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <thread>
+
+namespace fs = std::filesystem;
 
 namespace poissonlab {
+namespace {
+
+std::optional<Shard> parse_shard(const std::string& text)
+{
+    if (text.empty()) return std::nullopt;
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto number = std::from_chars(text.data(), end, shard.number);
+    const bool has_count = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
+    const auto count = has_count ? std::from_chars(number.ptr + 1, end, shard.count) : number;
+    if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.number < 1 || shard.number > shard.count)
+        throw InputError("--shard " + text + ": must be i/n, with i from 1 to n");
+    return shard;
+}
+
+/// Processes of a crew share the cores of a machine, unless mpirun has given each its own. 0: all there are.
+int threads_of(const RunOptions& options, const Crew& crew)
+{
+    if (options.threads > 0 || crew.size() == 1) return options.threads;
+    const auto own = static_cast<int>(std::thread::hardware_concurrency());
+    const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    return std::max(1, own < all ? own : all / crew_processes_here());
+}
+
+/// Nothing may be lost at the end because it cannot be written.
+void check_writable(const fs::path& out)
+{
+    std::error_code error;
+    fs::path folder = fs::absolute(out, error).lexically_normal();
+    while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw StorageError(fmt::format("--out {}: cannot be written: {}", out.string(),
+                                       std::generic_category().message(errno)));
+}
+
+/// All processes must keep their work in the same folder.
+void check_shared(Crew& crew, const fs::path& units)
+{
+    if (crew.size() == 1) return;
+    const std::string token = crew.from_leader(fmt::format("crew-{}", ::getpid()));
+    const bool is_made = crew.together([&] {
+        if (!crew.leads()) return;
+        fs::create_directories(units);
+        const FileLock made(units / token);
+    });
+    if (!is_made) return;
+    crew.together([&] {
+        if (!fs::exists(units / token))
+            throw InputError(fmt::format("there is no {}: all machines need the same folder --out, on a file system "
+                                         "that they share",
+                                         (units / token).string()));
+    });
+    std::error_code error;
+    if (crew.leads()) fs::remove(units / token, error);
+}
+
+/// Where nothing can be kept between runs (no HOME, or a read-only one), tile sets are kept with the other work of the run.
+void keep_tile_sets_near(const fs::path& units)
+{
+    const fs::path cache = tile_cache_folder();
+    std::error_code error;
+    if (!cache.empty()) fs::create_directories(cache, error);
+    if (cache.empty() || error || ::access(cache.c_str(), W_OK | X_OK) != 0)
+        ::setenv("POISSONLAB_CACHE", (units / "tile-sets").c_str(), 1);
+}
+
+/// mpirun gives processes a terminal of their own, wherever their output goes in the end.
+Progress::Style style_of(const RunOptions& options, const Crew& crew)
+{
+    if (!crew.leads()) return Progress::Style::quiet;
+    const Progress::Style style = Progress::detect(options.quiet, options.json);
+    return crew.size() > 1 && style == Progress::Style::terminal ? Progress::Style::plain : style;
+}
+
+std::string advice(const RunOptions& options, const fs::path& units)
+{
+    return fmt::format("finished work is kept in {}: the same command goes on from there ({})", units.string(),
+                       options.command);
+}
+
+/// Says what the folder of a collection holds so far. An earlier report would show what is no longer there.
+void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run)
+{
+    done.runs.push_back(run.out.filename().string());
+    std::error_code error;
+    fs::remove(plan.out / "index.html", error);
+    write_collection_file(plan.out, done);
+}
+
+void write_final_report(const RunPlan& plan, const ReportWriter& write_report, Progress& progress)
+{
+    const FileLock lock(plan.out / unit_folder_name / "publish.lock"); // nobody else writes there
+    remove_stale_temporary_files(plan.out, std::chrono::seconds(0), unit_folder_name);
+    finish_report({plan.out}, plan.out, write_report, progress);
+}
+
+}
 
 void run_command(const RunOptions& options, const ReportWriter& write_report)
 {
-    const ThreadLimit limit(options.threads);
-    if (const auto collection = read_collection(options.config, options.overrides))
-        return run_collection(*collection, options, write_report);
-    const Config config = read_config(options.config, options.overrides);
-    const auto stem = std::filesystem::path(options.config).stem();
-    const auto out = options.out.empty() ? "out" / stem : options.out;
+    const auto shard = parse_shard(options.shard);
+    const auto crew = make_crew();
+    const ThreadLimit limit(threads_of(options, *crew));
+    RunPlan plan;
+    const bool is_planned = crew->together([&] {
+        plan = plan_run(options, ThreadLimit::current());
+        check_writable(plan.out);
+    });
+    if (!is_planned) return;
 
-    Experiment experiment = make_experiment(config, options.device.empty() ? config.device : options.device,
-                                            static_cast<unsigned>(options.threads));
-    experiment.command = options.command;
-    Progress progress(Progress::detect(options.quiet));
-    run_experiment(experiment, out, progress);
-    finish_report({out}, out, write_report, progress);
+    RunSettings settings;
+    settings.units = plan.out / unit_folder_name;
+    settings.shard = shard;
+    check_shared(*crew, settings.units);
+    keep_tile_sets_near(settings.units);
+    remove_stale_temporary_files(settings.units, std::chrono::hours(1));
+    say_when_interrupted(advice(options, settings.units));
+
+    Progress progress(style_of(options, *crew));
+    CollectionFile done{plan.title, options.command, {}};
+    settings.announces_runs = plan.is_collection;
+    if (plan.is_collection)
+        settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
+    const bool is_complete = run_experiments(plan.runs, settings, *crew, progress);
+    if (!crew->leads()) return;
+    if (!is_complete)
+        return progress.message(fmt::format("shard {} is done, and kept in {}; others are not. When all are, the same command "
+                                            "without --shard writes the results (`poissonlab merge` first, where shards have "
+                                            "folders of their own)",
+                                            options.shard, settings.units.string()));
+    write_final_report(plan, write_report, progress);
 }
 
 }

@@ -49,7 +49,9 @@ void tiles_points_command(const TilesPointsOptions& options)
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
     const TileBlock block = checked_window(options.window, p.dimension);
-    TilePointGenerator generator(Device::open(options.device), tiles);
+    const Device device = Device::open(options.device);
+    check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
+    TilePointGenerator generator(device, tiles);
     std::vector<double> coordinates;
     write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile,
                            comment_of(options, block), [&](const PointSink& sink) {

@@ -1,4 +1,4 @@
-#include "poisson_tiles/xxh64_bytes.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include "io/byte_order.hpp"
 

@@ -1,5 +1,5 @@
 // XXH64 of bytes against published hashes, and against itself in parts.
-#include "poisson_tiles/xxh64_bytes.hpp"
+#include "io/xxh64_bytes.hpp"
 
 #include "tiles/xxh64_hash.hpp"
 

@@ -1,0 +1,24 @@
+#!/bin/bash
+# A sweep as a Slurm job array: shards without MPI, on nodes that share the folder of the results.
+#
+#   sbatch configs/cluster/slurm-shards.sh configs/poisson-tiles.toml out/poisson-tiles
+#
+# Eight shards, each on a node or a part of one. The shard that ends last writes the results and the report. When a node
+# dies, or the time runs out, submit the same line again: finished work is kept, and only what was in hand is lost.
+#SBATCH --job-name=poissonlab
+#SBATCH --array=1-8
+#SBATCH --ntasks=1
+#SBATCH --cpus-per-task=8
+#SBATCH --time=04:00:00
+#SBATCH --output=poissonlab-%A-%a.log
+set -euo pipefail
+
+config=${1:?usage: sbatch slurm-shards.sh CONFIG OUT}
+out=${2:?usage: sbatch slurm-shards.sh CONFIG OUT}
+
+# Kernels are compiled once a node, in a folder that only this job writes.
+export POCL_CACHE_DIR=${TMPDIR:-/tmp}/pocl-$SLURM_JOB_ID
+mkdir -p "$POCL_CACHE_DIR"
+
+build/release/poissonlab run "$config" --out "$out" \
+  --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" --threads "$SLURM_CPUS_PER_TASK"

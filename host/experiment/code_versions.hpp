@@ -1,0 +1,19 @@
+// Which versions of the code stored work depends on.
+#pragma once
+
+#include <string>
+
+namespace poissonlab {
+
+/// Hashes of source files, see cmake/code_versions.cmake.
+struct CodeVersions
+{
+    std::string sampling; ///< of point sets
+    std::string analysis; ///< of what is measured on them
+    std::string pictures; ///< of tilings and constructions
+
+    /// Those of this program.
+    static CodeVersions current();
+};
+
+}

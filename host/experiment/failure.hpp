@@ -1,0 +1,32 @@
+// What went wrong, as bytes that can be sent to another process.
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace poissonlab {
+
+/// Kind and message of an exception.
+struct Failure
+{
+    enum class Kind : int
+    {
+        none,
+        input,
+        device,
+        storage,
+        interrupted,
+        other
+    };
+
+    Kind kind = Kind::none;
+    std::string message;
+
+    /// Of the exception being handled.
+    static Failure current();
+
+    /// Throws an exception of that kind, or returns where nothing failed.
+    void raise() const;
+};
+
+}

@@ -1,0 +1,214 @@
+#include "experiment/run_work.hpp"
+
+#include "experiment/result_folder.hpp"
+#include "experiment/results_json.hpp"
+#include "experiment/runner.hpp"
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+/// Points that are made by one job: some hundredths of a second at least, so that dealing out jobs costs little.
+constexpr std::size_t points_per_job = 65'536;
+
+std::uint32_t realizations_per_job(std::size_t points)
+{
+    const std::size_t count = points_per_job / std::max<std::size_t>(points, 1);
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(count, 1, realizations_per_part));
+}
+
+/// Somebody may remove what was there a moment ago.
+template <class T>
+T there(std::optional<T> stored, const std::string& label)
+{
+    if (!stored) throw StorageError(label + " is gone from the stored units; the same command makes it again");
+    return *std::move(stored);
+}
+
+}
+
+RunWork::RunWork(const Experiment& experiment, std::uint32_t number, const CodeVersions& versions, UnitStore& store,
+                 SamplerSlot& slot)
+    : experiment_(experiment), number_(number), pictures_(experiment, versions, store)
+{
+    for (const SeriesTask& task : experiment.series) series_.emplace_back(experiment, task, versions, store, slot);
+}
+
+Job RunWork::job(Job::Kind kind, std::uint32_t item, const RealizationRange& range) const
+{
+    return {kind, number_, item, range.first, range.count};
+}
+
+/// Jobs that make the missing realizations of a range.
+RunWork::Ids RunWork::add_samples(Schedule& schedule, std::uint32_t item, const RealizationRange& range,
+                                  const Ids& after) const
+{
+    const SeriesWork& series = series_[item];
+    const std::uint32_t step = realizations_per_job(series.task().points);
+    const std::uint32_t end = range.first + range.count;
+    Ids ids;
+    for (std::uint32_t k = range.first; k < end; k += step) {
+        const RealizationRange chunk{k, std::min(step, end - k)};
+        bool is_there = true;
+        for (std::uint32_t i = 0; i < chunk.count; ++i) is_there = is_there && series.is_sampled(k + i);
+        if (!is_there) ids.push_back(schedule.add(job(Job::Kind::sample, item, chunk), after));
+    }
+    return ids;
+}
+
+/// All jobs of a series, which begin after others; the last one.
+Schedule::Id RunWork::add_series(Schedule& schedule, std::uint32_t item, bool split, const Ids& after) const
+{
+    const SeriesWork& series = series_[item];
+    const SeriesUnits& units = series.units();
+    // Without points in the store, who made a realization must analyse it as well.
+    split = split && series.keeps_points();
+    Ids last = after;
+    Ids first_chunk = after;
+    for (std::uint32_t part = 0; part < units.parts(); ++part) {
+        if (series.is_analysed(part)) continue;
+        Ids samples = after;
+        if (split) {
+            const Ids made = add_samples(schedule, item, units.part(part), after);
+            samples.insert(samples.end(), made.begin(), made.end());
+            if (part == 0 && !made.empty()) first_chunk = {made.front()}; // the size of the first one counts for all
+            samples.insert(samples.end(), first_chunk.begin(), first_chunk.end());
+        }
+        // The only part of a series is analysed when the series is finished.
+        if (units.parts() == 1)
+            last.insert(last.end(), samples.begin(), samples.end());
+        else
+            last.push_back(schedule.add(job(Job::Kind::part, item, {part, 1}), samples));
+    }
+    return schedule.add(job(Job::Kind::series, item), last);
+}
+
+void RunWork::add_jobs(Schedule& schedule, bool split, JobsBySets& jobs_by_sets) const
+{
+    for (std::uint32_t item = 0; item < series_.size(); ++item) {
+        if (series_[item].is_finished()) continue;
+        const std::string& sets = series_[item].units().identity().text();
+        Ids after;
+        if (const auto other = jobs_by_sets.find(sets); other != jobs_by_sets.end()) after.push_back(other->second);
+        jobs_by_sets[sets] = add_series(schedule, item, split, after);
+    }
+    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item)
+        if (!pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
+    if (!pictures_.are_constructions_there()) schedule.add(job(Job::Kind::constructions, 0));
+}
+
+std::uint32_t RunWork::independent_jobs() const
+{
+    auto jobs = static_cast<std::uint32_t>(experiment_.tilings.size());
+    for (const SeriesWork& series : series_) jobs += series.units().parts();
+    return jobs;
+}
+
+void RunWork::add_share(Schedule& schedule, const Shard& shard, bool split, std::uint32_t& next) const
+{
+    const auto is_mine = [&] { return next++ % shard.count == shard.number - 1; };
+    for (std::uint32_t item = 0; item < series_.size(); ++item) {
+        const SeriesWork& series = series_[item];
+        const SeriesUnits& units = series.units();
+        if (split) {
+            for (std::uint32_t k = 0; k < series.task().realizations; ++k)
+                if (is_mine() && !series.is_sampled(k)) schedule.add(job(Job::Kind::sample, item, {k, 1}));
+        } else if (units.parts() == 1) {
+            if (is_mine() && !series.is_finished()) schedule.add(job(Job::Kind::series, item));
+        } else {
+            for (std::uint32_t part = 0; part < units.parts(); ++part)
+                if (is_mine() && !series.is_analysed(part)) schedule.add(job(Job::Kind::part, item, {part, 1}));
+        }
+    }
+    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item)
+        if (is_mine() && !pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
+    if (!experiment_.constructions.empty() && is_mine() && !pictures_.are_constructions_there())
+        schedule.add(job(Job::Kind::constructions, 0));
+}
+
+bool RunWork::all_shares_are_done(bool split) const
+{
+    Schedule missing;
+    std::uint32_t next = 0;
+    add_share(missing, {1, 1}, split, next);
+    return missing.size() == 0;
+}
+
+void RunWork::execute(const Job& job, const WorkListener& listener)
+{
+    switch (job.kind) {
+    case Job::Kind::series: return series_.at(job.item).finish(listener);
+    case Job::Kind::part: return series_.at(job.item).analyse(job.first, listener);
+    case Job::Kind::sample: return series_.at(job.item).sample({job.first, job.count}, listener);
+    case Job::Kind::tiling: return pictures_.make_tiling(experiment_.tilings.at(job.item));
+    case Job::Kind::constructions: return pictures_.make_constructions();
+    }
+}
+
+std::uint64_t RunWork::realizations() const
+{
+    std::uint64_t count = 0;
+    for (const SeriesTask& task : experiment_.series) count += task.realizations;
+    return count;
+}
+
+std::uint64_t RunWork::realizations_to_make() const
+{
+    std::uint64_t count = 0;
+    for (const SeriesWork& series : series_)
+        for (std::uint32_t k = 0; k < series.task().realizations; ++k) count += !series.is_sampled(k);
+    return count;
+}
+
+std::uint64_t RunWork::realizations_to_analyse() const
+{
+    std::uint64_t count = 0;
+    for (const SeriesWork& series : series_)
+        for (std::uint32_t part = 0; part < series.units().parts(); ++part)
+            if (!series.is_analysed(part)) count += series.units().part(part).count;
+    return count;
+}
+
+std::uint64_t RunWork::realizations_made_by(const Job& job) const
+{
+    return job.kind == Job::Kind::sample ? job.count : 0;
+}
+
+std::uint64_t RunWork::realizations_analysed_by(const Job& job) const
+{
+    if (job.kind == Job::Kind::part) return series_.at(job.item).units().part(job.first).count;
+    const bool has_one_part = job.kind == Job::Kind::series && series_.at(job.item).units().parts() == 1;
+    return has_one_part ? series_.at(job.item).task().realizations : 0;
+}
+
+void RunWork::publish(const std::filesystem::path& out, int processes) const
+{
+    ResultFolder folder(out, folder_names(experiment_));
+    bool used_device = false;
+    std::vector<SeriesResult> results;
+    for (const SeriesWork& series : series_) {
+        folder.add(series.task().name, series.files());
+        results.push_back(series.result());
+        used_device = used_device || series.used_device();
+    }
+    std::vector<std::optional<TilingStatistics>> statistics;
+    for (const TilingTask& task : experiment_.tilings) {
+        const StoredTiling stored = there(pictures_.tiling(task), task.config.label);
+        folder.add(task.name, stored.files);
+        statistics.push_back(stored.statistics);
+    }
+    std::vector<SceneSummary> scenes;
+    for (const ConstructionTask& task : experiment_.constructions) {
+        const StoredConstruction stored = there(pictures_.construction(task), task.config.label);
+        folder.add(task.name, stored.files);
+        scenes.push_back(stored.summary);
+        used_device = used_device || stored.on_device;
+    }
+    const auto& machine_of = experiment_.workplace->machine;
+    Machine machine = machine_of ? machine_of(used_device) : Machine{};
+    if (processes > 1) machine.processes = processes;
+    folder.publish(results_json(experiment_, results, machine, statistics, scenes));
+}
+
+}

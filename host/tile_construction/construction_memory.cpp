@@ -1,0 +1,57 @@
+// Foretells the sizes of the tori that the construction fills.
+#include "tile_construction/boundary_stages.hpp"
+#include "tile_construction/tile_construction.hpp"
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Points of the fullest of many regions where `mean` are expected. Construction chooses pieces that are close to it.
+std::size_t fullest(double mean) { return static_cast<std::size_t>(std::ceil(mean + std::sqrt(mean))); }
+
+/// Expected number of points in the regions of some pieces.
+double held_points(const PoissonTileParameters& p, const TileRegions& regions, const std::vector<PlacedPiece>& pieces)
+{
+    double volume = 0;
+    for (const PlacedPiece& piece : pieces) volume += regions.volume(piece.axes);
+    return p.points_per_tile * volume;
+}
+
+FillShape boundary_shape(const PoissonTileParameters& p, const TileRegions& regions, const BoundaryStage& stage)
+{
+    const std::size_t all = std::size_t{p.points_per_tile} << p.dimension;
+    const double held = held_points(p, regions, stage.tori.front().held);
+    const double active = static_cast<double>(all) - held;
+    return {stage.tori.size(), all, held == 0 ? all : std::min(all, fullest(std::max(0.0, active)))};
+}
+
+FillShape interior_shape(const PoissonTileParameters& p, const TileRegions& regions)
+{
+    const double n = p.points_per_tile;
+    const double active = n * regions.volume(all_axes(p.dimension));
+    double points = held_points(p, regions, pieces_around(p, 0)) + active;
+    if (p.lloyd_iterations > 0) {
+        const double side = 1 + 2.0 * surroundings_margin(regions) / tile_units;
+        points = std::max(points, n * std::pow(side, p.dimension));
+    }
+    return {p.tiles, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
+}
+
+}
+
+DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)
+{
+    const TileRegions regions = regions_of(parameters);
+    std::vector<FillShape> shapes{interior_shape(parameters, regions)};
+    if (parameters.kind == PoissonTileKind::frame) {
+        const std::size_t points = parameters.points_per_tile;
+        shapes.push_back({master_tiles, points, points, 4});
+    } else {
+        for (const BoundaryStage& stage : boundary_stages(parameters))
+            shapes.push_back(boundary_shape(parameters, regions, stage));
+    }
+    return filling_memory(fill_settings(parameters), shapes, device);
+}
+
+}

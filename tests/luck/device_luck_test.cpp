@@ -1,0 +1,111 @@
+// OpenCL that is not there, fails, vanishes, or has too little memory.
+#include "luck/bad_luck.hpp"
+
+namespace poissonlab {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr int not_available = -2; // CL_DEVICE_NOT_AVAILABLE
+
+class DeviceLuck : public BadLuck
+{
+protected:
+    std::string gone(long after, const std::string& what = "opencl") const
+    {
+        return bad_luck("BAD_LUCK=" + what + " BAD_LUCK_AFTER=" + std::to_string(after) +
+                        " BAD_LUCK_ERROR=" + std::to_string(not_available));
+    }
+};
+
+/// Whatever call is the first to fail: the call and the error are named, and nothing is left behind.
+TEST_F(DeviceLuck, VanishesDuringARun)
+{
+    write_config("tiny.toml", "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
+                              "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
+    const long all = calls({"run", "tiny.toml", "--out", "whole", "--quiet"}, "BAD_LUCK=opencl");
+    ASSERT_GT(all, 500);
+    constexpr int moments = 8;
+    for (int i = 0; i < moments; ++i) {
+        const long after = (all - 1) * i / (moments - 1);
+        SCOPED_TRACE("after " + std::to_string(after) + " of " + std::to_string(all) + " calls");
+        const Outcome outcome = run("out", gone(after));
+        expect_one_line(outcome, 3, "failed with CL_DEVICE_NOT_AVAILABLE");
+        EXPECT_THAT(outcome.error, ContainsRegex("cl[A-Z][A-Za-z]+ failed"));
+        EXPECT_THAT(left_over(path("out")), IsEmpty());
+        EXPECT_FALSE(std::filesystem::exists(path("out") / "results.json"));
+    }
+}
+
+/// Each kind of call is the first to fail, once at its first use.
+TEST_F(DeviceLuck, IsNamedByTheCall)
+{
+    for (const std::string call : {"clCreateCommandQueue", "clCreateBuffer", "clBuildProgram",
+                                   "clEnqueueNDRangeKernel"}) {
+        SCOPED_TRACE(call);
+        expect_one_line(run("out", gone(0, call)), 3, call + " failed with CL_DEVICE_NOT_AVAILABLE");
+    }
+}
+
+TEST_F(DeviceLuck, VanishesWhileTilesAreMade)
+{
+    const std::vector<std::string> build{"tiles", "build", "corner", "--colors", "1", "--points", "16",      "--lloyd",
+                                         "2",     "--out", "set",    "--quiet",  "--relative-radius", "0.5"};
+    const std::vector<std::string> points{"tiles", "points", "set", "--window", "0", "0", "5", "5", "--out", "points"};
+    for (const auto& command : {build, points}) {
+        const long all = calls(command, "BAD_LUCK=opencl");
+        const std::string earlier = content_of(path(command[1] == "build" ? "set" : "points"));
+        SCOPED_TRACE(command[1]);
+        expect_one_line(run_program(folder_.path(), command, gone(all - 1)), 3, "CL_DEVICE_NOT_AVAILABLE");
+        EXPECT_EQ(content_of(path(command[1] == "build" ? "set" : "points")), earlier);
+        EXPECT_THAT(left_over(folder_.path()), IsEmpty());
+    }
+}
+
+TEST_F(DeviceLuck, DoesNotBuildAKernel)
+{
+    const Outcome outcome = run("out", bad_luck("BAD_LUCK=clBuildProgram BAD_LUCK_ERROR=-11"));
+    expect_one_line(outcome, 3, "building kernels/dart_throwing.cl (-D DIMENSION=2");
+    EXPECT_THAT(outcome.error, HasSubstr("clBuildProgram failed with CL_BUILD_PROGRAM_FAILURE"));
+}
+
+TEST_F(DeviceLuck, IsNotThere)
+{
+    std::filesystem::create_directories(path("no drivers"));
+    const std::string none = "OCL_ICD_VENDORS=" + quoted(path("no drivers").string() + "/");
+    expect_one_line(run("out", none), 3, "no OpenCL device found");
+    EXPECT_FALSE(std::filesystem::exists(path("out")));
+    expect_one_line(run_program(folder_.path(), {"devices"}, none), 3, "no OpenCL device found");
+
+    write_config("random.toml", "[[method]]\nsampler = \"random\"\n");
+    const Outcome outcome = run("out", none, "random.toml");
+    EXPECT_EQ(outcome.status, 0) << "needs no device; " << outcome.error;
+}
+
+TEST_F(DeviceLuck, IsNotTheOneThatIsMeant)
+{
+    for (const std::string name : {"99", "no such device"}) {
+        const Outcome outcome =
+            run_program(folder_.path(), {"run", "tiny.toml", "--out", "out", "--quiet", "--device", name});
+        expect_one_line(outcome, 3, name);
+        EXPECT_THAT(outcome.error, HasSubstr("there are: 0: "));
+        EXPECT_FALSE(std::filesystem::exists(path("out")));
+    }
+}
+
+/// PoCL can be told to have a gibibyte only.
+TEST_F(DeviceLuck, HasTooLittleMemory)
+{
+    write_config("large.toml", "[[method]]\nsampler = \"random\"\npoints = 100\n[[method]]\nsampler = \"lloyd\"\n"
+                               "points = 60000000\niterations = 1\n");
+    const Outcome outcome = run("out", "POCL_MEMORY_LIMIT=1", "large.toml");
+    expect_one_line(outcome, 2, "large.toml:9: Lloyd relaxation");
+    EXPECT_THAT(outcome.error, HasSubstr("has 1.0 GiB, "));
+    EXPECT_THAT(outcome.error, ContainsRegex("up to 1?[0-9]{7} points would fit"));
+    EXPECT_FALSE(std::filesystem::exists(path("out"))) << "refused before any work";
+}
+
+}
+}

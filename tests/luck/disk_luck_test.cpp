@@ -1,0 +1,102 @@
+// Disks that fill up at any moment, or cannot be written to at all.
+#include "luck/bad_luck.hpp"
+
+namespace poissonlab {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class DiskLuck : public BadLuck
+{
+protected:
+    /// Settings with which everything below a folder or file fails after so many calls.
+    std::string full(const std::string& name, long after) const
+    {
+        return "BAD_LUCK=disk BAD_LUCK_FOLDER=" + quoted(path(name).string()) +
+               " BAD_LUCK_AFTER=" + std::to_string(after);
+    }
+
+    long calls_below(const std::string& name, const std::vector<std::string>& arguments) const
+    {
+        return calls(arguments, "BAD_LUCK=disk BAD_LUCK_FOLDER=" + quoted(path(name).string()));
+    }
+
+    std::string absolute(const std::string& name) const { return path(name).string(); }
+};
+
+/// At every stage of a run and its report: one line that says which file, nothing of it half-written; results that were
+/// there before are there still, whole, as long as there are no new ones; and running again ends as if nothing had been.
+TEST_F(DiskLuck, FillsUpDuringARun)
+{
+    const long all = calls_below("whole", {"run", "tiny.toml", "--out", absolute("whole"), "--quiet"});
+    ASSERT_GT(all, 100);
+    write_config("earlier.toml", "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n", 2);
+    ASSERT_EQ(run(absolute("out"), "", "earlier.toml").status, 0);
+    const auto earlier = lasting_files(path("out"));
+    const std::string earlier_results = content_of(path("out") / "results.json");
+
+    constexpr int moments = 6;
+    for (int i = 0; i < moments; ++i) {
+        const long after = all * i * i / (moments * moments); // most of the calls are the report's
+        SCOPED_TRACE("after " + std::to_string(after) + " calls");
+        const Outcome outcome = run(absolute("out"), bad_luck(full("out", after)));
+        expect_one_line(outcome, 1, "No space left on device");
+        EXPECT_THAT(outcome.error, HasSubstr(absolute("out")));
+        EXPECT_THAT(left_over(path("out")), IsEmpty());
+        if (content_of(path("out") / "results.json") == earlier_results) {
+            EXPECT_EQ(lasting_files(path("out")), earlier);
+        }
+    }
+    ASSERT_EQ(run(absolute("out")).status, 0);
+    EXPECT_EQ(lasting_files(path("out")), lasting_files(path("whole")));
+}
+
+TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
+{
+    const std::vector<std::string> build{"tiles", "build", "corner",  "--colors",        "1",   "--points", "16",
+                                         "--lloyd", "2",   "--quiet", "--relative-radius", "0.5", "--out"};
+    auto to = [](std::vector<std::string> command, const std::string& file) {
+        command.push_back(file);
+        return command;
+    };
+    ASSERT_EQ(run_program(folder_.path(), to(build, absolute("set.ptiles"))).status, 0);
+    const std::vector<std::string> points{"tiles", "points", "set.ptiles", "--window", "0", "0", "50", "50", "--out"};
+    for (const auto& command : {build, points}) {
+        std::filesystem::create_directories(path("new"));
+        const std::string file = absolute("new/file");
+        const long all = calls_below("new", to(command, file));
+        const std::string earlier = content_of(file);
+        ASSERT_FALSE(earlier.empty());
+        for (const long after : {0L, all - 1}) {
+            SCOPED_TRACE(command[1] + " after " + std::to_string(after));
+            const Outcome outcome = run_program(folder_.path(), to(command, file), bad_luck(full("new", after)));
+            expect_one_line(outcome, 1, file + ": cannot be written: No space left on device");
+            EXPECT_THAT(left_over(path("new")), IsEmpty());
+            EXPECT_EQ(content_of(file), earlier);
+        }
+    }
+}
+
+TEST_F(DiskLuck, IsReadOnly)
+{
+    constexpr int read_only = 30; // EROFS
+    expect_one_line(run(absolute("out"), bad_luck(full("out", 0) + " BAD_LUCK_ERROR=" + std::to_string(read_only))), 1,
+                    "cannot create the folder " + absolute("out") + ": Read-only file system");
+    expect_one_line(run("/proc/out"), 1, "/proc/out");
+}
+
+/// A cache is no reason to fail: neither that of tile sets nor that of compiled kernels.
+TEST_F(DiskLuck, OfTheCachesIsFull)
+{
+    write_config("tiles.toml", "[[method]]\nsampler = \"corner-tiles\"\ncolors = 1\npoints_per_tile = 16\n"
+                               "relative_radius = 0.5\nlloyd_iterations = 2\n");
+    std::filesystem::create_directories(path("cache"));
+    const std::string caches = "POCL_CACHE_DIR=" + quoted(absolute("cache/kernels")) + " TMPDIR=" + quoted(absolute(""));
+    const Outcome outcome = run("out", bad_luck(full("cache", 0) + " " + caches), "tiles.toml");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(folder_.names(), ::testing::Contains(::testing::StartsWith("poissonlab-kernels-")));
+}
+
+}
+}
