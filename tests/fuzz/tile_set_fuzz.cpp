@@ -3,11 +3,11 @@
 //
 // Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
 #include "fuzz/fuzz_support.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_lookup.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
 #include "poisson_tiles/tile_set_json.hpp"
-#include "poisson_tiles/xxh64_bytes.hpp"
 
 #include <tbb/global_control.h>
 
