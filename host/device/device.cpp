@@ -164,7 +164,7 @@ std::vector<DeviceInfo> list_devices()
 DeviceInfo Device::find(const std::string& selector)
 {
     const std::vector<DeviceInfo> infos = list_devices();
-    return infos[select(infos, selector)];
+    return infos[choose_device(infos, selector)];
 }
 
 Device::Device(std::shared_ptr<DeviceImpl> impl) : impl_(std::move(impl)) {}
