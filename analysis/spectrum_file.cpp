@@ -103,8 +103,8 @@ unsigned long count_attribute(const Imf::Header& header, const std::string& name
     unsigned long count = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (status != std::errc{} || end != text.data() + text.size() || count > largest)
-        throw std::runtime_error("the attribute " + name + " = \"" + shortened(text) + "\" must be an integer from 0 to " +
-                                 std::to_string(largest));
+        throw std::runtime_error("the attribute " + name + " = \"" + shortened(text) +
+                                 "\" must be an integer from 0 to " + std::to_string(largest));
     return count;
 }
 

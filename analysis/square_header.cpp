@@ -19,7 +19,7 @@ constexpr int max_size = 1 << 15; // a larger picture is a damaged header
 /// Bytes of pixels for each byte of the file, at most: what deflate, the best of the usual ones, makes of zeros.
 constexpr std::uintmax_t largest_ratio = 1032;
 
-/// Reads a header of OpenEXR's file layout, https://openexr.com/en/latest/OpenEXRFileLayout.html, attribute by attribute.
+/// Reads a header, attribute by attribute: https://openexr.com/en/latest/OpenEXRFileLayout.html.
 class HeaderWalk
 {
 public:
@@ -81,7 +81,8 @@ private:
             throw std::runtime_error("its attribute " + shortened(name) + " has the type " + shortened(type) +
                                      ", which is none of those of such images");
         }
-        if (place() != end) throw std::runtime_error("its attribute " + shortened(name) + " has another length than it says");
+        if (place() != end)
+            throw std::runtime_error("its attribute " + shortened(name) + " has another length than it says");
     }
 
     static constexpr std::uint32_t channel_size = 16; ///< of the description of a channel, after its name
@@ -126,8 +127,8 @@ int checked_square_size(const Imf::Header& header, const std::filesystem::path& 
     const std::uintmax_t ratio = header.compression() == Imf::NO_COMPRESSION ? 1 : largest_ratio;
     const std::uintmax_t row = std::uintmax_t{4} * static_cast<unsigned>(width) * float_channels(header);
     if (!unknown && row * static_cast<unsigned>(height) / ratio > bytes)
-        throw std::runtime_error("its " + std::to_string(bytes) + " bytes are too few for its " + std::to_string(width) +
-                                 " x " + std::to_string(height) + " pixels");
+        throw std::runtime_error("its " + std::to_string(bytes) + " bytes are too few for its " +
+                                 std::to_string(width) + " x " + std::to_string(height) + " pixels");
     return width;
 }
 

@@ -163,8 +163,9 @@ public:
                                              points.dimension, request_.dimension));
             return points;
         } catch (const InputError& error) {
-            throw parameters_.error(command_key, fmt::format("realization {}: {}{}", realization, error.what(),
-                                                             said(outcome.output)));
+            const InputError what =
+                parameters_.error(command_key, fmt::format("realization {}: {}", realization, error.what()));
+            throw InputError(what.what(), said(outcome.output));
         }
     }
 

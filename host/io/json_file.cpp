@@ -20,12 +20,15 @@ int line_of(std::string_view text, std::size_t byte)
     return static_cast<int>(std::ranges::count(before, '\n')) + 1;
 }
 
-/// What the library says without its own names: "[json.exception.parse_error.101] parse error at line 1, column 2: syntax
-/// error while parsing value - unexpected ...".
+/// What the library says without its own names: "[json.exception.parse_error.101] parse error at line 1, column 2:
+/// syntax error while parsing value - unexpected ...".
 std::string reason(std::string_view what)
 {
     for (const std::string_view before : {" - ", "] "})
-        if (const std::size_t at = what.find(before); at != what.npos) return shortened(what.substr(at + before.size()), 200);
+        if (const std::size_t at = what.find(before); at != what.npos) {
+            what.remove_prefix(at + before.size());
+            break;
+        }
     return shortened(what, 200);
 }
 
@@ -39,7 +42,8 @@ nlohmann::json read_json_file(const std::filesystem::path& file)
 nlohmann::json parsed_json(std::string_view text, const std::string& name)
 {
     const auto not_too_deep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-        if (depth > deepest) throw InputError(fmt::format("{}: lists and objects in more than {} others", name, deepest));
+        if (depth > deepest)
+            throw InputError(fmt::format("{}: lists and objects lie more than {} deep in one another", name, deepest));
         return true;
     };
     try {

@@ -12,8 +12,8 @@ namespace poissonlab {
 /// Reads a JSON file. Throws InputError for files that cannot be read and what parsed_json() throws.
 nlohmann::json read_json_file(const std::filesystem::path& file);
 
-/// The value of a JSON text; `name` is what messages call it. Throws InputError, `name:line: is not JSON: ...`, also for
-/// values that are nested deeper than any that this program writes: what looks at values calls itself for each level.
+/// The value of a JSON text; `name` is what messages call it. Throws InputError, `name:line: is not JSON: ...`, also
+/// for values that are nested deeper than any that this program writes: what looks at values calls itself for each level.
 nlohmann::json parsed_json(std::string_view text, const std::string& name);
 
 }

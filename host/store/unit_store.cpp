@@ -106,6 +106,8 @@ std::optional<Manifest> read_manifest(const fs::path& file)
         entry.name = reader.word(' ');
         entry.bytes = reader.number(' ');
         entry.hash = reader.number('\n', 16);
+        // Not even a checksum that is right makes a manifest ours: files lie beside it, and end with it.
+        if (entry.name.empty() || entry.name.find('/') != std::string::npos) return {};
         manifest.files.push_back(std::move(entry));
     }
     reader.word(' ');

@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         fuzz::require(!planes.empty(), "a spectrum without planes");
         for (const Spectrum& plane : planes) {
             fuzz::require(plane.power.size() == pixels_of(plane.size), "a spectrum with another number of pixels");
-            fuzz::require(plane.variance.empty() || plane.variance.size() == plane.power.size(), "a part of a variance");
+            fuzz::require(plane.variance.empty() || plane.variance.size() == plane.power.size(),
+                          "a part of a variance");
         }
     });
     fuzz::accepts(file.native(), [&] { read_spectrum(file); });

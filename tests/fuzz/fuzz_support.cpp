@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t longest_message = 1000; ///< beside the place
 
 #ifndef POISSONLAB_FUZZ_COVERAGE
-/// Counters that libFuzzer takes for coverage where the program is not instrumented: one for each kind of outcome, so that
-/// inputs which lead to other ones are kept and changed further.
+/// Counters that libFuzzer takes for coverage where the program is not instrumented: one for each kind of outcome, so
+/// that inputs which lead to other ones are kept and changed further.
 __attribute__((section("__libfuzzer_extra_counters"))) std::uint8_t outcome_counters[1 << 12];
 
 void count_outcome(std::string_view outcome)
@@ -36,7 +36,7 @@ void check_message(std::string_view message, std::string_view place)
 {
     if (printable(message) != message) report_finding("a message that is not one line of text", message);
     if (message.size() > place.size() + longest_message) report_finding("a message that is too long", message);
-    if (message.find(place) == std::string_view::npos) report_finding("a message that does not name its place", message);
+    if (message.find(place) == message.npos) report_finding("a message that does not name its place", message);
     if (message.size() < place.size() + 5) report_finding("a message that says nothing", message);
 }
 

@@ -1,5 +1,5 @@
-// What runs fuzz targets where there is no libFuzzer: every file of the corpus, then changes of these that follow from a
-// seed. Takes libFuzzer's options `-runs=`, `-seed=` and `-seed_inputs=@`, and ignores the others.
+// What runs fuzz targets where there is no libFuzzer: every file of the corpus, then changes of these that follow from
+// a seed. Takes libFuzzer's options `-runs=`, `-seed=` and `-seed_inputs=@`, and ignores the others.
 #include "fuzz/fuzz_support.hpp"
 #include "io/whole_file.hpp"
 
@@ -20,7 +20,10 @@ constexpr std::size_t max_input = 4096;
 
 std::mt19937 random_numbers;
 
-std::size_t number_below(std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_numbers); }
+std::size_t number_below(std::size_t end)
+{
+    return std::uniform_int_distribution<std::size_t>(0, end - 1)(random_numbers);
+}
 
 /// The files of a list with commas between them.
 std::vector<std::string> corpus_of(const std::string& list)

@@ -1,13 +1,13 @@
-// Poisson disk tile sets, .ptiles and JSON: what is accepted is written and read again, and small sets are certified and
-// looked up as `tiles verify` and `tiles points` do.
+// Poisson disk tile sets, .ptiles and JSON: what is accepted is written and read again, and small sets are certified
+// and looked up as `tiles verify` and `tiles points` do.
 //
 // Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
 #include "fuzz/fuzz_support.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_lookup.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
 #include "poisson_tiles/tile_set_json.hpp"
-#include "poisson_tiles/xxh64_bytes.hpp"
 
 #include <tbb/global_control.h>
 
@@ -100,7 +100,8 @@ void check_runtime(std::string_view bytes)
     std::array<ptiles_point, 4> points{};
     const std::uint64_t found = ptiles_in_window(&tiling, position.data(), high.data(), points.data(), points.size());
     for (std::size_t i = 0; i < std::min<std::size_t>(found, points.size()); ++i)
-        require(points[i].position[0] >= position[0] && points[i].position[0] < high[0], "a point outside of the window");
+        require(points[i].position[0] >= position[0] && points[i].position[0] < high[0],
+                "a point outside of the window");
 }
 
 void check_accepted(const PoissonTileSet& set)

@@ -40,7 +40,7 @@ TEST(JsonFile, DeepValuesAreRefused)
 {
     const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
     EXPECT_EQ(error_of(nested(60)), "no error");
-    EXPECT_EQ(error_of(nested(100'000)), "a.json: lists and objects in more than 64 others");
+    EXPECT_EQ(error_of(nested(100'000)), "a.json: lists and objects lie more than 64 deep in one another");
 }
 
 }

@@ -116,7 +116,8 @@ TEST(StoredResults, MissingAndWrongMembers)
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points"] = "many"; }),
                 HasSubstr("results.json: series[1].points = \"many\": must be an integer of at least 1"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["realizations"] = 4294967297; }),
-                HasSubstr("series[1].realizations = 4294967297: must be an integer of at least 1 and at most 2147483647"));
+                HasSubstr("series[1].realizations = 4294967297: must be an integer of at least 1 and at most "
+                          "2147483647"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points"] = 18446744073709551615U; }),
                 HasSubstr("series[1].points = 18446744073709551615: must be an integer of at least 1"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points_each"] = {7, -1}; }),
