@@ -7,8 +7,9 @@ set -euo pipefail
 
 source=${1:?usage: build_tbb.sh SOURCE_OF_ONETBB}
 root=$(dirname "$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")")
-build=$root/build/tsan-tbb
+build=$root/build/tsan-tbb/build
 
 cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DTBB_SANITIZE=thread \
-  -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
+  -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF -DCMAKE_INSTALL_LIBDIR=lib
 cmake --build "$build" --target tbb
+cmake --install "$build" --prefix "$root/build/tsan-tbb"
