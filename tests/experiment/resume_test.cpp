@@ -102,7 +102,11 @@ protected:
         return lasting_results(folder_.path() / name);
     }
 
-    std::map<std::string, std::string> results() const { return lasting_results(folder_.path() / "out"); }
+    std::map<std::string, std::string> results() const
+    {
+        if (!fs::exists(folder_.path() / "out")) return {};
+        return lasting_results(folder_.path() / "out");
+    }
 
     /// The files of units that were written since the last call.
     std::size_t new_units()
@@ -213,7 +217,7 @@ TEST_F(Resuming, AnotherAnalysisMakesNoPointsAgain)
 {
     run(experiment(5));
     EXPECT_EQ(made(), 5U);
-    EXPECT_EQ(new_units(), 7U) << "five realizations, an analysis, and no times yet";
+    EXPECT_EQ(new_units(), 6U) << "five realizations and an analysis";
     analysis_.bin_width = 2;
     run(experiment(5));
     EXPECT_EQ(new_units(), 1U);

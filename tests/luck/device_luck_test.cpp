@@ -20,7 +20,8 @@ protected:
     }
 };
 
-/// Whatever call is the first to fail: the call and the error are named, and nothing is left behind.
+/// Whatever call is the first to fail: the call and the error are named, nothing is left behind, and with the device back the
+/// run goes on to its end.
 TEST_F(DeviceLuck, VanishesDuringARun)
 {
     write_config("tiny.toml", "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"
@@ -31,11 +32,14 @@ TEST_F(DeviceLuck, VanishesDuringARun)
     for (int i = 0; i < moments; ++i) {
         const long after = (all - 1) * i / (moments - 1);
         SCOPED_TRACE("after " + std::to_string(after) + " of " + std::to_string(all) + " calls");
-        const Outcome outcome = run("out", gone(after));
+        const std::string out = "out-" + std::to_string(i);
+        const Outcome outcome = run(out, gone(after));
         expect_one_line(outcome, 3, "failed with CL_DEVICE_NOT_AVAILABLE");
         EXPECT_THAT(outcome.error, ContainsRegex("cl[A-Z][A-Za-z]+ failed"));
-        EXPECT_THAT(left_over(path("out")), IsEmpty());
-        EXPECT_FALSE(std::filesystem::exists(path("out") / "results.json"));
+        EXPECT_THAT(left_over(path(out)), IsEmpty());
+        EXPECT_FALSE(std::filesystem::exists(path(out) / "results.json"));
+        EXPECT_EQ(run(out).status, 0);
+        EXPECT_EQ(lasting_files(path(out)), lasting_files(path("whole")));
     }
 }
 

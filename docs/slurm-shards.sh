@@ -1,7 +1,7 @@
 #!/bin/bash
 # A sweep as a Slurm job array: shards without MPI, on nodes that share the folder of the results.
 #
-#   sbatch configs/cluster/slurm-shards.sh configs/poisson-tiles.toml out/poisson-tiles
+#   sbatch docs/slurm-shards.sh configs/poisson-tiles.toml out/poisson-tiles
 #
 # Eight shards, each on a node or a part of one. The shard that ends last writes the results and the report. When a node
 # dies, or the time runs out, submit the same line again: finished work is kept, and only what was in hand is lost.
