@@ -27,7 +27,10 @@ namespace {
 constexpr int report_tag = 1; ///< to the leader: what became of a job, and that another one is wanted
 constexpr int order_tag = 2;  ///< from the leader
 constexpr int farewell_tag = 3; ///< from the leader: the end
-constexpr auto pause = std::chrono::microseconds(100);
+
+/// Between two looks for messages: looking takes some microseconds, of a core that has other work, and jobs take tens of
+/// milliseconds.
+constexpr auto pause = std::chrono::milliseconds(1);
 
 /// What a process tells the leader. The message of a failure follows.
 struct JobReport

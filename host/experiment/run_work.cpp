@@ -18,6 +18,13 @@ std::uint32_t realizations_per_job(std::size_t points)
     return static_cast<std::uint32_t>(std::clamp<std::size_t>(count, 1, realizations_per_part));
 }
 
+std::uint64_t missing_realizations(const SeriesWork& series)
+{
+    std::uint64_t count = 0;
+    for (std::uint32_t k = 0; k < series.task().realizations; ++k) count += !series.is_sampled(k);
+    return count;
+}
+
 /// Somebody may remove what was there a moment ago.
 template <class T>
 T there(std::optional<T> stored, const std::string& label)
@@ -79,21 +86,25 @@ Schedule::Id RunWork::add_series(Schedule& schedule, std::uint32_t item, bool sp
         if (units.parts() == 1)
             last.insert(last.end(), samples.begin(), samples.end());
         else
-            last.push_back(schedule.add(job(Job::Kind::part, item, {part, 1}), samples));
+            last.push_back(schedule.add(job(Job::Kind::part, item, {part, split ? 0 : units.part(part).count}), samples));
     }
-    return schedule.add(job(Job::Kind::series, item), last);
+    const auto made = static_cast<std::uint32_t>(split || units.parts() > 1 ? 0 : missing_realizations(series));
+    return schedule.add(job(Job::Kind::series, item, {0, made}), last);
 }
 
-void RunWork::add_jobs(Schedule& schedule, bool split, JobsBySets& jobs_by_sets) const
+void RunWork::add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32_t& next,
+                       JobsBySets& jobs_by_sets) const
 {
     for (std::uint32_t item = 0; item < series_.size(); ++item) {
+        const bool split = next >= split_from;
+        next += series_[item].units().parts();
         if (series_[item].is_finished()) continue;
         const std::string& sets = series_[item].units().identity().text();
         Ids after;
         if (const auto other = jobs_by_sets.find(sets); other != jobs_by_sets.end()) after.push_back(other->second);
         jobs_by_sets[sets] = add_series(schedule, item, split, after);
     }
-    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item)
+    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item, ++next)
         if (!pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
     if (!pictures_.are_constructions_there()) schedule.add(job(Job::Kind::constructions, 0));
 }
@@ -118,7 +129,8 @@ void RunWork::add_share(Schedule& schedule, const Shard& shard, bool split, std:
             if (is_mine() && !series.is_finished()) schedule.add(job(Job::Kind::series, item));
         } else {
             for (std::uint32_t part = 0; part < units.parts(); ++part)
-                if (is_mine() && !series.is_analysed(part)) schedule.add(job(Job::Kind::part, item, {part, 1}));
+                if (is_mine() && !series.is_analysed(part))
+                    schedule.add(job(Job::Kind::part, item, {part, units.part(part).count}));
         }
     }
     for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item)
@@ -156,8 +168,7 @@ std::uint64_t RunWork::realizations() const
 std::uint64_t RunWork::realizations_to_make() const
 {
     std::uint64_t count = 0;
-    for (const SeriesWork& series : series_)
-        for (std::uint32_t k = 0; k < series.task().realizations; ++k) count += !series.is_sampled(k);
+    for (const SeriesWork& series : series_) count += missing_realizations(series);
     return count;
 }
 
@@ -172,7 +183,7 @@ std::uint64_t RunWork::realizations_to_analyse() const
 
 std::uint64_t RunWork::realizations_made_by(const Job& job) const
 {
-    return job.kind == Job::Kind::sample ? job.count : 0;
+    return job.count;
 }
 
 std::uint64_t RunWork::realizations_analysed_by(const Job& job) const

@@ -33,9 +33,10 @@ public:
     /// Jobs that make series of the same point sets, of all runs: they wait for each other instead of making them twice.
     using JobsBySets = std::map<std::string, Schedule::Id>;
 
-    /// Adds a job for everything that is not done. `split`: realizations are made by several processes, so that sampling
-    /// and analysis are jobs of their own. Returns the jobs that are the last of their series.
-    void add_jobs(Schedule& schedule, bool split, JobsBySets& jobs_by_sets) const;
+    /// Adds a job for everything that is not done. `next` counts the independent_jobs() of all runs. From number `split_from`
+    /// on, sampling and analysis of a series are jobs of their own, of some realizations each: small jobs that keep all
+    /// processes busy to the end, at the price of reading points again for their analysis.
+    void add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32_t& next, JobsBySets& jobs_by_sets) const;
 
     /// Adds those jobs that do not need the results of others and fall to a shard; `next` counts the jobs of all runs.
     void add_share(Schedule& schedule, const Shard& shard, bool split, std::uint32_t& next) const;

@@ -61,9 +61,7 @@ public:
     /// Whether what the shard leaves to others is done as well.
     bool work_on_share(const Shard& shard)
     {
-        std::uint32_t jobs = 0;
-        for (const RunWork& work : works_) jobs += work.independent_jobs();
-        const bool split = jobs < 2 * shard.count;
+        const bool split = independent_jobs() < 2 * shard.count;
         Schedule schedule;
         std::uint32_t next = 0;
         if (crew_.leads())
@@ -76,10 +74,11 @@ public:
     {
         Schedule schedule;
         RunWork::JobsBySets jobs_by_sets;
+        std::uint32_t next = 0;
         if (crew_.leads())
             for (const RunWork& work : works_) {
                 const std::size_t before = schedule.size();
-                work.add_jobs(schedule, crew_.size() > 1, jobs_by_sets);
+                work.add_jobs(schedule, first_split_job(), next, jobs_by_sets);
                 jobs_left_.push_back(schedule.size() - before);
             }
         publish_in_order();
@@ -87,6 +86,23 @@ public:
     }
 
 private:
+    std::uint32_t independent_jobs() const
+    {
+        std::uint32_t jobs = 0;
+        for (const RunWork& work : works_) jobs += work.independent_jobs();
+        return jobs;
+    }
+
+    /// Several processes take series as a whole while there are plenty, and share the last two for each of them, or all
+    /// where there are few.
+    std::uint32_t first_split_job() const
+    {
+        const std::uint32_t jobs = independent_jobs();
+        const auto processes = static_cast<std::uint32_t>(crew_.size());
+        if (processes == 1) return jobs;
+        return jobs >= 4 * processes ? jobs - 2 * processes : 0;
+    }
+
     void work(Schedule& schedule)
     {
         start_progress();

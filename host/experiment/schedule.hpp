@@ -27,7 +27,7 @@ struct Job
     std::uint32_t run = 0;  ///< of the runs at hand
     std::uint32_t item = 0; ///< series or tiling of the run
     std::uint32_t first = 0;
-    std::uint32_t count = 0;
+    std::uint32_t count = 0; ///< of realizations that it makes, as far as that is known
 };
 
 /// Jobs that wait for others. Of those that are ready, what completes a series comes first, then what completes a part,
