@@ -64,7 +64,7 @@ TEST_F(KilledRun, GoesOnFromAnyMoment)
     ASSERT_EQ(wait_for(start({"c.toml", "--out", "undisturbed"})), 0) << log();
     const Seconds whole = std::chrono::steady_clock::now() - begin;
     const auto expected = lasting_results(folder_.path() / "undisturbed");
-    ASSERT_GT(expected.size(), 100U);
+    ASSERT_GT(expected.size(), 100U) << "points, tables, images, pictures";
 
     // Five times ten moments: uniform over twice a tenth of a whole run, so that ten of them reach its end on average.
     std::mt19937 random(20261121);

@@ -68,8 +68,8 @@ TEST_F(ManyProcesses, ShardsOfFoldersThatAreMerged)
     EXPECT_THAT(merged.out, HasSubstr("shard-2: "));
     const Outcome last = run({"run", "c.toml", "--out", "all"});
     EXPECT_EQ(last.status, 0) << last.error;
-    // Forty of four series, and one of two that are deterministic.
-    EXPECT_THAT(last.out, HasSubstr("162 of 162 realizations are there already\n"));
+    // 34 of three series, and one of two that are deterministic.
+    EXPECT_THAT(last.out, HasSubstr("104 of 104 realizations are there already\n"));
     expect_same("all");
 }
 

@@ -7,13 +7,12 @@ namespace poissonlab {
 inline constexpr const char* survival_config = R"(title = "Survival"
 [analysis]
 points = 64
-realizations = 40
-zone_plate = true
+realizations = 34
 [[method]]
 sampler = "random"
 [[method]]
 sampler = "dart-throwing"
-relative_radius = [0.6, 0.65]
+relative_radius = 0.65
 [[method]]
 sampler = "lloyd"
 iterations = 4

@@ -28,7 +28,7 @@ TEST_F(DeviceLuck, VanishesDuringARun)
                               "[[method]]\nsampler = \"lloyd\"\niterations = 2\n");
     const long all = calls({"run", "tiny.toml", "--out", "whole", "--quiet"}, "BAD_LUCK=opencl");
     ASSERT_GT(all, 500);
-    constexpr int moments = 8;
+    constexpr int moments = 5;
     for (int i = 0; i < moments; ++i) {
         const long after = (all - 1) * i / (moments - 1);
         SCOPED_TRACE("after " + std::to_string(after) + " of " + std::to_string(all) + " calls");
