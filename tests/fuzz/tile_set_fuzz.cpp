@@ -3,6 +3,7 @@
 //
 // Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
 #include "fuzz/fuzz_support.hpp"
+#include "fuzz/mended_mutation.hpp"
 #include "io/xxh64_bytes.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_lookup.hpp"
@@ -16,8 +17,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-
-extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t max_size);
 
 namespace poissonlab::fuzz {
 namespace {
@@ -120,8 +119,7 @@ void check_accepted(const PoissonTileSet& set)
 extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t max_size,
                                                unsigned int seed)
 {
-    size = LLVMFuzzerMutate(data, size, max_size);
-    return seed % 8 == 0 ? size : poissonlab::fuzz::mended(data, size, max_size);
+    return poissonlab::fuzz::mutated(data, size, max_size, seed, poissonlab::fuzz::mended);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)

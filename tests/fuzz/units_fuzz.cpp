@@ -1,14 +1,13 @@
 // Manifests of finished units of work: what is no sound unit counts as missing, and whatever they say, no file elsewhere
 // is read or written. The mutator mends the checksum at the end, which no mutation would get right.
 #include "fuzz/fuzz_support.hpp"
+#include "fuzz/mended_mutation.hpp"
 #include "io/xxh64_bytes.hpp"
 #include "store/unit_store.hpp"
 
 #include <fmt/format.h>
 
 #include <cstring>
-
-extern "C" std::size_t LLVMFuzzerMutate(unsigned char* data, std::size_t size, std::size_t max_size);
 
 namespace poissonlab::fuzz {
 namespace {
@@ -51,8 +50,7 @@ void check_unit(const StoredUnit& unit, const std::filesystem::path& folder)
 extern "C" std::size_t LLVMFuzzerCustomMutator(unsigned char* data, std::size_t size, std::size_t max_size,
                                                unsigned int seed)
 {
-    size = LLVMFuzzerMutate(data, size, max_size);
-    return seed % 8 == 0 ? size : poissonlab::fuzz::mended(data, size, max_size);
+    return poissonlab::fuzz::mutated(data, size, max_size, seed, poissonlab::fuzz::mended);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
