@@ -2,6 +2,7 @@
 
 #include "analysis/spectrum_file.hpp"
 #include "analysis/square_image_file.hpp"
+#include "errors/errors.hpp"
 #include "experiment/archives.hpp"
 #include "experiment/result_tables.hpp"
 #include "io/whole_file.hpp"
@@ -39,7 +40,13 @@ bool AnalysisUnit::load_part(const UnitStore& store, const UnitKey& key)
 {
     const auto unit = store.find(key);
     if (!unit) return false;
-    from_bytes(read_whole_file(unit->files.at(part_file)), *this);
+    std::string bytes;
+    try {
+        bytes = read_whole_file(unit->files.at(part_file));
+    } catch (const InputError&) {
+        return false;
+    }
+    from_bytes(bytes, *this);
     return true;
 }
 

@@ -29,11 +29,12 @@ public:
     /// Stores everything that was added, for load(). Throws StorageError.
     void store_part(UnitStore& store, const UnitKey& key) const;
 
-    /// Takes over what store_part() stored of a unit that was constructed alike; false where it is not there.
+    /// Takes over what store_part() stored of a unit that was constructed alike; false where it is not there, or another
+    /// process removes it just now.
     bool load_part(const UnitStore& store, const UnitKey& key);
 
-    /// Measures the means over all realizations and stores them with all images and tables. `metadata` goes into the images,
-    /// `iterations` is the text of iterations.csv, empty where there is none. Throws StorageError.
+    /// Measures the means over all realizations and stores them with all images and tables. `metadata` goes into the
+    /// images, `iterations` is the text of iterations.csv, empty where there is none. Throws StorageError.
     void store_analysis(UnitStore& store, const UnitKey& key, const std::map<std::string, std::string>& metadata,
                         const std::string& iterations);
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -178,8 +179,19 @@ private:
     double limit_;
 };
 
-/// A hash of the program and of all files that the command names: a script that was changed makes other points. What these
-/// read themselves is not seen.
+/// Appends the size and the bytes of a file, which may be larger than memory. What cannot be read counts as empty.
+void add_content(Xxh64& hash, const fs::path& file)
+{
+    std::error_code error;
+    hash.add(fmt::format("{} ", fs::file_size(file, error)));
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<char> chunk(1 << 20);
+    while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0)
+        hash.add({chunk.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
+/// A hash of the program and of all files that the command names: a script that was changed makes other points. What
+/// these read themselves is not seen, but that it may lie in the folder that the command runs in, which counts as well.
 std::uint64_t program_hash(const Parameters& parameters)
 {
     const fs::path folder = folder_of(parameters);
@@ -188,12 +200,10 @@ std::uint64_t program_hash(const Parameters& parameters)
     if (const auto program = find_program(words[0], folder)) files.push_back(*program);
     for (std::size_t i = 1; i < words.size(); ++i) files.push_back(folder / words[i]);
     Xxh64 hash;
+    hash.add(folder.lexically_normal().string());
     for (const fs::path& file : files) {
         std::error_code error;
-        if (!fs::is_regular_file(file, error)) continue;
-        const std::string content = read_whole_file(file);
-        hash.add(fmt::format("{} ", content.size()));
-        hash.add(content);
+        if (fs::is_regular_file(file, error)) add_content(hash, file);
     }
     return hash.value();
 }

@@ -41,7 +41,7 @@ std::unique_ptr<Crew> make_crew()
 {
     if (crew_size() < 2) return make_crew_of_one();
 #ifdef POISSONLAB_MPI
-    return make_mpi_crew();
+    return make_mpi_crew(crew_size());
 #else
     throw InputError(fmt::format("mpirun started {} processes, but this poissonlab was built without MPI: install "
                                  "libopenmpi-dev and build again, or use --shard",

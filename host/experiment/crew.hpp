@@ -25,10 +25,10 @@ public:
     virtual int size() const = 0;
     virtual bool leads() const = 0;
 
-    /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one call
-    /// at a time, between its own jobs. Only the schedule of the process that leads matters. What any process throws is
-    /// thrown in the one that leads; the others return.
-    virtual void work(Schedule& schedule, const Execute& execute, const Done& done) = 0;
+    /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one
+    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. What any process throws
+    /// is thrown in the one that leads, and the others return false; true where all went well.
+    virtual bool work(Schedule& schedule, const Execute& execute, const Done& done) = 0;
 
     /// Does something in every process. What any of them throws is thrown in the one that leads, and the others return
     /// false; true where all went well.

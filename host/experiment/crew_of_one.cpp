@@ -11,7 +11,7 @@ public:
     int size() const override { return 1; }
     bool leads() const override { return true; }
 
-    void work(Schedule& schedule, const Execute& execute, const Done& done) override
+    bool work(Schedule& schedule, const Execute& execute, const Done& done) override
     {
         while (const auto id = schedule.next()) {
             stop_if_interrupted();
@@ -19,6 +19,7 @@ public:
             schedule.finish(*id);
             done(schedule.job(*id), true);
         }
+        return true;
     }
 
     bool together(const std::function<void()>& what) override

@@ -37,8 +37,8 @@ void check_set(const PointSet& points, const std::string& place, const PointSet&
                         points.size(), first_place, first.size()));
 }
 
-/// All coordinates decide, wherever they were read.
-UnitKey identity_of(const std::vector<PointSet>& sets)
+/// All coordinates decide; the names of the files are written into what is stored.
+UnitKey identity_of(const std::vector<PointSet>& sets, const std::vector<std::string>& paths)
 {
     Xxh64 hash;
     for (const PointSet& set : sets) {
@@ -46,7 +46,9 @@ UnitKey identity_of(const std::vector<PointSet>& sets)
         hash.add(fmt::format("{} {} ", set.dimension, x.size()));
         hash.add({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
     }
-    return UnitKey("imported sets").add("coordinates", hash.value());
+    UnitKey key("imported sets");
+    for (const std::string& path : paths) key.add("path", path);
+    return key.add("coordinates", hash.value());
 }
 
 /// A folder name that is not one of the output folder's files.
@@ -89,7 +91,7 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
     task.is_timed = false;
     task.realizations = static_cast<std::uint32_t>(sets->size());
     task.points = sets->front().size();
-    task.identity = [sets] { return identity_of(*sets); };
+    task.identity = [sets, paths] { return identity_of(*sets, paths); };
     task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
 
     Experiment experiment;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <string_view>
 #include <thread>
 
 namespace poissonlab {
@@ -19,7 +20,8 @@ constexpr auto patience = std::chrono::milliseconds(700);
 volatile std::sig_atomic_t signalled = 0;
 std::array<int, 2> signal_pipe{-1, -1};
 std::atomic<bool> is_told = false;
-std::string& message = *new std::string("poissonlab: interrupted\n"); // never destroyed: the watching thread outlives main
+// Never destroyed: the watching thread outlives main.
+std::string& message = *new std::string("poissonlab: interrupted\n");
 
 void remember(int signal)
 {
@@ -69,9 +71,14 @@ void say_when_interrupted(const std::string& advice)
     message = "poissonlab: interrupted" + (advice.empty() ? "" : "; " + advice) + "\n";
 }
 
+void say_nothing_when_interrupted() { message.clear(); }
+
 void tell_of_interruption() noexcept
 {
     if (is_told.exchange(true) || message.empty()) return;
+    constexpr std::string_view emptied_line = "\r\033[K"; // of a bar that may be there
+    if (::isatty(STDOUT_FILENO))
+        [[maybe_unused]] const auto emptied = ::write(STDOUT_FILENO, emptied_line.data(), emptied_line.size());
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
 }
 

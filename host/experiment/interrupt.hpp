@@ -17,14 +17,17 @@ public:
 };
 
 /// From now on the first SIGINT, SIGTERM or SIGHUP is remembered, and ends the process after 0.7 s if it is still there
-/// then: work that is not finished is lost, which is all that a kernel or a triangulation could save by going on. The second
-/// one ends the process at once. A closed pipe no longer ends it.
+/// then: work that is not finished is lost, which is all that a kernel or a triangulation could save by going on. The
+/// second one ends the process at once. A closed pipe no longer ends it.
 void catch_interrupts();
 
 /// What the user is told when the process stops: how to go on. Empty: nothing more than that it was interrupted.
 void say_when_interrupted(const std::string& advice);
 
-/// Says that the process was interrupted, once. Ends the line of a terminal that is being updated.
+/// For processes of a crew that another one speaks for.
+void say_nothing_when_interrupted();
+
+/// Says that the process was interrupted, once. Empties the line of a terminal that is being updated.
 void tell_of_interruption() noexcept;
 
 /// Throws Interrupted when a signal has come.

@@ -6,6 +6,7 @@
 
 #define OMPI_SKIP_MPICXX
 #define MPICH_SKIP_MPICXX
+#include <fmt/format.h>
 #include <mpi.h>
 
 #include <unistd.h>
@@ -24,8 +25,8 @@
 namespace poissonlab {
 namespace {
 
-constexpr int report_tag = 1; ///< to the leader: what became of a job, and that another one is wanted
-constexpr int order_tag = 2;  ///< from the leader
+constexpr int report_tag = 1;   ///< to the leader: what became of a job, and that another one is wanted
+constexpr int order_tag = 2;    ///< from the leader
 constexpr int farewell_tag = 3; ///< from the leader: the end
 
 /// Between two looks for messages: looking takes some microseconds, of a core that has other work, and jobs take tens of
@@ -44,6 +45,7 @@ struct Order
 {
     std::int64_t id = -1; ///< -1: there is no more to do
     Job job;
+    bool has_failed = false; ///< the work as a whole
 };
 
 std::string host_name()
@@ -72,6 +74,10 @@ public:
             work_here(execute, done);
         } catch (...) {
             note(Failure::current());
+        }
+        {
+            const std::lock_guard lock(mutex_);
+            is_over_ = true;
         }
         dealing.join();
         failure_.raise();
@@ -159,11 +165,13 @@ private:
         return status.MPI_SOURCE;
     }
 
-    /// A job, or that there is no more; nothing: jobs are left, but all of them wait for others.
+    /// A job, or that there is no more; nothing: jobs are left, but all of them wait for others, or this process has not
+    /// said yet that all went well.
     std::optional<Order> next_order()
     {
         const std::lock_guard lock(mutex_);
-        if (failure_.kind != Failure::Kind::none || schedule_.is_done()) return Order{};
+        const bool has_failed = failure_.kind != Failure::Kind::none;
+        if (has_failed || is_over_) return Order{-1, {}, has_failed};
         const auto id = schedule_.next();
         if (!id) return std::nullopt;
         return Order{static_cast<std::int64_t>(*id), schedule_.job(*id)};
@@ -174,19 +182,25 @@ private:
     std::mutex mutex_; ///< of all below, and of the schedule
     std::deque<Job> finished_; ///< by other processes, and not told yet
     Failure failure_;          ///< the first
+    bool is_over_ = false;     ///< nothing more can fail
 };
 
 class MpiCrew final : public Crew
 {
 public:
-    MpiCrew()
+    /// `expected` is the number of processes that mpirun says it has started.
+    explicit MpiCrew(int expected)
     {
         int threads = MPI_THREAD_SINGLE;
         if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &threads) != MPI_SUCCESS)
             throw InputError("MPI does not start");
         MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
         MPI_Comm_size(MPI_COMM_WORLD, &size_);
-        if (threads < MPI_THREAD_SERIALIZED) throw InputError("this MPI does not allow several threads to use it");
+        if (threads < MPI_THREAD_SERIALIZED) refuse("this MPI does not allow several threads to use it");
+        if (size_ != expected)
+            refuse(fmt::format("mpirun started {} processes, and the MPI that poissonlab was built with sees {}: use the "
+                               "mpirun of that MPI, or --shard",
+                               expected, size_));
     }
     /// MPI_Finalize waits busily for the process that leads, which may write a report for long: sleep until that is done.
     ~MpiCrew() override
@@ -207,12 +221,11 @@ public:
     int size() const override { return size_; }
     bool leads() const override { return rank_ == 0; }
 
-    void work(Schedule& schedule, const Execute& execute, const Done& done) override
+    bool work(Schedule& schedule, const Execute& execute, const Done& done) override
     {
-        if (leads())
-            Dealer(schedule, size_).work(execute, done);
-        else
-            follow(execute);
+        if (!leads()) return follow(execute);
+        Dealer(schedule, size_).work(execute, done);
+        return true;
     }
 
     bool together(const std::function<void()>& what) override
@@ -245,15 +258,21 @@ public:
     }
 
 private:
-    /// Takes orders until there are no more.
-    void follow(const Execute& execute)
+    [[noreturn]] static void refuse(const std::string& why)
+    {
+        MPI_Finalize();
+        throw InputError(why);
+    }
+
+    /// Takes orders until there are no more. Returns whether all went well, everywhere.
+    bool follow(const Execute& execute)
     {
         JobReport report;
         std::string message;
         while (true) {
             send(report, message);
             const Order order = receive();
-            if (order.id < 0) return;
+            if (order.id < 0) return !order.has_failed;
             report = {order.id, Failure::Kind::none};
             try {
                 execute(order.job);
@@ -312,6 +331,6 @@ private:
 
 }
 
-std::unique_ptr<Crew> make_mpi_crew() { return std::make_unique<MpiCrew>(); }
+std::unique_ptr<Crew> make_mpi_crew(int expected) { return std::make_unique<MpiCrew>(expected); }
 
 }

@@ -116,6 +116,14 @@ bool PictureWork::are_constructions_there() const
     return true;
 }
 
+std::string PictureWork::identity() const
+{
+    std::string text;
+    for (const TilingTask& task : experiment_.tilings) text += key_of(task).text();
+    for (const ConstructionTask& task : experiment_.constructions) text += key_of(task).text();
+    return text;
+}
+
 void PictureWork::make_constructions()
 {
     std::vector<const ConstructionTask*> missing;

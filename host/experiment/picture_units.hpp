@@ -44,6 +44,9 @@ public:
 
     bool are_constructions_there() const;
 
+    /// The keys of all units, as text.
+    std::string identity() const;
+
     /// Makes and stores what is not there. Throws StorageError.
     void make_tiling(const TilingTask& task);
 

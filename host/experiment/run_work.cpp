@@ -42,6 +42,13 @@ RunWork::RunWork(const Experiment& experiment, std::uint32_t number, const CodeV
     for (const SeriesTask& task : experiment.series) series_.emplace_back(experiment, task, versions, store, slot);
 }
 
+std::string RunWork::identity() const
+{
+    std::string text;
+    for (const SeriesWork& series : series_) text += series.units().analysis_key().text();
+    return text + pictures_.identity();
+}
+
 Job RunWork::job(Job::Kind kind, std::uint32_t item, const RealizationRange& range) const
 {
     return {kind, number_, item, range.first, range.count};
@@ -72,16 +79,18 @@ Schedule::Id RunWork::add_series(Schedule& schedule, std::uint32_t item, bool sp
     // Without points in the store, who made a realization must analyse it as well.
     split = split && series.keeps_points();
     Ids last = after;
-    Ids first_chunk = after;
+    Ids first_chunk = after; // its size counts for all
+    if (!split && units.parts() > 1 && !series.is_sampled(0))
+        first_chunk = {schedule.add(job(Job::Kind::sample, item, {0, 1}), after)};
     for (std::uint32_t part = 0; part < units.parts(); ++part) {
         if (series.is_analysed(part)) continue;
         Ids samples = after;
         if (split) {
             const Ids made = add_samples(schedule, item, units.part(part), after);
             samples.insert(samples.end(), made.begin(), made.end());
-            if (part == 0 && !made.empty()) first_chunk = {made.front()}; // the size of the first one counts for all
-            samples.insert(samples.end(), first_chunk.begin(), first_chunk.end());
+            if (part == 0 && !made.empty()) first_chunk = {made.front()};
         }
+        samples.insert(samples.end(), first_chunk.begin(), first_chunk.end());
         // The only part of a series is analysed when the series is finished.
         if (units.parts() == 1)
             last.insert(last.end(), samples.begin(), samples.end());
@@ -141,10 +150,17 @@ void RunWork::add_share(Schedule& schedule, const Shard& shard, bool split, std:
 
 bool RunWork::all_shares_are_done(bool split) const
 {
-    Schedule missing;
-    std::uint32_t next = 0;
-    add_share(missing, {1, 1}, split, next);
-    return missing.size() == 0;
+    for (const SeriesWork& series : series_) {
+        const bool whole = !split && series.units().parts() == 1;
+        if (whole && !series.has_results()) return false;
+        for (std::uint32_t k = 0; split && k < series.task().realizations; ++k)
+            if (!series.is_sampled(k)) return false;
+        for (std::uint32_t part = 0; !split && !whole && part < series.units().parts(); ++part)
+            if (!series.is_analysed(part)) return false;
+    }
+    for (const TilingTask& task : experiment_.tilings)
+        if (!pictures_.tiling(task)) return false;
+    return pictures_.are_constructions_there();
 }
 
 void RunWork::execute(const Job& job, const WorkListener& listener)
@@ -193,12 +209,13 @@ std::uint64_t RunWork::realizations_analysed_by(const Job& job) const
     return has_one_part ? series_.at(job.item).task().realizations : 0;
 }
 
-void RunWork::publish(const std::filesystem::path& out, int processes) const
+void RunWork::publish(const std::filesystem::path& out, int processes)
 {
     ResultFolder folder(out, folder_names(experiment_));
     bool used_device = false;
     std::vector<SeriesResult> results;
-    for (const SeriesWork& series : series_) {
+    for (SeriesWork& series : series_) {
+        series.time_more(); // machines that took part may have other devices or threads
         folder.add(series.task().name, series.files());
         results.push_back(series.result());
         used_device = used_device || series.used_device();
@@ -220,6 +237,7 @@ void RunWork::publish(const std::filesystem::path& out, int processes) const
     Machine machine = machine_of ? machine_of(used_device) : Machine{};
     if (processes > 1) machine.processes = processes;
     folder.publish(results_json(experiment_, results, machine, statistics, scenes));
+    for (SeriesWork& series : series_) series.remove_parts();
 }
 
 }

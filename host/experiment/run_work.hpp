@@ -28,14 +28,15 @@ public:
     RunWork(const Experiment& experiment, std::uint32_t number, const CodeVersions& versions, UnitStore& store,
             SamplerSlot& slot);
 
-    const Experiment& experiment() const { return experiment_; }
+    /// Everything that decides which units there are, in lines.
+    std::string identity() const;
 
     /// Jobs that make series of the same point sets, of all runs: they wait for each other instead of making them twice.
     using JobsBySets = std::map<std::string, Schedule::Id>;
 
-    /// Adds a job for everything that is not done. `next` counts the independent_jobs() of all runs. From number `split_from`
-    /// on, sampling and analysis of a series are jobs of their own, of some realizations each: small jobs that keep all
-    /// processes busy to the end, at the price of reading points again for their analysis.
+    /// Adds a job for everything that is not done. `next` counts the independent_jobs() of all runs. From number
+    /// `split_from` on, sampling and analysis of a series are jobs of their own, of some realizations each: small jobs that
+    /// keep all processes busy to the end, at the price of reading points again for their analysis.
     void add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32_t& next, JobsBySets& jobs_by_sets) const;
 
     /// Adds those jobs that do not need the results of others and fall to a shard; `next` counts the jobs of all runs.
@@ -44,7 +45,7 @@ public:
     /// Jobs that can be dealt out without splitting parts.
     std::uint32_t independent_jobs() const;
 
-    /// Whether all jobs of all shards are done.
+    /// Whether all jobs of all shards are done, on whatever machines.
     bool all_shares_are_done(bool split) const;
 
     void execute(const Job& job, const WorkListener& listener);
@@ -58,8 +59,9 @@ public:
     std::uint64_t realizations_made_by(const Job& job) const;
     std::uint64_t realizations_analysed_by(const Job& job) const;
 
-    /// Moves the results to the output folder. Everything must be done. Throws InputError and StorageError.
-    void publish(const std::filesystem::path& out, int processes) const;
+    /// Moves the results to the output folder, and removes from the store what they make superfluous. Everything must be
+    /// done. Throws InputError and StorageError.
+    void publish(const std::filesystem::path& out, int processes);
 
     const SeriesWork& series(std::uint32_t item) const { return series_[item]; }
 

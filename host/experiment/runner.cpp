@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace poissonlab {
 namespace {
@@ -32,6 +34,14 @@ std::string summary(const SeriesTask& task, const SeriesResult& result)
             line += fmt::format(" to {:.3f}", *largest);
     }
     return line;
+}
+
+/// Who holds the lock on this file may change output folders.
+std::filesystem::path publish_lock(const std::filesystem::path& units)
+{
+    std::error_code error;
+    std::filesystem::create_directories(units, error); // the lock says what is wrong
+    return units / publish_lock_name;
 }
 
 /// The runs at hand: what is to do, what is done, and what the user is told of it.
@@ -58,31 +68,49 @@ public:
     Runs(const Runs&) = delete;
     Runs& operator=(const Runs&) = delete;
 
-    /// Whether what the shard leaves to others is done as well.
-    bool work_on_share(const Shard& shard)
+    /// Everything that decides which units there are.
+    std::string identity() const
     {
-        const bool split = independent_jobs() < 2 * shard.count;
-        Schedule schedule;
-        std::uint32_t next = 0;
-        if (crew_.leads())
-            for (const RunWork& work : works_) work.add_share(schedule, shard, split, next);
-        work(schedule);
-        return std::ranges::all_of(works_, [&](const RunWork& work) { return work.all_shares_are_done(split); });
+        std::string text;
+        for (const RunWork& work : works_) text += work.identity();
+        return text;
     }
 
-    void work_on_everything()
+    /// Whether what the shard leaves to others is done as well; false in all processes where one has failed.
+    bool work_on_share(const Shard& shard)
+    {
+        const bool split = independent_jobs() / 2 < shard.count;
+        Schedule schedule;
+        const bool is_planned = crew_.together([&] {
+            std::uint32_t next = 0;
+            if (crew_.leads())
+                for (const RunWork& work : works_) work.add_share(schedule, shard, split, next);
+        });
+        if (!is_planned || !work(schedule)) return false;
+        bool is_done = false;
+        const bool is_known = crew_.together([&] {
+            const auto all_done = [&](const RunWork& work) { return work.all_shares_are_done(split); };
+            is_done = crew_.leads() && std::ranges::all_of(works_, all_done);
+        });
+        return is_known && crew_.from_leader(is_done ? "done" : "not done") == "done";
+    }
+
+    /// False in all processes but the one that leads where one has failed.
+    bool work_on_everything()
     {
         Schedule schedule;
-        RunWork::JobsBySets jobs_by_sets;
-        std::uint32_t next = 0;
-        if (crew_.leads())
+        const bool is_planned = crew_.together([&] {
+            if (!crew_.leads()) return;
+            RunWork::JobsBySets jobs_by_sets;
+            std::uint32_t next = 0;
             for (const RunWork& work : works_) {
                 const std::size_t before = schedule.size();
                 work.add_jobs(schedule, first_split_job(), next, jobs_by_sets);
                 jobs_left_.push_back(schedule.size() - before);
             }
-        publish_in_order();
-        work(schedule);
+            publish_in_order();
+        });
+        return is_planned && work(schedule);
     }
 
 private:
@@ -103,17 +131,20 @@ private:
         return jobs >= 4 * processes ? jobs - 2 * processes : 0;
     }
 
-    void work(Schedule& schedule)
+    bool work(Schedule& schedule)
     {
         start_progress();
-        crew_.work(
+        const bool went_well = crew_.work(
             schedule,
             [&](const Job& job) {
                 announce(job.run);
+                // What the last series needed of the device is not there for constructions otherwise.
+                if (job.kind == Job::Kind::constructions) slot_.clear();
                 works_.at(job.run).execute(job, listener());
             },
             [&](const Job& job, bool here) { note_done(job, here); });
         slot_.clear();
+        return went_well;
     }
 
     /// Says, once, that a run has begun.
@@ -162,17 +193,10 @@ private:
             stop_if_interrupted();
             announce(static_cast<std::uint32_t>(published_));
             const PlannedRun& run = runs_[published_];
-            const FileLock lock(lock_file());
+            const FileLock lock(publish_lock(settings_.units));
             works_[published_].publish(run.out, crew_.size());
             if (settings_.on_published) settings_.on_published(run);
         }
-    }
-
-    std::filesystem::path lock_file() const
-    {
-        std::error_code error;
-        std::filesystem::create_directories(settings_.units, error);
-        return settings_.units / "publish.lock";
     }
 
     std::span<const PlannedRun> runs_;
@@ -187,6 +211,35 @@ private:
     std::set<std::uint32_t> announced_;  ///< runs
 };
 
+/// Results must not take the place of other things. Those of a run that is publishing just now are not looked at.
+void check_folders(std::span<const PlannedRun> runs, const RunSettings& settings)
+{
+    std::optional<FileLock> lock;
+    if (std::error_code error; std::filesystem::exists(settings.units, error)) lock.emplace(publish_lock(settings.units));
+    for (const PlannedRun& run : runs) ResultFolder::check(run.out, folder_names(run.experiment));
+}
+
+/// Whether all processes make the same units: those with another device or program would not find what others made. Throws
+/// InputError in the one that leads.
+bool are_alike(Crew& crew, const std::string& own)
+{
+    if (crew.size() == 1) return true;
+    const std::string wanted = crew.from_leader(own);
+    return crew.together([&] {
+        if (own == wanted) return;
+        std::istringstream here(own);
+        std::istringstream there(wanted);
+        std::string line;
+        std::string other;
+        do {
+            std::getline(there, other);
+        } while (std::getline(here, line) && line == other && there);
+        throw InputError(fmt::format("this process would not do the same work as the first one: \"{}\" is not \"{}\"; "
+                                     "devices, programs, files and the build of poissonlab must be the same",
+                                     shortened(line, 200), shortened(other, 200)));
+    });
+}
+
 }
 
 std::vector<std::string> folder_names(const Experiment& experiment)
@@ -200,11 +253,14 @@ std::vector<std::string> folder_names(const Experiment& experiment)
 
 bool run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew, Progress& progress)
 {
-    for (const PlannedRun& run : runs) ResultFolder::check(run.out, folder_names(run.experiment));
-    Runs work(runs, settings, crew, progress);
-    if (settings.shard && !work.work_on_share(*settings.shard)) return false;
-    work.work_on_everything();
-    return crew.leads();
+    std::optional<Runs> work;
+    const bool is_there = crew.together([&] {
+        if (crew.leads()) check_folders(runs, settings);
+        work.emplace(runs, settings, crew, progress);
+    });
+    if (!is_there || !are_alike(crew, work->identity())) return false;
+    if (settings.shard && !work->work_on_share(*settings.shard)) return false;
+    return work->work_on_everything() && crew.leads();
 }
 
 void run_experiment(const Experiment& experiment, const std::filesystem::path& out, Progress& progress)

@@ -16,6 +16,9 @@
 
 namespace poissonlab {
 
+/// The file in the folder of finished work that is locked while output folders change.
+inline constexpr const char* publish_lock_name = "publish.lock";
+
 /// The folders below the output folder that an experiment fills.
 std::vector<std::string> folder_names(const Experiment& experiment);
 
@@ -41,8 +44,8 @@ struct RunSettings
 /// Every unit of work is stored when it is done, and nothing that is stored is done again, so that a run that was
 /// interrupted goes on where it was. Results appear in an output folder all at once; until then a previous result stays
 /// as it is. Sampling and analysis of a process take turns: the times of sampling are results, and analysis would
-/// disturb them. Returns true when all results are in place; false for a shard that is done while others are not, and in
-/// processes of the crew that do not lead. Throws what samplers throw, InputError and StorageError.
+/// disturb them. Returns true when all results are in place; false for a shard that is done while others are not, and
+/// in processes of the crew that do not lead. Throws what samplers throw, InputError and StorageError.
 bool run_experiments(std::span<const PlannedRun> runs, const RunSettings& settings, Crew& crew, Progress& progress);
 
 /// One run of this process alone, with finished work in a folder within the output folder.

@@ -133,6 +133,7 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
     const RealizationRange range = units_.part(part);
     // The first realization has the size that the others must have, and knows whether they are tiled.
     const SampleRecord first = first_record(listener);
+    if (part > 0) first_ = {}; // somebody else analyses it
     const SeriesAnalysis::Begin begin{range.first, range.first == 0 ? 0 : first.points};
     return {task_.label, first.sizes_vary, analysis_of(first, experiment_.analysis), begin};
 }
@@ -155,35 +156,44 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
     }
 }
 
-void SeriesWork::analyse(std::uint32_t part, const WorkListener& listener)
+/// Analyses a part, with a unit that begin_unit() made for it.
+void SeriesWork::measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
 {
-    if (is_analysed(part)) return;
-    AnalysisUnit unit = begin_unit(part, listener);
     add_realizations(unit, units_.part(part), listener);
     if (part == 0) unit.measure_first();
     unit.store_part(store_, units_.part_key(part));
 }
 
-/// Loads a part, which is analysed if it is not stored, into a unit that begin_unit() made for it.
-void SeriesWork::load_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
+void SeriesWork::analyse(std::uint32_t part, const WorkListener& listener)
 {
-    stop_if_interrupted();
-    analyse(part, listener);
-    if (!unit.load_part(store_, units_.part_key(part))) throw is_gone("an analysis of " + task_.label);
+    if (is_analysed(part)) return;
+    AnalysisUnit unit = begin_unit(part, listener);
+    measure_part(unit, part, listener);
 }
 
-/// All parts put together. The only part of a series is not worth storing.
-AnalysisUnit SeriesWork::whole_analysis(const WorkListener& listener)
+/// Takes a stored part, or analyses it. False: there is no need, as another process has finished the whole analysis, and
+/// may have removed its parts.
+bool SeriesWork::take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
+{
+    stop_if_interrupted();
+    if (unit.load_part(store_, units_.part_key(part))) return true;
+    if (store_.find(units_.analysis_key())) return false;
+    measure_part(unit, part, listener);
+    return true;
+}
+
+/// All parts put together; nothing where another process was faster. The only part of a series is not worth storing.
+std::optional<AnalysisUnit> SeriesWork::whole_analysis(const WorkListener& listener)
 {
     AnalysisUnit whole = begin_unit(0, listener);
     if (units_.parts() == 1) {
         add_realizations(whole, units_.part(0), listener);
         return whole;
     }
-    load_part(whole, 0, listener);
+    if (!take_part(whole, 0, listener)) return std::nullopt;
     for (std::uint32_t part = 1; part < units_.parts(); ++part) {
         AnalysisUnit unit = begin_unit(part, listener);
-        load_part(unit, part, listener);
+        if (!take_part(unit, part, listener)) return std::nullopt;
         whole.append(unit);
     }
     return whole;
@@ -191,12 +201,18 @@ AnalysisUnit SeriesWork::whole_analysis(const WorkListener& listener)
 
 void SeriesWork::analyse_all(const WorkListener& listener)
 {
-    AnalysisUnit whole = whole_analysis(listener);
+    std::optional<AnalysisUnit> whole = whole_analysis(listener);
+    if (!whole) return;
     std::vector<std::vector<IterationRecord>> iterations;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) iterations.push_back(record(k).iterations);
     const bool has_iterations = !realizations_that_got_there(iterations).empty();
-    whole.store_analysis(store_, units_.analysis_key(), image_metadata(),
-                         has_iterations ? iterations_csv(iterations) : "");
+    whole->store_analysis(store_, units_.analysis_key(), image_metadata(),
+                          has_iterations ? iterations_csv(iterations) : "");
+}
+
+void SeriesWork::remove_parts()
+{
+    if (units_.parts() == 1) return;
     for (std::uint32_t part = 0; part < units_.parts(); ++part) store_.remove(units_.part_key(part));
 }
 
@@ -217,9 +233,10 @@ std::vector<double> SeriesWork::seconds_so_far() const
     return seconds;
 }
 
-/// Makes the first realization again until there are enough times: few are no median.
+/// The first realization is made again and again: few times are no median.
 void SeriesWork::time_more()
 {
+    if (!task_.is_timed) return;
     std::size_t count = seconds_so_far().size();
     if (count >= experiment_.timing_runs) return;
     const UnitKey key = units_.times_key(experiment_.workplace->conditions());
@@ -231,19 +248,24 @@ void SeriesWork::time_more()
 
 // The whole series.
 
-bool SeriesWork::is_finished() const
+bool SeriesWork::has_results() const
 {
     if (!store_.find(units_.analysis_key())) return false;
     for (std::uint32_t k = 0; k < task_.realizations; ++k)
         if (!is_sampled(k)) return false;
-    return !task_.is_timed || seconds_so_far().size() >= experiment_.timing_runs;
+    return true;
+}
+
+bool SeriesWork::is_finished() const
+{
+    return has_results() && (!task_.is_timed || seconds_so_far().size() >= experiment_.timing_runs);
 }
 
 void SeriesWork::finish(const WorkListener& listener)
 {
     if (!store_.find(units_.analysis_key())) analyse_all(listener);
     sample({0, task_.realizations}, listener); // what is missing though its analysis is there
-    if (task_.is_timed) time_more();
+    time_more();
 }
 
 StoredAnalysis SeriesWork::finished_analysis() const

@@ -36,8 +36,11 @@ public:
     bool is_sampled(std::uint32_t realization) const;
     bool is_analysed(std::uint32_t part) const;
 
-    /// Whether everything is stored that the output folder needs.
+    /// Whether everything is stored that the output folder needs, times under the conditions of this process included.
     bool is_finished() const;
+
+    /// Whether everything is stored that the output folder needs, times apart.
+    bool has_results() const;
 
     /// Makes the realizations of a range.
     void sample(const RealizationRange& range, const WorkListener& listener);
@@ -47,6 +50,13 @@ public:
 
     /// Does what is left: missing realizations and parts, the analysis of the whole series, and times.
     void finish(const WorkListener& listener);
+
+    /// Takes times under the conditions of this process until there are enough: other machines may have made what is
+    /// stored.
+    void time_more();
+
+    /// Removes the stored parts of an analysis that is whole.
+    void remove_parts();
 
     /// Everything about a finished series.
     SeriesResult result() const;
@@ -65,11 +75,11 @@ private:
     SampleRecord first_record(const WorkListener& listener);
     AnalysisUnit begin_unit(std::uint32_t part, const WorkListener& listener);
     void add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener);
-    void load_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
-    AnalysisUnit whole_analysis(const WorkListener& listener);
+    void measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
+    bool take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
+    std::optional<AnalysisUnit> whole_analysis(const WorkListener& listener);
     void analyse_all(const WorkListener& listener);
     std::vector<double> seconds_so_far() const;
-    void time_more();
     StoredAnalysis finished_analysis() const;
     StorageError is_gone(const std::string& what) const;
     std::string comment(std::uint32_t realization) const;

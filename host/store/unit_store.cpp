@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <dirent.h>
+#include <sys/stat.h>
+
 #include <charconv>
 #include <cstdint>
 #include <system_error>
@@ -148,22 +151,39 @@ void create_folder(const fs::path& folder)
 
 }
 
+/// Nothing: it is not there. A network file system may remember for long that a file was not there, unless its folder is
+/// opened, which asks the server whether it has changed.
+std::optional<UnitStore::Stamp> UnitStore::stamp_of(const fs::path& manifest)
+{
+    struct stat status = {};
+    if (::stat(manifest.c_str(), &status) != 0) {
+        DIR* const folder = ::opendir(manifest.parent_path().c_str());
+        if (!folder) return std::nullopt;
+        ::closedir(folder);
+        if (::stat(manifest.c_str(), &status) != 0) return std::nullopt;
+    }
+    return Stamp{status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
 fs::path UnitStore::base_of(const std::string& name) const { return folder_ / name.substr(0, 2) / name; }
 
 std::optional<StoredUnit> UnitStore::find(const UnitKey& key) const
 {
+    const fs::path base = base_of(key.name());
+    const fs::path manifest_file = with_ending(base, manifest_extension);
+    const auto stamp = stamp_of(manifest_file); // before reading: what is written meanwhile has another one
+    if (!stamp) return {};
     {
         const std::lock_guard lock(mutex_);
         const auto known = known_.find(key.text());
-        if (known != known_.end()) return known->second;
+        if (known != known_.end() && known->second.stamp == *stamp) return known->second.unit;
     }
-    const fs::path base = base_of(key.name());
-    auto manifest = read_manifest(with_ending(base, manifest_extension));
+    auto manifest = read_manifest(manifest_file);
     if (!manifest || manifest->key != key.text()) return {};
     auto unit = checked_unit(*std::move(manifest), base);
     if (!unit) return {};
     const std::lock_guard lock(mutex_);
-    known_.insert_or_assign(key.text(), *unit);
+    known_.insert_or_assign(key.text(), Known{*stamp, *unit});
     return unit;
 }
 
@@ -187,9 +207,11 @@ void UnitStore::store(const UnitKey& key, std::string_view record, const std::ve
         manifest.files.push_back({name, content->size(), xxh64_bytes(*content)});
         unit.files.emplace(name, file);
     }
-    write_whole_file(with_ending(base, manifest_extension), manifest_text(manifest));
+    const fs::path manifest_file = with_ending(base, manifest_extension);
+    write_whole_file(manifest_file, manifest_text(manifest));
+    const auto stamp = stamp_of(manifest_file);
     const std::lock_guard lock(mutex_);
-    known_.insert_or_assign(key.text(), std::move(unit));
+    if (stamp) known_.insert_or_assign(key.text(), Known{*stamp, std::move(unit)});
 }
 
 void UnitStore::remove(const UnitKey& key)
@@ -220,7 +242,8 @@ bool UnitStore::copy_unit(const fs::path& manifest_file)
     const std::string name = manifest_file.stem().string();
     if (!manifest || name.size() < 3) return false;
     const fs::path base = base_of(name);
-    if (const auto own = read_manifest(with_ending(base, manifest_extension)); own && checked_unit(*own, base)) return false;
+    const auto own = read_manifest(with_ending(base, manifest_extension));
+    if (own && checked_unit(*own, base)) return false;
     const fs::path source = manifest_file.parent_path() / name;
     if (!checked_unit(*manifest, source)) return false;
 

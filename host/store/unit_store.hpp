@@ -3,6 +3,7 @@
 
 #include "store/unit_key.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -23,8 +24,8 @@ struct StoredUnit
     std::map<std::string, std::filesystem::path> files; ///< by the names that they were stored under
 };
 
-/// A folder of units. Each has a manifest with its key, a record, and the sizes and checksums (XXH64) of its files, which is
-/// written last: a unit is there whole or not at all, whatever ended the process that wrote it. Several processes, on
+/// A folder of units. Each has a manifest with its key, a record, and the sizes and checksums (XXH64) of its files, which
+/// is written last: a unit is there whole or not at all, whatever ended the process that wrote it. Several processes, on
 /// several machines, may read and write one folder at the same time: equal keys mean equal contents, so that it does
 /// not matter who comes last. All members may be called by several threads.
 class UnitStore
@@ -36,11 +37,12 @@ public:
     const std::filesystem::path& folder() const { return folder_; }
 
     /// The unit, where it is there and every checksum is right; what is damaged counts as missing. What this process has
-    /// stored or checked before is not read again.
+    /// checked before is not read again while its manifest stays the same file. Another process may remove a unit at any
+    /// time: files that were found may be gone when they are read.
     std::optional<StoredUnit> find(const UnitKey& key) const;
 
-    /// Where a file of a unit is to be written, by any of the functions of io/whole_file, before the unit is stored. Creates
-    /// the folder; throws StorageError.
+    /// Where a file of a unit is to be written, by any of the functions of io/whole_file, before the unit is stored.
+    /// Creates the folder; throws StorageError.
     std::filesystem::path file(const UnitKey& key, std::string_view name) const;
 
     /// Stores a unit with its record and the files, by name, that were written before. Throws StorageError.
@@ -62,13 +64,30 @@ public:
     }
 
 private:
+    /// A manifest, as far as the file system tells one from another without reading it.
+    struct Stamp
+    {
+        std::uint64_t device = 0;
+        std::uint64_t inode = 0;
+        std::int64_t seconds = 0; ///< of the last change
+        std::int64_t nanoseconds = 0;
+
+        bool operator==(const Stamp&) const = default;
+    };
+    struct Known
+    {
+        Stamp stamp;
+        StoredUnit unit;
+    };
+
+    static std::optional<Stamp> stamp_of(const std::filesystem::path& manifest);
     std::filesystem::path base_of(const std::string& name) const;
     std::vector<std::filesystem::path> manifests() const;
     bool copy_unit(const std::filesystem::path& manifest);
 
     std::filesystem::path folder_;
     mutable std::mutex mutex_;
-    mutable std::map<std::string, StoredUnit> known_; ///< by a key's text
+    mutable std::map<std::string, Known> known_; ///< by a key's text
 };
 
 }

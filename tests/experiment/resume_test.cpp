@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,18 @@ namespace {
 namespace fs = std::filesystem;
 using Counts = std::map<std::uint32_t, int>;
 
+using BeforeSampling = std::function<void(std::uint32_t realization)>;
+
 /// Points in rows, a little different in each realization; counts what it is asked for.
 class CountingSampler : public Sampler
 {
 public:
-    CountingSampler(std::size_t points, Counts& counts, std::uint32_t fails_at)
-        : points_(points), counts_(counts), fails_at_(fails_at)
+    CountingSampler(std::size_t points, Counts& counts, BeforeSampling before)
+        : points_(points), counts_(counts), before_(std::move(before))
     {}
     PointSet sample(std::uint32_t realization) override
     {
-        if (realization == fails_at_) throw Interrupted();
+        if (before_) before_(realization);
         ++counts_[realization];
         PointSet set;
         for (std::size_t i = 0; i < points_; ++i) {
@@ -45,23 +48,28 @@ public:
 private:
     std::size_t points_;
     Counts& counts_;
-    std::uint32_t fails_at_;
+    BeforeSampling before_;
 };
 
 /// An experiment of one series, as often as it is wanted.
 class Resuming : public testing::Test
 {
 protected:
-    static constexpr std::uint32_t never = 1'000'000;
+    Experiment experiment(std::uint32_t realizations, std::uint32_t fails_at)
+    {
+        return experiment(realizations, [fails_at](std::uint32_t realization) {
+            if (realization == fails_at) throw Interrupted();
+        });
+    }
 
-    Experiment experiment(std::uint32_t realizations, std::uint32_t fails_at = never)
+    Experiment experiment(std::uint32_t realizations, const BeforeSampling& before = {})
     {
         SeriesTask task;
         task.name = task.label = task.sampler = "s";
         task.realizations = realizations;
         task.points = 48;
         task.identity = [this] { return UnitKey("sets").add("seed", seed_).add("radius", std::to_string(radius_)); };
-        task.create = [this, fails_at] { return std::make_unique<CountingSampler>(48, counts_, fails_at); };
+        task.create = [this, before] { return std::make_unique<CountingSampler>(48, counts_, before); };
         Experiment experiment;
         experiment.title = "T";
         experiment.engine = "reference";
@@ -153,7 +161,7 @@ TEST_F(Resuming, PartsPutTogetherAreTheWhole)
     // values, by some K times 1e-16 each, and errors divide by their spread.
     run(experiment(70));
     SeriesAnalysis whole("s", false, {});
-    CountingSampler sampler(48, counts_, never);
+    CountingSampler sampler(48, counts_, {});
     for (std::uint32_t k = 0; k < 70; ++k) whole.add(sampler.sample(k));
     const auto json = nlohmann::json::parse(content_of(folder_.path() / "out/results.json"))["series"][0];
     EXPECT_EQ(json["relative_radius"]["each"].get<std::vector<double>>(), whole.result().relative_radius);
@@ -271,6 +279,24 @@ TEST_F(Resuming, WhatIsDamagedIsMadeAgainAndNothingElse)
         run(experiment(40));
         EXPECT_LE(made(), 1U) << files[i];
         EXPECT_EQ(results(), before) << files[i];
+    }
+}
+
+/// At any moment of a run another one, of the same folder, may do all the rest, and remove what it no longer needs.
+TEST_F(Resuming, AnotherRunMayBeFaster)
+{
+    const auto wanted = undisturbed(70);
+    for (const std::uint32_t moment : {0U, 1U, 31U, 32U, 40U, 69U}) {
+        bool is_over = false;
+        const std::string out = "raced-" + std::to_string(moment);
+        run(experiment(70, [&](std::uint32_t realization) {
+            if (realization != moment || is_over) return;
+            is_over = true;
+            run(experiment(70), out);
+        }), out);
+        EXPECT_EQ(lasting_results(folder_.path() / out), wanted) << moment;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / out / ".units"))
+            EXPECT_NE(entry.path().extension(), ".part") << "nobody needs " << entry.path();
     }
 }
 

@@ -1,4 +1,5 @@
-// poissonlab run: the experiment of a config, or those of a collection, on as many processes as there are, and the report.
+// poissonlab run: the experiment of a config, or those of a collection, on as many processes as there are, and the
+// report.
 #include "experiment/commands/commands.hpp"
 #include "experiment/commands/run_plan.hpp"
 #include "experiment/interrupt.hpp"
@@ -16,7 +17,9 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <optional>
 #include <thread>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -56,28 +59,47 @@ void check_writable(const fs::path& out)
                                        std::generic_category().message(errno)));
 }
 
-/// All processes must keep their work in the same folder.
-void check_shared(Crew& crew, const fs::path& units)
+/// Makes a file, and removes it in the end.
+class Token
 {
-    if (crew.size() == 1) return;
-    const std::string token = crew.from_leader(fmt::format("crew-{}", ::getpid()));
+public:
+    explicit Token(fs::path file) : file_(std::move(file))
+    {
+        std::error_code error;
+        fs::create_directories(file_.parent_path(), error); // the lock says what is wrong
+        const FileLock made(file_);
+    }
+    ~Token()
+    {
+        std::error_code error;
+        fs::remove(file_, error);
+    }
+    Token(const Token&) = delete;
+    Token& operator=(const Token&) = delete;
+
+private:
+    fs::path file_;
+};
+
+/// Whether all processes keep their work in the same folder. Throws InputError in the one that leads.
+bool share_a_folder(Crew& crew, const fs::path& units)
+{
+    if (crew.size() == 1) return true;
+    const fs::path file = units / crew.from_leader(fmt::format("crew-{}", ::getpid()));
+    std::optional<Token> token;
     const bool is_made = crew.together([&] {
-        if (!crew.leads()) return;
-        fs::create_directories(units);
-        const FileLock made(units / token);
+        if (crew.leads()) token.emplace(file);
     });
-    if (!is_made) return;
-    crew.together([&] {
-        if (!fs::exists(units / token))
+    return is_made && crew.together([&] {
+        if (!fs::exists(file))
             throw InputError(fmt::format("there is no {}: all machines need the same folder --out, on a file system "
                                          "that they share",
-                                         (units / token).string()));
+                                         file.string()));
     });
-    std::error_code error;
-    if (crew.leads()) fs::remove(units / token, error);
 }
 
-/// Where nothing can be kept between runs (no HOME, or a read-only one), tile sets are kept with the other work of the run.
+/// Where nothing can be kept between runs (no HOME, or a read-only one), tile sets are kept with the other work of the
+/// run.
 void keep_tile_sets_near(const fs::path& units)
 {
     const fs::path cache = tile_cache_folder();
@@ -110,10 +132,12 @@ void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run)
     write_collection_file(plan.out, done);
 }
 
-void write_final_report(const RunPlan& plan, const ReportWriter& write_report, Progress& progress)
+void write_final_report(const RunPlan& plan, const CollectionFile& done, const ReportWriter& write_report,
+                        Progress& progress)
 {
-    const FileLock lock(plan.out / unit_folder_name / "publish.lock"); // nobody else writes there
+    const FileLock lock(plan.out / unit_folder_name / publish_lock_name); // nobody else writes there
     remove_stale_temporary_files(plan.out, std::chrono::seconds(0), unit_folder_name);
+    if (plan.is_collection) write_collection_file(plan.out, done); // a second run may have listed less meanwhile
     finish_report({plan.out}, plan.out, write_report, progress);
 }
 
@@ -134,10 +158,14 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
     RunSettings settings;
     settings.units = plan.out / unit_folder_name;
     settings.shard = shard;
-    check_shared(*crew, settings.units);
+    if (!share_a_folder(*crew, settings.units)) return;
     keep_tile_sets_near(settings.units);
-    remove_stale_temporary_files(settings.units, std::chrono::hours(1));
-    say_when_interrupted(advice(options, settings.units));
+    if (crew->leads()) {
+        say_when_interrupted(advice(options, settings.units));
+        remove_stale_temporary_files(settings.units, std::chrono::hours(1));
+    } else {
+        say_nothing_when_interrupted();
+    }
 
     Progress progress(style_of(options, *crew));
     CollectionFile done{plan.title, options.command, {}};
@@ -147,11 +175,11 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
     const bool is_complete = run_experiments(plan.runs, settings, *crew, progress);
     if (!crew->leads()) return;
     if (!is_complete)
-        return progress.message(fmt::format("shard {} is done, and kept in {}; others are not. When all are, the same command "
-                                            "without --shard writes the results (`poissonlab merge` first, where shards have "
-                                            "folders of their own)",
+        return progress.message(fmt::format("shard {} is done, and kept in {}; others are not. When all are, the same "
+                                            "command without --shard writes the results (`poissonlab merge` first, where "
+                                            "shards have folders of their own)",
                                             options.shard, settings.units.string()));
-    write_final_report(plan, write_report, progress);
+    write_final_report(plan, done, write_report, progress);
 }
 
 }
