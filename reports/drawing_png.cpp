@@ -5,9 +5,8 @@
 #include "reports/drawing.hpp"
 
 #include "errors/errors.hpp"
-#include "io/whole_file.hpp"
+#include "reports/png_file.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -181,23 +180,6 @@ private:
     std::vector<std::array<double, 2>> extents_; ///< rows of samples
 };
 
-/// Writes bands from the top to the bottom. False if OpenImageIO fails.
-bool write_bands(OIIO::ImageOutput& output, const Painter& painter, int width, int height)
-{
-    std::vector<Rgb> pixels;
-    for (int first = 0; first < height; first += band_rows) {
-        const int rows = std::min(band_rows, height - first);
-        Band band(width * samples, first * samples, rows * samples);
-        painter.paint(band, first * samples, rows * samples);
-        pixels.clear();
-        for (int row = 0; row < rows; ++row)
-            for (int column = 0; column < width; ++column) pixels.push_back(band.pixel(column, row));
-        if (!output.write_scanlines(first, first + rows, 0, OIIO::TypeDesc::UINT8, pixels.data()))
-            return false;
-    }
-    return true;
-}
-
 }
 
 void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide)
@@ -211,17 +193,19 @@ void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing
                                      path.string(), pixels_wide, pixels_high, max_drawing_pixels));
     const int height = static_cast<int>(pixels_high);
     const Painter painter(drawing, scale * samples);
-    write_whole_file(path, [&](const std::filesystem::path& temporary) {
-        OIIO::ImageSpec spec(pixels_wide, height, 3, OIIO::TypeDesc::UINT8);
-        // Few colours: rows compress as they are, and libpng would try five filters on each.
-        spec.attribute("png:compressionLevel", 3);
-        spec.attribute("png:filter", 8); // PNG_FILTER_NONE
-        const auto output = OIIO::ImageOutput::create("png");
-        const bool written = output && output->open(temporary.string(), spec) &&
-                             write_bands(*output, painter, pixels_wide, height) && output->close();
-        if (written) return;
-        throw StorageError(path.string() +
-                           ": cannot write the picture: " + (output ? output->geterror() : OIIO::geterror()));
+    PngLayout layout{pixels_wide, height, 3};
+    layout.rows_at_once = band_rows;
+    // Few colours: rows compress as they are.
+    layout.compression = 3;
+    layout.filters = false;
+    std::vector<Rgb> pixels;
+    write_png(path, layout, [&](int first, int rows) {
+        Band band(pixels_wide * samples, first * samples, rows * samples);
+        painter.paint(band, first * samples, rows * samples);
+        pixels.clear();
+        for (int row = 0; row < rows; ++row)
+            for (int column = 0; column < pixels_wide; ++column) pixels.push_back(band.pixel(column, row));
+        return pixels.front().data();
     });
 }
 

@@ -1,10 +1,8 @@
 #include "reports/thumbnails.hpp"
 
-#include "errors/errors.hpp"
-#include "io/whole_file.hpp"
+#include "reports/png_file.hpp"
 #include "reports/small_pictures.hpp"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,47 +17,7 @@ namespace {
 
 constexpr int run_thumbnail_size = 144;
 
-/// 8-bit channels, row by row from the top.
-struct Pixels
-{
-    int width = 0;
-    int height = 0;
-    int channels = 1;
-    std::vector<std::uint8_t> values;
-
-    std::size_t at(int column, int row, int channel) const
-    {
-        return (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)) *
-                   static_cast<std::size_t>(channels) +
-               static_cast<std::size_t>(channel);
-    }
-};
-
-Pixels read_png(const fs::path& path)
-{
-    const auto input = OIIO::ImageInput::open(path.string());
-    if (!input) throw StorageError(path.string() + ": cannot read the picture: " + OIIO::geterror());
-    Pixels image{input->spec().width, input->spec().height, input->spec().nchannels, {}};
-    image.values.resize(image.at(0, image.height, 0));
-    if (!input->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::UINT8, image.values.data()))
-        throw StorageError(path.string() + ": cannot read the picture: " + input->geterror());
-    return image;
-}
-
-void write_png(const fs::path& path, const Pixels& image)
-{
-    write_whole_file(path, [&](const fs::path& temporary) {
-        const OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-        const auto output = OIIO::ImageOutput::create("png");
-        const bool written = output && output->open(temporary.string(), spec) &&
-                             output->write_image(OIIO::TypeDesc::UINT8, image.values.data()) && output->close();
-        if (!written)
-            throw StorageError(path.string() + ": cannot write the picture: " +
-                               (output ? output->geterror() : OIIO::geterror()));
-    });
-}
-
-std::uint8_t block_mean(const Pixels& image, int column, int row, int channel, int block)
+std::uint8_t block_mean(const PngPixels& image, int column, int row, int channel, int block)
 {
     int sum = 0;
     for (int y = row * block; y < (row + 1) * block; ++y)
@@ -67,10 +25,10 @@ std::uint8_t block_mean(const Pixels& image, int column, int row, int channel, i
     return static_cast<std::uint8_t>(std::lround(static_cast<double>(sum) / (block * block)));
 }
 
-Pixels smaller(const Pixels& image, int largest)
+PngPixels smaller(const PngPixels& image, int largest)
 {
     const int block = (std::max(image.width, image.height) + largest - 1) / largest;
-    Pixels result{std::max(1, image.width / block), std::max(1, image.height / block), image.channels, {}};
+    PngPixels result{std::max(1, image.width / block), std::max(1, image.height / block), image.channels, {}};
     result.values.resize(result.at(0, result.height, 0));
     for (int row = 0; row < result.height; ++row)
         for (int column = 0; column < result.width; ++column)
@@ -121,7 +79,9 @@ std::string radial_thumbnail_svg(const Curve& curve, const CurveScales& scales)
 
 void draw_run_thumbnail(const ReportRun& run)
 {
-    write_png(run.root / run_thumbnail, smaller(read_png(run_picture(run)), run_thumbnail_size));
+    const PngPixels image = smaller(read_png(run_picture(run)), run_thumbnail_size);
+    write_png(run.root / run_thumbnail, PngLayout{image.width, image.height, image.channels},
+              [&](int, int) { return image.values.data(); });
 }
 
 }

@@ -1,0 +1,48 @@
+// PNG files of 8-bit channels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace poissonlab {
+
+/// Channels side by side, row by row from the top.
+struct PngPixels
+{
+    int width = 0;
+    int height = 0;
+    int channels = 1;
+    std::vector<std::uint8_t> values;
+
+    std::size_t at(int column, int row, int channel) const
+    {
+        return (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)) *
+                   static_cast<std::size_t>(channels) +
+               static_cast<std::size_t>(channel);
+    }
+};
+
+/// What a PNG file is like, and how hard libpng tries.
+struct PngLayout
+{
+    int width = 0;
+    int height = 0;
+    int channels = 1;
+    int compression = -1; ///< zlib's level from 0 to 9; -1: the default
+    bool filters = true;  ///< whether rows are predicted from their neighbours
+    int rows_at_once = 0; ///< that are asked for at a time; 0: all
+};
+
+/// The pixels of `count` rows from row `first` on; valid until the next call.
+using PngRows = std::function<const std::uint8_t*(int first, int count)>;
+
+/// Writes a PNG whose bytes depend on the arguments only (no date, no program name). Throws StorageError.
+void write_png(const std::filesystem::path& path, const PngLayout& layout, const PngRows& rows);
+
+/// Reads a PNG as 8-bit channels. Throws StorageError.
+PngPixels read_png(const std::filesystem::path& path);
+
+}
