@@ -465,6 +465,27 @@ int flushed(int status)
     return is_lost ? fail(exit_other, "cannot write to standard output") : status;
 }
 
+/// Says what the exception being handled is. Returns the exit status.
+int tell_of_exception()
+{
+    try {
+        stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no error
+        throw;
+    } catch (const Interrupted&) {
+        std::fflush(stdout);
+        tell_of_interruption();
+        return exit_interrupted;
+    } catch (const InputError& error) {
+        return fail(exit_input, error.what());
+    } catch (const DeviceError& error) {
+        return fail(exit_device, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_other, "there is not enough memory for this");
+    } catch (const std::exception& error) {
+        return fail(exit_other, error.what());
+    }
+}
+
 }
 
 int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
@@ -483,18 +504,8 @@ int run_command_line(int argc, const char* const* argv, const ReportWriter& writ
         }
         catch_interrupts();
         return flushed(command_line.execute());
-    } catch (const Interrupted&) {
-        std::fflush(stdout);
-        tell_of_interruption();
-        return exit_interrupted;
-    } catch (const InputError& error) {
-        return fail(exit_input, error.what());
-    } catch (const DeviceError& error) {
-        return fail(exit_device, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(exit_other, "there is not enough memory for this");
-    } catch (const std::exception& error) {
-        return fail(exit_other, error.what());
+    } catch (const std::exception&) {
+        return tell_of_exception();
     }
 }
 

@@ -26,7 +26,10 @@ std::optional<std::filesystem::path> find_program(const std::string& name, const
 /// Runs the program words[0] with the rest as its arguments, in `folder`, with nothing on standard input, and waits for
 /// it. `check` is called again and again meanwhile; what it throws ends the program. When it ends, is late or is ended,
 /// all processes of its group are killed. Throws InputError where it cannot be started.
+///
+/// `environment`: NAME=VALUE, instead of that of this process.
 ProgramOutcome run_program(const std::vector<std::string>& words, const std::filesystem::path& folder,
-                           double limit_seconds, const std::function<void()>& check);
+                           double limit_seconds, const std::function<void()>& check,
+                           const std::optional<std::vector<std::string>>& environment = std::nullopt);
 
 }

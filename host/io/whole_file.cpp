@@ -1,6 +1,7 @@
 #include "io/whole_file.hpp"
 
 #include "errors/errors.hpp"
+#include "io/leftovers.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +10,6 @@
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <mutex>
-#include <set>
 #include <system_error>
 
 #include <unistd.h>
@@ -24,40 +23,6 @@ using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 std::string last_system_error() { return std::generic_category().message(errno); }
 
 constexpr std::string_view temporary_mark = ".tmp";
-
-/// Temporary files that are there.
-class TemporaryFiles
-{
-public:
-    void add(const std::filesystem::path& file)
-    {
-        const std::lock_guard lock(mutex_);
-        files_.insert(file);
-    }
-    void remove(const std::filesystem::path& file)
-    {
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
-        const std::lock_guard lock(mutex_);
-        files_.erase(file);
-    }
-    void remove_all()
-    {
-        const std::lock_guard lock(mutex_);
-        std::error_code ignored;
-        for (const auto& file : files_) std::filesystem::remove(file, ignored);
-    }
-
-private:
-    std::mutex mutex_;
-    std::set<std::filesystem::path> files_;
-};
-
-TemporaryFiles& temporary_files()
-{
-    static auto& files = *new TemporaryFiles; // never destroyed: a thread that ends the process may come late
-    return files;
-}
 
 /// Whether a name is one of temporary_beside().
 bool is_temporary(const std::filesystem::path& file)
@@ -81,11 +46,11 @@ class TemporaryFile
 public:
     explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
     {
-        temporary_files().add(path_);
+        Leftovers::instance().add(path_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { temporary_files().remove(path_); }
+    ~TemporaryFile() { Leftovers::instance().remove(path_); }
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -137,7 +102,7 @@ void write_whole_file(const std::filesystem::path& path,
 void remove_temporary_files() noexcept
 {
     try {
-        temporary_files().remove_all();
+        Leftovers::instance().clear();
     } catch (const std::exception&) {
         // What stays is removed by the next run.
     }
