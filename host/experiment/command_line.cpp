@@ -479,10 +479,12 @@ int tell_of_exception()
         return fail(exit_input, error.what());
     } catch (const DeviceError& error) {
         return fail(exit_device, error.what());
+    } catch (const StorageError& error) {
+        return fail(exit_other, error.what());
     } catch (const std::bad_alloc&) {
         return fail(exit_other, "there is not enough memory for this");
     } catch (const std::exception& error) {
-        return fail(exit_other, error.what());
+        return fail(exit_other, printable(error.what()));
     }
 }
 
@@ -500,7 +502,7 @@ int run_command_line(int argc, const char* const* argv, const ReportWriter& writ
             if (outcome.get_exit_code() == 0) return flushed(command_line.show_help_or_version(outcome));
             std::string message = outcome.what();
             std::ranges::replace(message, '\n', ' ');
-            return fail(exit_input, message + " (see poissonlab --help)");
+            return fail(exit_input, printable(message) + " (see poissonlab --help)");
         }
         catch_interrupts();
         return flushed(command_line.execute());

@@ -4,6 +4,9 @@
 namespace poissonlab {
 namespace {
 
+class NamesLuck : public BadLuck
+{};
+
 class PathLuck : public BadLuck, public ::testing::WithParamInterface<std::string>
 {};
 
@@ -32,6 +35,16 @@ TEST_P(PathLuck, IsNoMatter)
 
     const Outcome missing = run_program(here, {"run", word + "-missing.toml"});
     expect_one_line(missing, 2, "-missing.toml: cannot be read"); // bytes that are no text are escaped
+}
+
+/// Whatever is wrong with a file or an argument is said in one line.
+TEST_F(NamesLuck, WithNewlinesAreOneLine)
+{
+    expect_one_line(run("/proc/a\nb"), 1, "/proc/a\\nb");
+    expect_one_line(run_program(folder_.path(), {"run", "tiny.toml", "--device", "a\nb"}), 3, "matches \"a\\nb\"");
+    expect_one_line(run_program(folder_.path(), {"run", "tiny.toml", "--no\nsuch"}), 2, "see poissonlab --help");
+    expect_one_line(run_program(folder_.path(), {"tiles", "points", "no\nset", "--window", "0", "0", "1", "1", "--out", "x"}),
+                    2, "no\\nset: cannot be read");
 }
 
 INSTANTIATE_TEST_SUITE_P(OfLetters, PathLuck,
