@@ -9,15 +9,12 @@
 #include <system_error>
 
 namespace poissonlab {
-namespace {
 
 std::filesystem::path folder_for_temporaries()
 {
     std::error_code none;
     const auto folder = std::filesystem::temp_directory_path(none);
     return none ? std::filesystem::path("/tmp") : folder;
-}
-
 }
 
 ScratchFolder::ScratchFolder()
