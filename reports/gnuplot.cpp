@@ -44,9 +44,10 @@ constexpr int status_without_letters = 77;
 // shows. SVG files leave the letters to the browser.
 std::string font_check()
 {
-    return fmt::format("set terminal pngcairo font 'sans-serif,12' size 200,200\nset output 'letters.png'\nplot [0:1] x\n"
-                       "if (GPVAL_TERM_XMIN < 2) {{ exit status {} }}\nset output\n",
-                       status_without_letters);
+    return fmt::format(
+        "set terminal pngcairo font 'sans-serif,12' size 200,200\nset output 'letters.png'\nplot [0:1] x\n"
+        "if (GPVAL_TERM_XMIN < 2) {{ exit status {} }}\nset output\n",
+        status_without_letters);
 }
 
 // One of the processes of a terminal: every so many pictures from the first on.
@@ -93,12 +94,13 @@ std::string in_one_line(const std::string& text)
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together with
-// this process.
+// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together
+// with this process.
 ProgramOutcome outcome_of(const std::string& script, const std::filesystem::path& folder)
 try {
-    return run_program({"gnuplot", "--default-settings", script}, folder, std::numeric_limits<double>::infinity(), [] {},
-                       neutral_environment());
+    return run_program(
+        {"gnuplot", "--default-settings", script}, folder, std::numeric_limits<double>::infinity(), [] {},
+        neutral_environment());
 } catch (const InputError& error) {
     throw StorageError(error.what()); // the user has not asked for gnuplot
 }

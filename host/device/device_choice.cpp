@@ -63,8 +63,8 @@ std::size_t device_of_number(const std::vector<DeviceInfo>& devices, const std::
     std::size_t number = 0;
     const auto parsed = std::from_chars(selector.data(), selector.data() + selector.size(), number);
     if (parsed.ec == std::errc{} && number < devices.size()) return number;
-    throw DeviceError(
-        fmt::format("there is no OpenCL device {}; there are: {}", shortened(selector), list_of_names(devices, all_of(devices))));
+    throw DeviceError(fmt::format("there is no OpenCL device {}; there are: {}", shortened(selector),
+                                  list_of_names(devices, all_of(devices))));
 }
 
 }

@@ -1,8 +1,8 @@
 // What can go wrong, in three kinds: what the user can mend, what OpenCL reports, and what happens to files.
 //
-// Their messages are one line each, although they hold names and values that can be anything: what would end the line or
-// command a terminal is escaped, see printable(). Text that is printable already stays as it is. `details` are lines for
-// the reader that follow the message verbatim, such as what a program said.
+// Their messages are one line each, although they hold names and values that can be anything: what would end the line
+// or command a terminal is escaped, see printable(). Text that is printable already stays as it is. `details` are lines
+// for the reader that follow the message verbatim, such as what a program said.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +39,8 @@ public:
 /// `text` with control characters, and bytes that are no UTF-8, as \n, \t or \x1b: one line on any terminal.
 std::string printable(std::string_view text);
 
-/// `text`, or its beginning and "..." where it has more than `longest` bytes: messages quote what they are about, not all
-/// of it. Characters of UTF-8 are left whole.
+/// `text`, or its beginning and "..." where it has more than `longest` bytes: messages quote what they are about, not
+/// all of it. Characters of UTF-8 are left whole.
 std::string shortened(std::string_view text, std::size_t longest = 60);
 
 /// A place in an input file. Line 0 means "no line": the whole file, or a command line argument.

@@ -20,7 +20,8 @@ struct ProgramOutcome
     bool succeeded() const { return is_in_time && status == 0 && signal == 0; }
 };
 
-/// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is none.
+/// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is
+/// none.
 std::optional<std::filesystem::path> find_program(const std::string& name, const std::filesystem::path& folder);
 
 /// Runs the program words[0] with the rest as its arguments, in `folder`, with nothing on standard input, and waits for

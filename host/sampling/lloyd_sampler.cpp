@@ -84,9 +84,10 @@ private:
         const std::string what = fmt::format("Lloyd relaxation of {} points", start.size());
         if (!parameters_.has("start")) return check_fits(what, memory, device_->info());
         if (!fits(memory, device_->info()))
-            throw parameters_.error("start", fmt::format("{} {}; start from fewer points, or set engine = \"reference\", "
-                                                         "which needs no device",
-                                                         what, comparison(memory, device_->info())));
+            throw parameters_.error("start",
+                                    fmt::format("{} {}; start from fewer points, or set engine = \"reference\", "
+                                                "which needs no device",
+                                                what, comparison(memory, device_->info())));
     }
 
     Parameters parameters_;

@@ -84,7 +84,8 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
     if (set.parameters.kind == PoissonTileKind::frame) return points;
     const auto counts = region_counts(set);
     for (int cell = 0; cell <= set.parameters.dimension; ++cell)
-        points.push_back({counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
+        points.push_back(
+            {counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
     return points;
 }
 

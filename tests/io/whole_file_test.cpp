@@ -218,10 +218,10 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeftAndNothingElse)
     const std::string gone = std::to_string(ended_process());
     const std::string running = std::to_string(::getpid());
     const std::vector<std::string> stale{".a.b." + gone + "-12.tmp.exr", "below/.file." + gone + "-1.tmp"};
-    const std::vector<std::string> kept{"a." + gone + "-1.tmp",        ".a." + gone + ".tmp",     ".notes.tmp",
-                                        ".a." + gone + "-1.tmp.x.y",   ".a." + gone + "-1.tmpx",  ".a.x" + gone + "-1.tmp",
-                                        ".a." + running + "-1.tmp.svg", ".a." + gone + "-.tmp",
-                                        "other/.a." + gone + "-1.tmp"};
+    const std::vector<std::string> kept{
+        "a." + gone + "-1.tmp",         ".a." + gone + ".tmp",    ".notes.tmp",
+        ".a." + gone + "-1.tmp.x.y",    ".a." + gone + "-1.tmpx", ".a.x" + gone + "-1.tmp",
+        ".a." + running + "-1.tmp.svg", ".a." + gone + "-.tmp",   "other/.a." + gone + "-1.tmp"};
     for (const auto& names : {stale, kept})
         for (const std::string& name : names) folder.write(name, "x");
     std::filesystem::create_directory(folder.path() / (".folder." + gone + "-1.tmp"));

@@ -35,10 +35,12 @@ TEST_F(GnuplotLuck, IsSaidInOneLineAndMendedByReport)
         SCOPED_TRACE(c.words);
         expect_one_line(run("out", c.environment), 1, c.words);
     }
-    expect_one_line(run("out", with_gnuplot("echo one; echo two >&2; exit 3")), 1, "gnuplot failed with status 3: one two");
+    expect_one_line(run("out", with_gnuplot("echo one; echo two >&2; exit 3")), 1,
+                    "gnuplot failed with status 3: one two");
     expect_one_line(run("out", with_gnuplot("exit 0")), 1, ".svg is missing");
     expect_one_line(run("out", with_gnuplot(garbage)), 1, ".svg is damaged");
-    expect_one_line(run("out", "FONTCONFIG_FILE=" + quoted(path("no-fonts.conf").string())), 1, "gnuplot finds no fonts");
+    expect_one_line(run("out", "FONTCONFIG_FILE=" + quoted(path("no-fonts.conf").string())), 1,
+                    "gnuplot finds no fonts");
     EXPECT_TRUE(std::filesystem::exists(path("out") / "results.json"));
     EXPECT_THAT(left_over(path("out")), ::testing::IsEmpty());
 
@@ -54,7 +56,8 @@ TEST_F(GnuplotLuck, EndsWithTheProgram)
     std::filesystem::create_directories(path("tmp"));
     const std::string gnuplot = with_gnuplot("echo $$ >> " + quoted(path("pids").string()) + "; exec sleep 50");
     // Shells let background jobs ignore SIGINT; SIGTERM goes the same way.
-    const Outcome outcome = shell("export TMPDIR=$PWD/tmp " + gnuplot + "\n$P run tiny.toml --out out --quiet & lab=$!\n"
+    const Outcome outcome = shell("export TMPDIR=$PWD/tmp " + gnuplot +
+                                  "\n$P run tiny.toml --out out --quiet & lab=$!\n"
                                   "while ! test -s pids; do sleep 0.05; done; kill -TERM $lab; wait $lab");
     EXPECT_EQ(outcome.status, 130);
     EXPECT_THAT(outcome.error, ::testing::HasSubstr("poissonlab: interrupted"));

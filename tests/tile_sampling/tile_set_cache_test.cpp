@@ -152,8 +152,8 @@ TEST_F(TileSetCache, TakesSetsWithoutTimes)
     folder_.write(record, with("0.5"));
     cached();
     EXPECT_TRUE(record_.build);
-    for (const std::string& content : {std::string(), std::string("{"), std::string("[]"), std::string("{}"), with("-1"),
-                                       with("\"soon\""), with("1e999"), with("0.5", "2")}) {
+    for (const std::string& content : {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
+                                       with("-1"), with("\"soon\""), with("1e999"), with("0.5", "2")}) {
         folder_.write(record, content);
         EXPECT_EQ(cached(), built);
         EXPECT_TRUE(record_.cached);
