@@ -41,7 +41,8 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path)
 /// The process that has made up this name in temporary_beside(); 0: it is no such name.
 pid_t maker_of(const std::filesystem::path& file)
 {
-    std::string_view name = file.filename().native();
+    const std::string whole = file.filename().string();
+    std::string_view name = whole;
     const std::size_t mark = name.rfind(temporary_mark);
     if (!name.starts_with('.') || mark == std::string_view::npos) return 0;
     const std::string_view extension = name.substr(mark + temporary_mark.size());
