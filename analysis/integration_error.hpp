@@ -56,8 +56,8 @@ struct IntegrationError
 class IntegrationErrorEstimate
 {
 public:
-    /// `shifts` of each set; `first` is the number of the first set, where others are elsewhere. Throws InputError unless
-    /// shifts > 0 and dimension 2 or 3.
+    /// `shifts` of each set; `first` is the number of the first set, where others are elsewhere. Throws InputError
+    /// unless shifts > 0 and dimension 2 or 3.
     IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts = 16, std::size_t first = 0);
 
     /// Adds one set; sizes may vary. Throws InputError for another dimension or an empty set. Coordinates

@@ -1,8 +1,8 @@
 // Standard errors of what is computed from an average over realizations: leave one out, see how much that changes.
 //
-// Tukey, Bias and confidence in not quite large samples, Annals of Mathematical Statistics 29, 1958; Efron and Stein, The
-// jackknife estimate of variance, Annals of Statistics 9(3), 1981: right for quantities that are linear in the average,
-// too large on average for others, up to twice the variance for squares of a mean that is 0 otherwise.
+// Tukey, Bias and confidence in not quite large samples, Annals of Mathematical Statistics 29, 1958; Efron and Stein,
+// The jackknife estimate of variance, Annals of Statistics 9(3), 1981: right for quantities that are linear in the
+// average, too large on average for others, up to twice the variance for squares of a mean that is 0 otherwise.
 #pragma once
 
 #include <functional>

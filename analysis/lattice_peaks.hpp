@@ -39,9 +39,9 @@ LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles);
 /// The same for the periodogram of a set of so many points.
 ///
 /// The standard error of mean_ratio over K realizations is taken from the spread of their own mean ratios. That is a
-/// little too large, as a ring of one periodogram is noisier than one of K: for rings of n = 48 samples of chance alone, a
-/// ratio of exponential variables has the variance 2 n^2 / ((n - 1) (n - 2)) - (n / (n - 1))^2 = 1.09 where that of the
-/// linear part, which counts in the mean of many, is 1 + 1/n = 1.02: 3 % in the error.
+/// little too large, as a ring of one periodogram is noisier than one of K: for rings of n = 48 samples of chance
+/// alone, a ratio of exponential variables has the variance 2 n^2 / ((n - 1) (n - 2)) - (n / (n - 1))^2 = 1.09 where
+/// that of the linear part, which counts in the mean of many, is 1 + 1/n = 1.02: 3 % in the error.
 LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles);
 
 }

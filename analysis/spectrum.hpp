@@ -50,8 +50,8 @@ inline constexpr int largest_spectrum_3d = 256;
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
 /// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
 ///
-/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or 156,000
-/// in 3D, reach less than twice that far.
+/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or
+/// 156,000 in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
 /// How periodograms are computed.
@@ -81,14 +81,15 @@ public:
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
-    /// As if the realizations of `other` had been added after those here, up to rounding. Throws InputError as add() does.
+    /// As if the realizations of `other` had been added after those here, up to rounding. Throws InputError as add()
+    /// does.
     void append(const SpectrumEstimate& other);
 
     /// The mean of what was added, at least one realization.
     Spectrum mean() const;
 
-    /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from its spread between
-    /// realizations. Empty for K = 1.
+    /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from
+    /// its spread between realizations. Empty for K = 1.
     std::vector<double> radial_errors() const;
 
     /// The radially averaged power of each realization, in the bins of radial_statistics() one sample wide.

@@ -6,10 +6,12 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfCompression.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <map>
 #include <stdexcept>
+#include <system_error>
 
 namespace poissonlab {
 namespace {
@@ -23,11 +25,15 @@ constexpr std::uintmax_t largest_ratio = 1032;
 class HeaderWalk
 {
 public:
-    explicit HeaderWalk(const std::filesystem::path& file) : file_(file, std::ios::binary)
+    explicit HeaderWalk(const std::filesystem::path& file)
     {
-        std::error_code unknown;
-        size_ = std::filesystem::file_size(file, unknown);
-        if (!file_ || unknown) throw std::runtime_error("cannot be read");
+        std::error_code error;
+        size_ = std::filesystem::file_size(file, error); // an error for what is no file: a pipe would not open
+        if (!error) {
+            file_.open(file, std::ios::binary);
+            if (!file_) error = {errno, std::generic_category()};
+        }
+        if (error) throw std::runtime_error("cannot be read: " + error.message());
     }
 
     void check()

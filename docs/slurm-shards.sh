@@ -16,9 +16,10 @@ set -euo pipefail
 config=${1:?usage: sbatch slurm-shards.sh CONFIG OUT}
 out=${2:?usage: sbatch slurm-shards.sh CONFIG OUT}
 
-# Kernels are compiled once a node, in a folder that only this job writes.
-export POCL_CACHE_DIR=${TMPDIR:-/tmp}/pocl-$SLURM_JOB_ID
-mkdir -p "$POCL_CACHE_DIR"
+# Kernels are compiled once a task, in a folder on the node's own disk that goes with the task.
+POCL_CACHE_DIR=$(mktemp -d)
+export POCL_CACHE_DIR
+trap 'rm -rf "$POCL_CACHE_DIR"' EXIT
 
 build/release/poissonlab run "$config" --out "$out" \
   --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" --threads "$SLURM_CPUS_PER_TASK"

@@ -110,8 +110,8 @@ bool conflicts(const Position* position, const Position* near, uint near_count, 
     return false;
 }
 
-/// The box of a cell and its two halves along each axis: child c takes half (c >> k & 1) along axis k. A cell that is not
-/// split is its own and only child, number 0.
+/// The box of a cell and its two halves along each axis: child c takes half (c >> k & 1) along axis k. A cell that is
+/// not split is its own and only child, number 0.
 typedef struct
 {
     uint low[DIMENSION][2];
@@ -150,7 +150,8 @@ ALWAYS_INLINE uint covered_by(const Position* point, const Halves* halves, ulong
     return covered;
 }
 
-/// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is exact.
+/// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is
+/// exact.
 bool has_room(const Halves* halves, const Position* near, uint near_count, ulong squared_min_distance)
 {
     for (int corner = 0; corner < CHILDREN; ++corner) {
@@ -217,11 +218,11 @@ void copy_staged(const List* list, uint begin)
 /// One work-item owns one open cell ("parent"). Needs: masks and positions for all points of earlier batches; counters
 /// OPEN_CELLS and DARTS zero.
 ///
-/// `parents` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their slots and
-/// masks, and does not list them as open. `level` that of the children, or, where `split` is 0, of the parents
-/// themselves, which then take the place of children. `is_last_level`: they cannot be split further.
-/// Local memory: staged_cells for DIMENSION * staged_cells_capacity words, staged_darts for
-/// DART_WORDS * staged_darts_capacity words, group for 4 words.
+/// `parents` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their slots
+/// and masks, and does not list them as open. `level` that of the children, or, where `split` is 0, of the parents
+/// themselves, which then take the place of children. `is_last_level`: they cannot be split further. Local memory:
+/// staged_cells for DIMENSION * staged_cells_capacity words, staged_darts for DART_WORDS * staged_darts_capacity words,
+/// group for 4 words.
 kernel void throw_darts(global const uint* parents, uint parent_count, global uint* masks, global uint* slots,
                         global const uint* positions, uint grid_size, ulong step, int level, uint split, uint is_last_level,
                         uint batch, ulong squared_min_distance, uint key_x, uint key_y, constant const uint* thresholds,
@@ -344,8 +345,8 @@ bool is_earlier_twin(global const uint* darts, uint a, uint b)
     return a < b; // the same dart twice: whichever is taken, the result is the same
 }
 
-/// Lists the rivals of dart `id` that are not rejected, as far as there is room, and returns how many there are. In small
-/// grids a chain is met more than once; a rival that is listed twice does no harm.
+/// Lists the rivals of dart `id` that are not rejected, as far as there is room, and returns how many there are. In
+/// small grids a chain is met more than once; a rival that is listed twice does no harm.
 ALWAYS_INLINE uint list_rivals(uint id, global const uint* darts, uint first, global const uint* slots, global const uint* next,
                  uint grid_size, ulong squared_min_distance, global const uint* states, global uint* list)
 {

@@ -45,9 +45,9 @@ typedef struct
     uint darts;
 } Filling;
 
-/// Work-group g fills problem problems[g]. A problem has capacity ints for each axis in `points`; images of a point (see
-/// `copies`: 1, or 2^DIMENSION for the torus of one tile) come one after the other. counts: points there are, without
-/// images, before and after. levels: the level that was reached; level_count: given up.
+/// Work-group g fills problem problems[g]. A problem has capacity ints for each axis in `points`; images of a point
+/// (see `copies`: 1, or 2^DIMENSION for the torus of one tile) come one after the other. counts: points there are,
+/// without images, before and after. levels: the level that was reached; level_count: given up.
 kernel void throw_tile_darts(global const uint* problems, global const uint* streams, uint attempt, uint zone,
                              uint key_x, uint key_y, uint capacity, uint copies, global const int* region_values,
                              ulong cells, int low, uint extent, global const uint* thresholds,

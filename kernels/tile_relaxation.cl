@@ -177,7 +177,8 @@ uint nearest_of_window(const Window* window, const Position* position, uint site
     return nearest;
 }
 
-/// From the site to the centroid of its cell among the points of a window, in units; false where a larger window is needed.
+/// From the site to the centroid of its cell among the points of a window, in units; false where a larger window is
+/// needed.
 bool find_centroid(const Window* window, const Position* position, uint site, int reach, double spacing,
                    global const double* doubles, double* displacement)
 {
@@ -222,10 +223,10 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
-/// from all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for Voronoi
-/// neighbours, one after the other; where none is enough, a point stays. For the first box, each point has a list of
-/// LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have brought in others.
-/// Points themselves end as the last iterate.
+/// from all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for
+/// Voronoi neighbours, one after the other; where none is enough, a point stays. For the first box, each point has a
+/// list of LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have brought in
+/// others. Points themselves end as the last iterate.
 kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
                         ulong cells, global const uint* counts, global const uint* held_counts,
                         global const uint* active_counts, uint iterations, uint keeps_last, uint wanted,
@@ -303,8 +304,8 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
     }
 }
 
-/// The movement of a point by repulsion: away from all that are closer than `distance`, by what they lack of it, half of
-/// it where the other moves as well. Lowers `nearest` to the squared distance of the nearest point.
+/// The movement of a point by repulsion: away from all that are closer than `distance`, by what they lack of it, half
+/// of it where the other moves as well. Lowers `nearest` to the squared distance of the nearest point.
 Position repelled(const TorusPoints* points, const Position* position, uint site, uint first, uint end, double distance,
                   uint* nearest)
 {

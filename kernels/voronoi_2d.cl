@@ -95,8 +95,8 @@ ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double*
     squared_near[site] = cell->squared_near;
 }
 
-/// The cell of a site from the points in 3 x 3, or else 5 x 5 grid cells around its own; windows are gathered when first
-/// needed, until then they hold nothing. False where the slow way is needed.
+/// The cell of a site from the points in 3 x 3, or else 5 x 5 grid cells around its own; windows are gathered when
+/// first needed, until then they hold nothing. False where the slow way is needed.
 ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global const double2* positions,
                              global const int* fixed_point, uint stride, global const uint* starts, uint grid_size,
                              float width, VoronoiCell* cell)

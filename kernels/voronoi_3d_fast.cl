@@ -1,15 +1,15 @@
 // The centroids of the Voronoi cells of points on the 3-torus, exactly, one cell after the other ("meshless Voronoi"):
 // the fast way.
 //
-// After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018: each cell is
-// made from the points in nearby grid cells, until no point farther away can matter (security radius). Unlike there, the
-// cell is not clipped plane by plane but walked along ("gift wrapping"): from a vertex along an edge to the next, a step
-// looks at all points at once, as vectors.
+// After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018: each cell
+// is made from the points in nearby grid cells, until no point farther away can matter (security radius). Unlike there,
+// the cell is not clipped plane by plane but walked along ("gift wrapping"): from a vertex along an edge to the next, a
+// step looks at all points at once, as vectors.
 //
 // This finds cells whose Voronoi neighbours all lie in the surrounding 5^3 or 7^3 grid cells. Neighbours are found in
-// single precision; vertices are computed from them in double precision. The result is taken only if the walk closes and
-// every vertex is seen, by more than any rounding error, to be nearer to its own four points than to any other. All other
-// sites are listed, for voronoi_3d_slow.cl.
+// single precision; vertices are computed from them in double precision. The result is taken only if the walk closes
+// and every vertex is seen, by more than any rounding error, to be nearer to its own four points than to any other. All
+// other sites are listed, for voronoi_3d_slow.cl.
 //
 // Points are sorted by grid cells, see point_grid.cl. Results are in that order.
 
@@ -63,8 +63,8 @@ ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint 
 }
 
 /// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to centroids.
-/// `margin`: the width of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended to `slow`
-/// (in any order); slow_count is 0 before.
+/// `margin`: the width of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended to
+/// `slow` (in any order); slow_count is 0 before.
 kernel void find_centroids_fast(global const double* positions, global const int* fixed_point, uint stride,
                                 global const uint* starts, uint grid_size, float margin, global double* volumes,
                                 global double* displacements, global double* energies, global double* squared_near,

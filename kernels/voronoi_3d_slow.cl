@@ -1,9 +1,9 @@
-// The centroids of the Voronoi cells on the 3-torus that the fast way, voronoi_3d_fast.cl, leaves: in double precision, by
-// clipping. Faces are polygons that share their corners, so that ties, as lattices have them, do no harm. Cells with too
-// many faces or corners are made edge by edge, without storage.
+// The centroids of the Voronoi cells on the 3-torus that the fast way, voronoi_3d_fast.cl, leaves: in double precision,
+// by clipping. Faces are polygons that share their corners, so that ties, as lattices have them, do no harm. Cells with
+// too many faces or corners are made edge by edge, without storage.
 //
-// Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of their ids:
-// the first gets the left part of the cell, the last the right part, those between them nothing.
+// Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of their
+// ids: the first gets the left part of the cell, the last the right part, those between them nothing.
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -32,8 +32,8 @@ double reach_of(const Surroundings* s, int shell) { return shell * ((1 - 0x1p-40
 /// Floor of i / n.
 int repetition_of(int i, int n) { return i >= 0 ? i / n : -((n - 1 - i) / n); }
 
-/// Calls are textual: OpenCL C has no function pointers. BODY sees `difference` and `index` of each point in a shell, but for
-/// the site itself and its twins.
+/// Calls are textual: OpenCL C has no function pointers. BODY sees `difference` and `index` of each point in a shell,
+/// but for the site itself and its twins.
 #define FOR_EACH_IN_SHELL(s, shell, BODY)                                                                              \
     for (int k_ = -(shell); k_ <= (shell); ++k_) {                                                                     \
         for (int j_ = -(shell); j_ <= (shell); ++j_) {                                                                 \
@@ -81,8 +81,8 @@ void axes_of(double3 normal, double3* first, double3* second)
     *second = cross_product(n, *first);
 }
 
-/// A convex polyhedron as polygons, counterclockwise seen from outside. Polygons share corners, bit for bit, so that the
-/// surface stays closed whatever rounding does.
+/// A convex polyhedron as polygons, counterclockwise seen from outside. Polygons share corners, bit for bit, so that
+/// the surface stays closed whatever rounding does.
 typedef struct
 {
     uint faces;
@@ -100,7 +100,8 @@ typedef struct
 
 bool equal_positions(double3 a, double3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/// Appends a corner unless it is the last one again. Returns the number of corners, SLOW_CORNERS + 1 where there are too many.
+/// Appends a corner unless it is the last one again. Returns the number of corners, SLOW_CORNERS + 1 where there are
+/// too many.
 uint append_corner(double3* corner, uint corners, double3 p)
 {
     if (corners > 0 && equal_positions(corner[corners - 1], p)) return corners;
@@ -343,8 +344,8 @@ void add_face_by_edges(const Surroundings* s, double3 face_difference, FacePlane
     }
 }
 
-/// A cell inside a ball around the site, without limit to the number of faces and edges, in a time of the cube of the number
-/// of points within twice the radius.
+/// A cell inside a ball around the site, without limit to the number of faces and edges, in a time of the cube of the
+/// number of points within twice the radius.
 VoronoiCell cell_by_edges(const Surroundings* s, double squared_radius)
 {
     VoronoiCell cell = {0, (double3)0, 0, 1};

@@ -30,7 +30,8 @@ struct CellsView
 };
 
 /// Sets of at most 600 points are shown whole, larger ones in a window that holds about 400 of them. Of these, only
-/// the surroundings of the window are triangulated, where that is proven to give the same cells. 2D, at least one point.
+/// the surroundings of the window are triangulated, where that is proven to give the same cells. 2D, at least one
+/// point.
 CellsView choose_cells_view(const PointSet& points);
 
 /// Classes of cells by their number of neighbours: up to 4, 5, 6, 7, at least 8, as in VoronoiStatistics.

@@ -19,8 +19,8 @@ std::string range_words(const std::vector<double>& values, int digits);
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
-/// How strong the strongest false plates of series are, against what noise alone makes; `should_alias`: whether they are
-/// said to be stronger. Nothing where no series has a picture.
+/// How strong the strongest false plates of series are, against what noise alone makes; `should_alias`: whether they
+/// are said to be stronger. Nothing where no series has a picture.
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias);
 

@@ -8,8 +8,8 @@
 
 namespace poissonlab {
 
-/// Writes stem.svg and stem.png, so many pixels wide (max_drawing_pixels at most); the PNG only where the SVG is another
-/// one than that which it was drawn with.
+/// Writes stem.svg and stem.png, so many pixels wide (max_drawing_pixels at most); the PNG only where the SVG is
+/// another one than that which it was drawn with.
 void write_drawing(const std::filesystem::path& stem, const Drawing& drawing, double pixels_wide, PictureStore& store);
 
 }

@@ -1,6 +1,7 @@
 #include "reports/gnuplot.hpp"
 
 #include "errors/errors.hpp"
+#include "io/program_run.hpp"
 #include "io/scratch_folder.hpp"
 #include "io/whole_file.hpp"
 
@@ -8,14 +9,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <memory>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <future>
+#include <limits>
 #include <thread>
-#include <unistd.h>
 
 extern char** environ;
 
@@ -48,9 +44,10 @@ constexpr int status_without_letters = 77;
 // shows. SVG files leave the letters to the browser.
 std::string font_check()
 {
-    return fmt::format("set terminal pngcairo font 'sans-serif,12' size 200,200\nset output 'letters.png'\nplot [0:1] x\n"
-                       "if (GPVAL_TERM_XMIN < 2) {{ exit status {} }}\nset output\n",
-                       status_without_letters);
+    return fmt::format(
+        "set terminal pngcairo font 'sans-serif,12' size 200,200\nset output 'letters.png'\nplot [0:1] x\n"
+        "if (GPVAL_TERM_XMIN < 2) {{ exit status {} }}\nset output\n",
+        status_without_letters);
 }
 
 // One of the processes of a terminal: every so many pictures from the first on.
@@ -69,6 +66,9 @@ std::string script_for(const Terminal& terminal, const std::vector<GnuplotPictur
                               set_terminal(terminal, pictures[i]), i, terminal.extension, pictures[i].commands);
     return script;
 }
+
+// Bytes of what gnuplot said that a message repeats.
+constexpr std::size_t most_said = 500;
 
 // The environment without the user's language, which would change number formats and messages.
 std::vector<std::string> neutral_environment()
@@ -94,72 +94,30 @@ std::string in_one_line(const std::string& text)
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-// A running gnuplot: script.NAME in the folder, messages to messages.NAME. Waited for by finish() or at the end.
-class GnuplotProcess
-{
-public:
-    GnuplotProcess(const std::filesystem::path& folder, const std::string& name)
-        : messages_(folder / ("messages." + name))
-    {
-        const auto script = "script." + name;
-        std::array<std::string, 3> arguments{"gnuplot", "--default-settings", script};
-        std::array<char*, 4> argv{arguments[0].data(), arguments[1].data(), arguments[2].data(), nullptr};
-        auto environment = neutral_environment();
-        std::vector<char*> envp;
-        for (auto& entry : environment) envp.push_back(entry.data());
-        envp.push_back(nullptr);
-
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, 1, messages_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        posix_spawn_file_actions_adddup2(&actions, 1, 2);
-        const int error = posix_spawnp(&pid_, "gnuplot", &actions, nullptr, argv.data(), envp.data());
-        posix_spawn_file_actions_destroy(&actions);
-        if (error == 0) return;
-
-        pid_ = -1;
-        if (error == ENOENT)
-            throw StorageError("gnuplot is not installed; the report's curves need it: "
-                               "install the package gnuplot-nox");
-        throw StorageError(std::string("gnuplot cannot be started: ") + std::strerror(error));
-    }
-    ~GnuplotProcess() { wait(); }
-    GnuplotProcess(const GnuplotProcess&) = delete;
-    GnuplotProcess& operator=(const GnuplotProcess&) = delete;
-
-    void finish()
-    {
-        const int status = wait();
-        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-        if (WIFEXITED(status) && WEXITSTATUS(status) == status_without_letters)
-            throw StorageError("gnuplot finds no fonts, and would leave out all letters: install the package "
-                               "fonts-dejavu-core");
-        const std::string said = in_one_line(read_whole_file(messages_));
-        const std::string how = WIFSIGNALED(status) ? fmt::format("was ended by signal {}", WTERMSIG(status))
-                                                    : fmt::format("failed with status {}", WEXITSTATUS(status));
-        throw StorageError("gnuplot " + how + (said.empty() ? "" : ": " + said));
-    }
-
-private:
-    int wait()
-    {
-        int status = 0;
-        if (pid_ > 0)
-            while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
-            }
-        pid_ = -1;
-        return status;
-    }
-
-    std::filesystem::path messages_;
-    pid_t pid_ = -1;
-};
-
+// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together
+// with this process.
+ProgramOutcome outcome_of(const std::string& script, const std::filesystem::path& folder)
+try {
+    return run_program(
+        {"gnuplot", "--default-settings", script}, folder, std::numeric_limits<double>::infinity(), [] {},
+        neutral_environment());
+} catch (const InputError& error) {
+    throw StorageError(error.what()); // the user has not asked for gnuplot
 }
 
-namespace {
+// Runs gnuplot on a script in the folder and waits for it.
+void run_script(const std::filesystem::path& folder, const std::string& script)
+{
+    const ProgramOutcome outcome = outcome_of(script, folder);
+    if (outcome.succeeded()) return;
+    if (outcome.status == status_without_letters)
+        throw StorageError("gnuplot finds no fonts, and would leave out all letters: install the package "
+                           "fonts-dejavu-core");
+    const std::string said = shortened(in_one_line(outcome.output), most_said);
+    const std::string how = outcome.signal != 0 ? fmt::format("was ended by signal {}", outcome.signal)
+                                                : fmt::format("failed with status {}", outcome.status);
+    throw StorageError("gnuplot " + how + (said.empty() ? "" : ": " + said));
+}
 
 std::filesystem::path file_of(const GnuplotPicture& picture, const Terminal& terminal)
 {
@@ -181,11 +139,14 @@ std::vector<std::filesystem::path> files_of(const GnuplotPicture& picture)
     return files;
 }
 
-// A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one.
-std::string drawn_picture(const std::filesystem::path& file)
+// A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one; `target` is what
+// the user knows of.
+std::string drawn_picture(const std::filesystem::path& file, const std::filesystem::path& target)
 {
-    const auto fail = [](const std::string& why) {
-        throw StorageError("gnuplot ended without an error, but a picture of it " + why + ": is the right gnuplot in PATH?");
+    const auto fail = [&](const std::string& why) {
+        throw StorageError(fmt::format("gnuplot ended without an error, but its picture for {} {}: "
+                                       "is the right gnuplot in PATH?",
+                                       target.string(), why));
     };
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) fail("is missing");
@@ -201,17 +162,19 @@ std::string drawn_picture(const std::filesystem::path& file)
 // Runs all processes at once and waits for them.
 void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures)
 {
-    std::vector<std::unique_ptr<GnuplotProcess>> processes;
+    if (!find_program("gnuplot", folder))
+        throw StorageError("gnuplot is not installed; the report's curves need it: install the package gnuplot-nox");
+    std::vector<std::future<void>> processes;
     for (const auto& terminal : terminals) {
         const std::size_t most = terminal.scale > 1 ? std::max(1U, std::thread::hardware_concurrency()) : 1;
         const std::size_t count = std::min(most, pictures.size());
         for (std::size_t i = 0; i < count; ++i) {
-            const auto name = terminal.extension + std::to_string(i);
-            write_whole_file(folder / ("script." + name), script_for(terminal, pictures, {i, count}));
-            processes.push_back(std::make_unique<GnuplotProcess>(folder, name));
+            const auto script = fmt::format("script.{}{}", terminal.extension, i);
+            write_whole_file(folder / script, script_for(terminal, pictures, {i, count}));
+            processes.push_back(std::async(std::launch::async, run_script, folder, script));
         }
     }
-    for (const auto& process : processes) process->finish();
+    for (auto& process : processes) process.get();
 }
 
 }
@@ -227,7 +190,8 @@ void draw_with_gnuplot(const std::vector<GnuplotPicture>& all, PictureStore* sto
         for (std::size_t i = 0; i < pictures.size(); ++i)
             for (const auto& terminal : terminals) {
                 const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
-                write_whole_file(file_of(pictures[i], terminal), drawn_picture(drawn));
+                const auto target = file_of(pictures[i], terminal);
+                write_whole_file(target, drawn_picture(drawn, target));
             }
     }
     if (store)

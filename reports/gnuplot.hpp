@@ -18,9 +18,9 @@ struct GnuplotPicture
     std::filesystem::path stem; ///< written to stem.svg and stem.png
 };
 
-/// Draws all pictures, but for those that the store has, without a shell: with one gnuplot process for the SVG files and
-/// as many for the PNG files, which take most of the time, as there are cores. The bytes depend on the commands only: no
-/// dates, no user settings. Throws StorageError when gnuplot is not installed or fails, with what it said.
+/// Draws all pictures, but for those that the store has, without a shell: with one gnuplot process for the SVG files
+/// and as many for the PNG files, which take most of the time, as there are cores. The bytes depend on the commands
+/// only: no dates, no user settings. Throws StorageError when gnuplot is not installed or fails, with what it said.
 void draw_with_gnuplot(const std::vector<GnuplotPicture>& pictures, PictureStore* store = nullptr);
 
 /// A text as a gnuplot string; control characters become blanks.

@@ -8,8 +8,8 @@
 
 namespace poissonlab {
 
-/// Reads the rows below `header`, as many numbers as that has columns. The first two columns must be finite, others may be
-/// inf or nan. Throws InputError with file and line; `what` is what a table without rows lacks.
+/// Reads the rows below `header`, as many numbers as that has columns. The first two columns must be finite, others may
+/// be inf or nan. Throws InputError with file and line; `what` is what a table without rows lacks.
 std::vector<std::vector<double>> read_number_table(const std::filesystem::path& path, const std::string& header,
                                                    const std::string& what);
 

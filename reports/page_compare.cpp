@@ -35,8 +35,8 @@ std::size_t typical_points(const std::vector<const ReportSeries*>& series)
     return *middle;
 }
 
-// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method, of about as
-// many points as most; of many by one method, some from all over the list.
+// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method, of about
+// as many points as most; of many by one method, some from all over the list.
 std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& series)
 {
     std::set<std::size_t> all, spread, methods;

@@ -62,10 +62,11 @@ void add_covered_fraction(const ReportSeries& series, PageData& list)
     const auto& covered = series.stored->covered_fraction;
     if (!covered) return;
     const bool space = series.run->dimension == 3;
-    list << measure_data({"covered_fraction", "Covered fraction", format_significant(covered->mean, 4), covered->mean,
-                          shown_range(*covered, 4),
-                          fmt::format("what {} around the points cover whose diameter is the minimum distance: at most {}",
-                                      space ? "balls" : "disks", space ? "0.740" : "0.907")});
+    list << measure_data(
+        {"covered_fraction", "Covered fraction", format_significant(covered->mean, 4), covered->mean,
+         shown_range(*covered, 4),
+         fmt::format("what {} around the points cover whose diameter is the minimum distance: at most {}",
+                     space ? "balls" : "disks", space ? "0.740" : "0.907")});
 }
 
 void add_low_frequency_power(const StoredMeasures& measures, PageData& list)
@@ -94,10 +95,10 @@ void add_plate_error(const ReportSeries& series, PageData& list)
 {
     const auto& plate = series.stored->zone_plate;
     if (!plate) return;
-    list << measure_data({"zone_plate_rms_error", "Zone plate error, all of the picture (RMS, white is 1)",
-                          format_significant(plate->rms_error.mean, 4), plate->rms_error.mean,
-                          shown_range(plate->rms_error, 4),
-                          "most of the plate is finer than any set can follow, so that all sets have much the same error"});
+    list << measure_data(
+        {"zone_plate_rms_error", "Zone plate error, all of the picture (RMS, white is 1)",
+         format_significant(plate->rms_error.mean, 4), plate->rms_error.mean, shown_range(plate->rms_error, 4),
+         "most of the plate is finer than any set can follow, so that all sets have much the same error"});
 }
 
 void add_cells(const StoredMeasures& measures, PageData& list)
@@ -105,10 +106,13 @@ void add_cells(const StoredMeasures& measures, PageData& list)
     const auto& cells = measures.voronoi;
     if (!cells) return;
     const auto& share = cells->neighbour_share;
-    list << measure_data({"neighbours", "Voronoi cells with 5, 6, 7 neighbours",
-                          fmt::format("{} %, {} %, {} %", format_fixed(100 * share[1], 1), format_fixed(100 * share[2], 1),
-                                      format_fixed(100 * share[3], 1)),
-                          {}, "", "100 % with 6 is a hexagonal lattice"});
+    list << measure_data({"neighbours",
+                          "Voronoi cells with 5, 6, 7 neighbours",
+                          fmt::format("{} %, {} %, {} %", format_fixed(100 * share[1], 1),
+                                      format_fixed(100 * share[2], 1), format_fixed(100 * share[3], 1)),
+                          {},
+                          "",
+                          "100 % with 6 is a hexagonal lattice"});
     list << measure_data({"voronoi_area_variance", "Variance of Voronoi areas",
                           format_fixed(cells->relative_area_variance, 4), cells->relative_area_variance, "",
                           "over their squared mean: 0.280 for random points"});

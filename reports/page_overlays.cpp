@@ -41,8 +41,8 @@ PageData region_panel(const std::vector<ReportSeries>& series, const OverlayPlac
 {
     const auto labels = labels_of(region_curves(series));
     if (labels.empty()) return false;
-    return overlay_panel(place, region_plot, "is_regions", "Points in the regions of tiles", "the number of points a tile",
-                         labels);
+    return overlay_panel(place, region_plot, "is_regions", "Points in the regions of tiles",
+                         "the number of points a tile", labels);
 }
 
 PageData overlays(const std::vector<ReportSeries>& series, const OverlayPlace& place)

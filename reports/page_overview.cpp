@@ -17,7 +17,8 @@ std::string contents_of(const ReportRun& run)
 {
     std::string text;
     const auto add = [&](std::size_t count, const char* one, const char* many) {
-        if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", format_count(count), count == 1 ? one : many);
+        if (count > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", format_count(count), count == 1 ? one : many);
     };
     add(run.series.size(), "series", "series");
     add(run.tilings.size(), "tiling", "tilings");

@@ -29,8 +29,8 @@ BetterWords words_of(Better better)
                                      : BetterWords{"neither", ""};
 }
 
-// The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not say
-// where they were.
+// The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not
+// say where they were.
 std::string machine_of(const StoredRun& run)
 {
     std::string text = run.machine_member("device");
@@ -41,7 +41,8 @@ std::string machine_of(const StoredRun& run)
     return text;
 }
 
-// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do not.
+// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do
+// not.
 class Differences
 {
 public:

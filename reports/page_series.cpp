@@ -97,9 +97,10 @@ PageData spectrum_panel(const ReportSeries& series)
 PageData cube_panel(const ReportSeries& series)
 {
     if (series.run->dimension == 2 || series.stored->spectrum_file.empty()) return false;
-    return picture_panel(series, {"spectrum-cube.png", "spectrum-cube.png", "", ""}, "Cube of frequencies",
-                         "x to the lower left, y to the lower right, z upwards; the eighth where all are positive is cut "
-                         "away down to frequency 0.");
+    return picture_panel(
+        series, {"spectrum-cube.png", "spectrum-cube.png", "", ""}, "Cube of frequencies",
+        "x to the lower left, y to the lower right, z upwards; the eighth where all are positive is cut "
+        "away down to frequency 0.");
 }
 
 PageData slices_panel(const ReportSeries& series)
@@ -280,9 +281,9 @@ namespace {
 PageData panels_of(const ReportSeries& series)
 {
     PageData list{PageData::type::list};
-    for (const auto panel : {points_panel, spectrum_panel, radial_panel, anisotropy_panel, pair_correlation_panel, cells_panel,
-                             cube_panel, slices_panel, close_ups_panel, relative_radius_panel, energy_panel,
-                             zone_plate_panel, zone_plate_error_panel})
+    for (const auto panel :
+         {points_panel, spectrum_panel, radial_panel, anisotropy_panel, pair_correlation_panel, cells_panel, cube_panel,
+          slices_panel, close_ups_panel, relative_radius_panel, energy_panel, zone_plate_panel, zone_plate_error_panel})
         if (auto data = panel(series); !data.is_false()) list << data;
     return list;
 }

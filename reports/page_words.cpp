@@ -58,7 +58,8 @@ std::string series_summary(const std::vector<const ReportRun*>& runs)
                             range_of(series, &StoredSeries::points), dimension, realizations,
                             realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
     const auto& engine = series.front()->run->engine;
-    const bool one_engine = std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });
+    const bool one_engine =
+        std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });
     if (!engine.empty() && one_engine) text += fmt::format(", made with {}", engine_words(engine));
     return text + ".";
 }

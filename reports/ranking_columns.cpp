@@ -74,7 +74,8 @@ Cell lattice_peaks(const ReportSeries& series)
 {
     const auto& peaks = series.stored->measures.lattice_peaks;
     if (!peaks) return std::nullopt;
-    return RankingCell{peaks->mean_ratio, format_significant(peaks->mean_ratio, 3), plus_minus(peaks->mean_ratio_error)};
+    return RankingCell{peaks->mean_ratio, format_significant(peaks->mean_ratio, 3),
+                       plus_minus(peaks->mean_ratio_error)};
 }
 
 Cell zone_plate_error(const ReportSeries& series)
@@ -154,7 +155,8 @@ const std::vector<RankingColumn>& ranking_columns()
          "time was kept.",
          build_time},
         {"sample_time", "Time to generate", "a set, median", Better::lower, true,
-         "The median over the timed runs, without building kernels and tile sets, and from the shortest to the longest.",
+         "The median over the timed runs, without building kernels and tile sets, and from the shortest to the "
+         "longest.",
          sample_time},
         {"points_per_second", "Points per second", "millions", Better::higher, true,
          "Points of a set over the median time.", points_per_second},

@@ -1,5 +1,5 @@
-// Reads a series' stored files and draws its own pictures: points, cells, spectrum, zone plate. What is in the store is not
-// drawn again.
+// Reads a series' stored files and draws its own pictures: points, cells, spectrum, zone plate. What is in the store is
+// not drawn again.
 #pragma once
 
 #include "reports/picture_store.hpp"
@@ -16,9 +16,9 @@ void read_curves(ReportSeries& series);
 /// Throws InputError when the set is not what results.json says.
 void draw_points_pictures(ReportSeries& series, PictureStore& store);
 
-/// Reads spectrum.exr and writes spectrum.png and, for the pages, spectrum-small.png and spectrum-thumbnail.png, all with the report's
-/// tone mapping; of a 3D spectrum spectrum-cube.png, spectrum-slices.png and spectrum-close-ups.png as well. Nothing
-/// for a series without.
+/// Reads spectrum.exr and writes spectrum.png and, for the pages, spectrum-small.png and spectrum-thumbnail.png, all
+/// with the report's tone mapping; of a 3D spectrum spectrum-cube.png, spectrum-slices.png and spectrum-close-ups.png
+/// as well. Nothing for a series without.
 void draw_spectrum_pictures(const ReportSeries& series, PictureStore& store);
 
 /// The frequencies along z of the slices in spectrum-slices.png; none for spectra of a few frequencies.

@@ -69,8 +69,7 @@ DeviceInfo describe(const cl::Device& device)
 /// A driver that fails does not keep others from being used.
 std::vector<cl::Device> all_devices()
 {
-    static std::once_flag once;
-    std::call_once(once, provide_kernel_cache);
+    static const std::string no_kernel_cache = provide_kernel_cache();
     const std::string doing = "looking for OpenCL devices";
     std::vector<cl::Platform> platforms;
     try {
@@ -84,6 +83,10 @@ std::vector<cl::Device> all_devices()
     for (const cl::Platform& platform : platforms) {
         std::vector<cl::Device> found;
         try {
+            if (!no_kernel_cache.empty() && is_pocl(platform.getInfo<CL_PLATFORM_NAME>())) {
+                failed = DeviceError(no_kernel_cache);
+                continue;
+            }
             platform.getDevices(CL_DEVICE_TYPE_ALL, &found);
         } catch (const cl::Error& error) {
             if (error.err() != CL_DEVICE_NOT_FOUND) failed = device_error(doing, error);
@@ -131,8 +134,8 @@ cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& 
     } catch (const cl::Error& error) {
         const std::string log = build_log(program, impl.device);
         throw DeviceError(
-            device_error(impl.info.name + ": building kernels/" + file + " (" + options + ")", error).what() +
-            (log.empty() ? "" : "; build log:\n" + log));
+            device_error(impl.info.name + ": building kernels/" + file + " (" + options + ")", error).what(),
+            log.empty() ? "" : "; build log:\n" + log);
     }
     impl.build_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return program;

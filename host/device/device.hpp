@@ -30,6 +30,11 @@ struct DeviceInfo
     std::uint64_t local_memory_bytes = 0;
     std::size_t max_work_group_size = 0;
     std::string unusable; ///< why the laboratory's kernels cannot run there; empty: they can
+
+    /// What results depend on: they may differ in their last bits between kinds of devices, and times between all.
+    /// Those of a graphics card are never taken for those of another. Processors count as one, so that machines of a
+    /// cluster may differ.
+    std::string identity() const { return platform + ", " + (type == "CPU" ? type : name); }
 };
 
 /// Every OpenCL device of this machine, in the order of platforms. Empty where there is none.

@@ -1,5 +1,6 @@
 // Which device is meant: by number, by name, or none in particular.
 #include "device/device.hpp"
+#include "device/kernel_cache.hpp"
 #include "errors/errors.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +29,6 @@ bool has_in_name(const DeviceInfo& info, const std::string& part)
     return lower_case(info.name + "\n" + info.platform).find(lower_case(part)) != std::string::npos;
 }
 
-bool is_pocl(const DeviceInfo& info) { return info.platform == "Portable Computing Language"; }
-
 bool is_number(const std::string& text)
 {
     return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
@@ -51,7 +50,7 @@ std::string list_of_names(const std::vector<DeviceInfo>& devices, const std::vec
 
 std::size_t default_device(const std::vector<DeviceInfo>& devices)
 {
-    const auto usable_pocl = [](const DeviceInfo& i) { return is_pocl(i) && i.unusable.empty(); };
+    const auto usable_pocl = [](const DeviceInfo& i) { return is_pocl(i.platform) && i.unusable.empty(); };
     const auto usable = [](const DeviceInfo& i) { return i.unusable.empty(); };
     auto found = std::ranges::find_if(devices, usable_pocl);
     if (found == devices.end()) found = std::ranges::find_if(devices, usable);
@@ -64,8 +63,8 @@ std::size_t device_of_number(const std::vector<DeviceInfo>& devices, const std::
     std::size_t number = 0;
     const auto parsed = std::from_chars(selector.data(), selector.data() + selector.size(), number);
     if (parsed.ec == std::errc{} && number < devices.size()) return number;
-    throw DeviceError(
-        fmt::format("there is no OpenCL device {}; there are: {}", selector, list_of_names(devices, all_of(devices))));
+    throw DeviceError(fmt::format("there is no OpenCL device {}; there are: {}", shortened(selector),
+                                  list_of_names(devices, all_of(devices))));
 }
 
 }
@@ -83,14 +82,14 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
         std::erase_if(found, [&](std::size_t i) { return !has_in_name(devices[i], selector); });
     }
     if (found.empty())
-        throw DeviceError(fmt::format("no OpenCL device matches \"{}\"; there are: {}", selector,
+        throw DeviceError(fmt::format("no OpenCL device matches \"{}\"; there are: {}", shortened(selector),
                                       list_of_names(devices, all_of(devices))));
     // Of devices of one model any is meant.
     const bool are_alike =
         std::ranges::all_of(found, [&](std::size_t i) { return has_name(devices[i], devices[found.front()].name); });
     if (!are_alike)
         throw DeviceError(fmt::format("\"{}\" matches several OpenCL devices, of which a number chooses one: {}",
-                                      selector, list_of_names(devices, found)));
+                                      shortened(selector), list_of_names(devices, found)));
     return found.front();
 }
 

@@ -1,5 +1,8 @@
 #include "device/kernel_cache.hpp"
 
+#include "device/device_memory.hpp"
+#include "io/scratch_folder.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -52,15 +55,21 @@ bool is_of_this_user_alone(const fs::path& folder)
 
 }
 
-void provide_kernel_cache()
+bool is_pocl(const std::string& platform) { return platform == "Portable Computing Language"; }
+
+std::string provide_kernel_cache()
 {
-    if (can_be_used(chosen_by_pocl())) return;
-    std::error_code error;
-    fs::path folder = fs::temp_directory_path(error);
-    if (error) folder = "/tmp";
-    folder /= fmt::format("poissonlab-kernels-{}", ::geteuid());
-    ::mkdir(folder.c_str(), S_IRWXU); // may be there
-    if (is_of_this_user_alone(folder)) ::setenv(variable, folder.c_str(), 1);
+    const fs::path chosen = chosen_by_pocl();
+    if (can_be_used(chosen)) return {};
+    const fs::path other = folder_for_temporaries() / fmt::format("poissonlab-kernels-{}", ::geteuid());
+    ::mkdir(other.c_str(), S_IRWXU); // may be there
+    if (is_of_this_user_alone(other) && can_be_used(other)) {
+        ::setenv(variable, other.c_str(), 1);
+        return {};
+    }
+    return fmt::format("PoCL needs a folder for compiled kernels with {} free, and can use neither {} nor {}; the "
+                       "environment variable {} can name another",
+                       bytes_text(needed_bytes), chosen.string(), other.string(), variable);
 }
 
 }

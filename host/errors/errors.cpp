@@ -38,9 +38,15 @@ std::string escaped(char byte)
 
 }
 
-InputError::InputError(std::string_view message) : std::runtime_error(printable(message)) {}
-
 InputError::InputError(std::string_view message, std::string_view details)
+    : std::runtime_error(printable(message).append(details))
+{}
+
+DeviceError::DeviceError(std::string_view message, std::string_view details)
+    : std::runtime_error(printable(message).append(details))
+{}
+
+StorageError::StorageError(std::string_view message, std::string_view details)
     : std::runtime_error(printable(message).append(details))
 {}
 

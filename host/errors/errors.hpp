@@ -1,4 +1,8 @@
-// What can go wrong, in two kinds: what the user can mend, and what OpenCL reports.
+// What can go wrong, in three kinds: what the user can mend, what OpenCL reports, and what happens to files.
+//
+// Their messages are one line each, although they hold names and values that can be anything: what would end the line
+// or command a terminal is escaped, see printable(). Text that is printable already stays as it is. `details` are lines
+// for the reader that follow the message verbatim, such as what a program said.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +14,18 @@ namespace poissonlab {
 
 /// Something the user can mend: a config key, a point file, an argument. Exit status 2.
 ///
-/// The message is one line that names the place, the value and what is allowed. Values come from files, which can hold
-/// anything: what would end the line or command a terminal is escaped, see printable().
+/// The message names the place, the value and what is allowed.
 class InputError : public std::runtime_error
 {
 public:
-    explicit InputError(std::string_view message);
-
-    /// `details` are lines for the reader that follow the message as they are, such as what a program said.
-    InputError(std::string_view message, std::string_view details);
+    explicit InputError(std::string_view message, std::string_view details = {});
 };
 
 /// A failed OpenCL call, a kernel that does not build, no device at all. Exit status 3.
 class DeviceError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    explicit DeviceError(std::string_view message, std::string_view details = {});
 };
 
 /// A file system operation that failed for reasons outside the input: full disk, no permission. Exit
@@ -33,14 +33,14 @@ public:
 class StorageError : public std::runtime_error
 {
 public:
-    using std::runtime_error::runtime_error;
+    explicit StorageError(std::string_view message, std::string_view details = {});
 };
 
 /// `text` with control characters, and bytes that are no UTF-8, as \n, \t or \x1b: one line on any terminal.
 std::string printable(std::string_view text);
 
-/// `text`, or its beginning and "..." where it has more than `longest` bytes: messages quote what they are about, not all
-/// of it. Characters of UTF-8 are left whole.
+/// `text`, or its beginning and "..." where it has more than `longest` bytes: messages quote what they are about, not
+/// all of it. Characters of UTF-8 are left whole.
 std::string shortened(std::string_view text, std::size_t longest = 60);
 
 /// A place in an input file. Line 0 means "no line": the whole file, or a command line argument.

@@ -76,6 +76,9 @@ private:
             throw invalid_node("include", entry, file.string() + " is included twice");
         if (fs::is_directory(file))
             throw invalid_node("include", entry, file.string() + " is a folder; config files (.toml) are needed");
+        if (is_no_lasting_file(file))
+            throw invalid_node("include", entry,
+                               file.string() + " is a pipe or a device; config files (.toml) are needed");
         const ConfigTable top = read_toml(read_whole_file(file), file.string());
         if (find(top, "include")) return add_collection(file, top, device);
         add_config(file, entry, device);
@@ -122,6 +125,9 @@ private:
 std::optional<Collection> read_collection(const fs::path& file, const std::vector<std::string>& overrides)
 {
     if (fs::is_directory(file)) return std::nullopt; // read_config() says what is wrong
+    // Read again by read_config(), and by every process of a run.
+    if (is_no_lasting_file(file))
+        throw InputError(file.string() + ": is a pipe or a device; a config file (.toml) is needed");
     const ConfigTable top = read_toml(read_whole_file(file), file.string());
     if (!find(top, "include")) return std::nullopt;
     check_collection_overrides(overrides);

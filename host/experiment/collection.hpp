@@ -24,10 +24,10 @@ struct Collection
     std::vector<CollectedConfig> configs; ///< those of included collections in the place of these
 };
 
-/// Reads and checks a config and all that it includes, by paths and globs relative to its folder; nothing where it has no
-/// key `include`. Overrides apply to each config. Throws InputError: keys beside `include`, `title` and `device`; files
-/// that are not there or are included twice; cycles; overrides of a method by its number; and whatever read_config()
-/// throws.
+/// Reads and checks a config and all that it includes, by paths and globs relative to its folder; nothing where it has
+/// no key `include`. Overrides apply to each config. Throws InputError: keys beside `include`, `title` and `device`;
+/// files that are not there or are included twice; cycles; overrides of a method by its number; and whatever
+/// read_config() throws.
 std::optional<Collection> read_collection(const std::filesystem::path& file,
                                           const std::vector<std::string>& overrides = {});
 

@@ -52,7 +52,8 @@ Finished work is kept in DIR/.units: a run that was interrupted goes on where it
 only what these change. Several processes share the work:
   mpirun -n 8 poissonlab run CONFIG --out DIR         on machines that share DIR
   poissonlab run CONFIG --out DIR --shard 1/3         and 2/3, 3/3, each anywhere; if DIR is shared, the last one writes
-                                                      the results; if not, `poissonlab merge`, then run without --shard)";
+                                                      the results; if not, `poissonlab merge`, then run without
+                                                      --shard)";
 
 constexpr auto merge_footer =
     R"(Copies what is stored in DIR/.units and not in OUT/.units; what is damaged is left out. Then the same run writes
@@ -71,8 +72,8 @@ Other ranges of coordinates: --domain, or a comment before the points, `# domain
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 
 constexpr auto diff_footer =
-    R"(OLD and NEW are output folders of the same experiment, or collections of such. Prints the numbers that changed beyond
-their error over realizations (Welch's test, corrected for the number of tests: one false alarm in a hundred
+    R"(OLD and NEW are output folders of the same experiment, or collections of such. Prints the numbers that changed
+beyond their error over realizations (Welch's test, corrected for the number of tests: one false alarm in a hundred
 comparisons), better or worse where that is known, and series that are new or missing. Numbers without chance are
 compared exactly; times only between equal machines, devices and threads.
 Exit status 4: something changed.
@@ -92,14 +93,14 @@ with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
 constexpr auto tiles_build_footer =
-    R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good for
-relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
+    R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good
+for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
 
 constexpr auto tiles_points_footer =
-    R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers from
-the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
+    R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
+from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
 The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
 window, so that poissonlab analyze takes the points of a square one; for .npy, --domain N. Edges of the window are not
 those of a torus.
@@ -241,7 +242,9 @@ void CommandLine::add_analyze()
         ->option_text("DIR");
     analyze_->add_option("--label", o.label, "What the report calls them; default: the first file's name")
         ->option_text("TEXT");
-    analyze_->add_option("--domain", o.domain, "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1")
+    analyze_
+        ->add_option("--domain", o.domain,
+                     "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1")
         ->option_text("[LOW:]HIGH");
     analyze_->add_option("--set", o.overrides, "Set a key of [analysis]; may be repeated")
         ->option_text("analysis.KEY=VALUE")
@@ -382,8 +385,8 @@ std::vector<std::string> CommandLine::command_names() const
     return names;
 }
 
-/// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the work,
-/// results are the same.
+/// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the
+/// work, results are the same.
 std::string typed_command(int argc, const char* const* argv)
 {
     std::string text = "poissonlab";
@@ -465,6 +468,29 @@ int flushed(int status)
     return is_lost ? fail(exit_other, "cannot write to standard output") : status;
 }
 
+/// Says what the exception being handled is. Returns the exit status.
+int tell_of_exception()
+{
+    try {
+        stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no error
+        throw;
+    } catch (const Interrupted&) {
+        std::fflush(stdout);
+        tell_of_interruption();
+        return exit_interrupted;
+    } catch (const InputError& error) {
+        return fail(exit_input, error.what());
+    } catch (const DeviceError& error) {
+        return fail(exit_device, error.what());
+    } catch (const StorageError& error) {
+        return fail(exit_other, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_other, "there is not enough memory for this");
+    } catch (const std::exception& error) {
+        return fail(exit_other, printable(error.what()));
+    }
+}
+
 }
 
 int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
@@ -479,22 +505,12 @@ int run_command_line(int argc, const char* const* argv, const ReportWriter& writ
             if (outcome.get_exit_code() == 0) return flushed(command_line.show_help_or_version(outcome));
             std::string message = outcome.what();
             std::ranges::replace(message, '\n', ' ');
-            return fail(exit_input, message + " (see poissonlab --help)");
+            return fail(exit_input, printable(message) + " (see poissonlab --help)");
         }
         catch_interrupts();
         return flushed(command_line.execute());
-    } catch (const Interrupted&) {
-        std::fflush(stdout);
-        tell_of_interruption();
-        return exit_interrupted;
-    } catch (const InputError& error) {
-        return fail(exit_input, error.what());
-    } catch (const DeviceError& error) {
-        return fail(exit_device, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(exit_other, "there is not enough memory for this");
-    } catch (const std::exception& error) {
-        return fail(exit_other, error.what());
+    } catch (const std::exception&) {
+        return tell_of_exception();
     }
 }
 

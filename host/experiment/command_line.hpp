@@ -20,9 +20,9 @@ using RunComparer = std::function<std::pair<bool, std::string>(
     const std::filesystem::path& before, const std::filesystem::path& after, const std::filesystem::path& out,
     const std::string& format)>;
 
-/// Does what the arguments say and returns the exit status: 0 all is there; 2 the input or the arguments are wrong; 3 OpenCL
-/// failed; 4 results that are compared differ; 130 it was interrupted; 1 anything else. Errors are one line on standard error,
-/// "poissonlab: error: ...".
+/// Does what the arguments say and returns the exit status: 0 all is there; 2 the input or the arguments are wrong;
+/// 3 OpenCL failed; 4 results that are compared differ; 130 it was interrupted; 1 anything else. Errors are one line on
+/// standard error, "poissonlab: error: ...".
 int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
                      const RunComparer& compare_runs);
 

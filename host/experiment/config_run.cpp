@@ -31,13 +31,10 @@ public:
         return *device_;
     }
 
-    /// Results may differ in their last bits between kinds of devices, and times between all: those of a graphics card are
-    /// never taken for those of another. Processors count as one, so that machines of a cluster may differ.
     std::string identity()
     {
         const auto info = described();
-        if (!info) return "none";
-        return info->type == "CPU" ? info->platform + ", CPU" : info->platform + ", " + info->name;
+        return info ? info->identity() : "none";
     }
 
     std::string name()

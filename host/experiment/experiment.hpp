@@ -37,8 +37,8 @@ struct SeriesTask
     std::size_t points = 0; ///< as asked of each set, 0: not known
     bool is_timed = true; ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
-    /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work begins;
-    /// empty: name and sampler say enough.
+    /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work
+    /// begins; empty: name and sampler say enough.
     std::function<UnitKey()> identity;
     std::function<std::unique_ptr<Sampler>()> create;
 };

@@ -138,8 +138,9 @@ void check_collection_overrides(const std::vector<std::string>& overrides)
     for (const std::string& argument : overrides) {
         const Override change = parse(argument);
         if (change.path[0] == "method" && change.path.size() > 1 && as_index(change.path[1]))
-            throw InputError(change.origin +
-                             ": a collection has no numbered methods; method.KEY=VALUE changes every method that has KEY");
+            throw InputError(
+                change.origin +
+                ": a collection has no numbered methods; method.KEY=VALUE changes every method that has KEY");
         if (change.path[0] == "title" || change.path[0] == "include")
             throw InputError(change.origin + ": what a collection includes and how that is called cannot be set");
     }

@@ -60,8 +60,8 @@ std::string shown_number(const ConfigNode& node, double value)
     return same ? text : fmt::format("{}", value);
 }
 
-/// Paths, and programs, are relative to the folder of the file that names them. A command line names none: the slashes in
-/// `--set method.path=a/b` must not be taken for a folder.
+/// Paths, and programs, are relative to the folder of the file that names them. A command line names none: the slashes
+/// in `--set method.path=a/b` must not be taken for a folder.
 SourceLocation path_location(const ConfigNode& node)
 {
     return node.location.file.starts_with("--set ") ? SourceLocation{"--set", 0} : node.location;

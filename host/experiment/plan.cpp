@@ -152,8 +152,8 @@ std::vector<SeriesPlan> make_plan(const Config& config)
             if (plan.size() == max_series)
                 throw InputError(
                     fmt::format("{}: the config makes more than {} series", config.file, max_series));
-            // Different series whose names were cut or cleaned to the same get a number, and so do labels that a sampler
-            // makes.
+            // Different series whose names were cut or cleaned to the same get a number, and so do labels that a
+            // sampler makes.
             const std::string base = series.name;
             const std::string label = series.label;
             for (int number = 2; !names.insert(series.name).second; ++number) {

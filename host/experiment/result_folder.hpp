@@ -16,9 +16,9 @@ namespace poissonlab {
 class ResultFolder
 {
 public:
-    /// Creates `out` where it is missing, and removes what processes that were killed left unfinished there. `series` are the folders that will be published. Throws InputError
-    /// when `out` is a file or a collection, or has a folder of such a name that is not a series, StorageError when it cannot
-    /// be written.
+    /// Creates `out` where it is missing, and removes what processes that were killed left unfinished there. `series`
+    /// are the folders that will be published. Throws InputError when `out` is a file or a collection, or has a folder
+    /// of such a name that is not a series, StorageError when it cannot be written.
     ResultFolder(const std::filesystem::path& out, const std::vector<std::string>& series);
     ~ResultFolder();
 

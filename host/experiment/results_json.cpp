@@ -103,7 +103,8 @@ Json measures_json(const SeriesMeasures& measures, int realizations)
     if (measures.effective_nyquist) json["effective_nyquist"] = *measures.effective_nyquist;
     if (measures.effective_nyquist_error) json["effective_nyquist_standard_error"] = *measures.effective_nyquist_error;
     if (const auto& o = measures.oscillation)
-        json["oscillation"] = {{"value", o->value}, {"noise_floor", o->noise_floor}, {"begin", o->begin}, {"end", o->end}};
+        json["oscillation"] = {
+            {"value", o->value}, {"noise_floor", o->noise_floor}, {"begin", o->begin}, {"end", o->end}};
     if (measures.oscillation_error) json["oscillation"]["standard_error"] = *measures.oscillation_error;
     if (const auto& peak = measures.peak_anisotropy) {
         json["peak_anisotropy"] = {{"db", peak->db}, {"frequency", peak->frequency}, {"samples", peak->samples}};
@@ -247,7 +248,8 @@ Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& 
 {
     const TilingConfig& config = task.config;
     const TilingRequest& request = config.request;
-    const TileSet set = config.is_set() ? make_tile_set(request.kind, request.colors, config.set) : tile_set_of(request);
+    const TileSet set =
+        config.is_set() ? make_tile_set(request.kind, request.colors, config.set) : tile_set_of(request);
     const CubeWindow& w = config.window;
     const bool cube = request.kind == TileKind::cube;
     Json json = {{"name", task.name},

@@ -31,9 +31,9 @@ struct Job
 };
 
 /// Jobs that wait for others. Of those that are ready, what completes a series comes first, then what completes a part,
-/// so that work that was begun is finished; then the order of runs. Within a run the first realizations of each series come
-/// first, so that several processes build what series need, such as tile sets, at the same time. Else jobs keep the order
-/// in which they were added.
+/// so that work that was begun is finished; then the order of runs. Within a run the first realizations of each series
+/// come first, so that several processes build what series need, such as tile sets, at the same time. Else jobs keep
+/// the order in which they were added.
 class Schedule
 {
 public:

@@ -62,8 +62,8 @@ public:
     /// Adds the measures of the mean spectrum to the result.
     void measure_spectrum(const Spectrum& mean);
 
-    /// Adds those of the first set alone, which take triangulations, and forgets the set. Touches nothing that the other
-    /// functions do, and may run beside them once all sets were added.
+    /// Adds those of the first set alone, which take triangulations, and forgets the set. Touches nothing that the
+    /// other functions do, and may run beside them once all sets were added.
     void measure_first();
 
     /// Sizes, distances and seconds so far, and the spectrum's size.

@@ -7,9 +7,9 @@
 
 namespace poissonlab {
 
-/// The files that `entry`, relative to `folder`, stands for: the file of just that name, so that names with brackets need
-/// no escapes; else those that it matches as a glob, sorted by the bytes of their names (not by the rules of a locale).
-/// Empty: none.
+/// The files that `entry`, relative to `folder`, stands for: the file of just that name, so that names with brackets
+/// need no escapes; else those that it matches as a glob, sorted by the bytes of their names (not by the rules of a
+/// locale). Empty: none.
 std::vector<std::filesystem::path> named_files(const std::filesystem::path& folder, const std::string& entry);
 
 /// Where files relative to `folder` were looked for, as messages say it: "no such file in /data, the folder of the

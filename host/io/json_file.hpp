@@ -13,7 +13,8 @@ namespace poissonlab {
 nlohmann::json read_json_file(const std::filesystem::path& file);
 
 /// The value of a JSON text; `name` is what messages call it. Throws InputError, `name:line: is not JSON: ...`, also
-/// for values that are nested deeper than any that this program writes: what looks at values calls itself for each level.
+/// for values that are nested deeper than any that this program writes: what looks at values calls itself for each
+/// level.
 nlohmann::json parsed_json(std::string_view text, const std::string& name);
 
 }

@@ -108,7 +108,8 @@ void append_coordinate(const PointFileContent& file, int line, std::string_view 
 
 void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value)
 {
-    throw InputError(fmt::format("{}: byte {}: {}: {}", file.name, offset, value, allowed_coordinate(value, file.range)));
+    throw InputError(
+        fmt::format("{}: byte {}: {}: {}", file.name, offset, value, allowed_coordinate(value, file.range)));
 }
 
 void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,

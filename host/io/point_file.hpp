@@ -26,7 +26,8 @@ struct CoordinateRange
 std::optional<CoordinateRange> parse_range(std::string_view text);
 
 /// Reads the point sets of a file, one a realization. Coordinates are in `range`; when that is not given, in the range
-/// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped to [0, 1).
+/// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped
+/// to [0, 1).
 ///
 /// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
 /// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold

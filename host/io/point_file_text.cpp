@@ -63,7 +63,8 @@ private:
     /// The number of points alone, before all of them.
     bool is_announced_number(std::string_view text) const
     {
-        return current_.empty() && sets_.empty() && announced_.empty() && text.find_first_not_of("0123456789") == text.npos;
+        return current_.empty() && sets_.empty() && announced_.empty() &&
+               text.find_first_not_of("0123456789") == text.npos;
     }
 
     void check_announced_number() const

@@ -1,6 +1,7 @@
 #include "io/program_run.hpp"
 
 #include "errors/errors.hpp"
+#include "io/leftovers.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -65,6 +66,15 @@ private:
     int write_ = -1;
 };
 
+/// As exec() wants them: with a null pointer at the end.
+std::vector<char*> pointers_to(const std::vector<std::string>& texts)
+{
+    std::vector<char*> pointers;
+    for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 /// What a program is started with: folder, streams, group and signals.
 class SpawnSettings
 {
@@ -93,13 +103,13 @@ public:
     SpawnSettings(const SpawnSettings&) = delete;
     SpawnSettings& operator=(const SpawnSettings&) = delete;
 
-    pid_t spawn(const std::vector<std::string>& words) const
+    pid_t spawn(const std::vector<std::string>& words, const std::optional<std::vector<std::string>>& environment) const
     {
-        std::vector<char*> arguments;
-        for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
+        const auto arguments = pointers_to(words);
+        const auto variables = environment ? pointers_to(*environment) : std::vector<char*>();
         pid_t process = 0;
-        const int error = ::posix_spawnp(&process, arguments[0], &actions_, &attributes_, arguments.data(), environ);
+        const int error = ::posix_spawnp(&process, arguments[0], &actions_, &attributes_, arguments.data(),
+                                         environment ? variables.data() : environ);
         if (error != 0) throw InputError("cannot start " + words[0] + ": " + error_text(error));
         return process;
     }
@@ -109,11 +119,11 @@ private:
     posix_spawnattr_t attributes_{};
 };
 
-/// A running program that does not outlive this.
+/// A running program that does not outlive this, nor the process if that ends all at once.
 class RunningProgram
 {
 public:
-    explicit RunningProgram(pid_t process) : process_(process) {}
+    explicit RunningProgram(pid_t process) : process_(process) { Leftovers::instance().add_program(process_); }
     ~RunningProgram() { end(); }
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
@@ -131,6 +141,7 @@ public:
     {
         if (process_ == 0) return status_;
         ::kill(-process_, SIGKILL);
+        Leftovers::instance().forget_program(process_);
         while (::waitpid(process_, &status_, 0) < 0 && errno == EINTR) continue;
         process_ = 0;
         return status_;
@@ -183,12 +194,13 @@ std::optional<fs::path> find_program(const std::string& name, const fs::path& fo
 }
 
 ProgramOutcome run_program(const std::vector<std::string>& words, const fs::path& folder, double limit_seconds,
-                           const std::function<void()>& check)
+                           const std::function<void()>& check,
+                           const std::optional<std::vector<std::string>>& environment)
 {
     Pipe pipe;
     ProgramOutcome outcome;
     const auto begin = Clock::now();
-    RunningProgram program(SpawnSettings(folder, pipe.write_end()).spawn(words));
+    RunningProgram program(SpawnSettings(folder, pipe.write_end()).spawn(words, environment));
     pipe.close_write_end();
     while (!program.has_ended() && outcome.is_in_time) {
         check();

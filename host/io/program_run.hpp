@@ -20,13 +20,17 @@ struct ProgramOutcome
     bool succeeded() const { return is_in_time && status == 0 && signal == 0; }
 };
 
-/// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is none.
+/// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is
+/// none.
 std::optional<std::filesystem::path> find_program(const std::string& name, const std::filesystem::path& folder);
 
 /// Runs the program words[0] with the rest as its arguments, in `folder`, with nothing on standard input, and waits for
 /// it. `check` is called again and again meanwhile; what it throws ends the program. When it ends, is late or is ended,
 /// all processes of its group are killed. Throws InputError where it cannot be started.
+///
+/// `environment`: NAME=VALUE, instead of that of this process.
 ProgramOutcome run_program(const std::vector<std::string>& words, const std::filesystem::path& folder,
-                           double limit_seconds, const std::function<void()>& check);
+                           double limit_seconds, const std::function<void()>& check,
+                           const std::optional<std::vector<std::string>>& environment = std::nullopt);
 
 }

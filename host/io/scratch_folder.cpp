@@ -1,6 +1,7 @@
 #include "io/scratch_folder.hpp"
 
 #include "errors/errors.hpp"
+#include "io/leftovers.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -8,15 +9,12 @@
 #include <system_error>
 
 namespace poissonlab {
-namespace {
 
 std::filesystem::path folder_for_temporaries()
 {
     std::error_code none;
     const auto folder = std::filesystem::temp_directory_path(none);
     return none ? std::filesystem::path("/tmp") : folder;
-}
-
 }
 
 ScratchFolder::ScratchFolder()
@@ -26,12 +24,9 @@ ScratchFolder::ScratchFolder()
         throw StorageError("cannot make a temporary folder " + name + ": " + std::generic_category().message(errno) +
                            "; the environment variable TMPDIR can name another place");
     path_ = name;
+    Leftovers::instance().add(path_);
 }
 
-ScratchFolder::~ScratchFolder()
-{
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
+ScratchFolder::~ScratchFolder() { Leftovers::instance().remove(path_); }
 
 }

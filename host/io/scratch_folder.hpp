@@ -5,10 +5,13 @@
 
 namespace poissonlab {
 
+/// $TMPDIR, or /tmp where that is no folder.
+std::filesystem::path folder_for_temporaries();
+
 class ScratchFolder
 {
 public:
-    /// In $TMPDIR, or in /tmp where that is no folder. Throws StorageError.
+    /// In folder_for_temporaries(). Throws StorageError.
     ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -1,18 +1,22 @@
 #include "io/whole_file.hpp"
 
 #include "errors/errors.hpp"
+#include "io/leftovers.hpp"
 
 #include <fmt/format.h>
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
-#include <mutex>
-#include <set>
+#include <new>
+#include <stdexcept>
 #include <system_error>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace poissonlab {
@@ -25,47 +29,6 @@ std::string last_system_error() { return std::generic_category().message(errno);
 
 constexpr std::string_view temporary_mark = ".tmp";
 
-/// Temporary files that are there.
-class TemporaryFiles
-{
-public:
-    void add(const std::filesystem::path& file)
-    {
-        const std::lock_guard lock(mutex_);
-        files_.insert(file);
-    }
-    void remove(const std::filesystem::path& file)
-    {
-        std::error_code ignored;
-        std::filesystem::remove(file, ignored);
-        const std::lock_guard lock(mutex_);
-        files_.erase(file);
-    }
-    void remove_all()
-    {
-        const std::lock_guard lock(mutex_);
-        std::error_code ignored;
-        for (const auto& file : files_) std::filesystem::remove(file, ignored);
-    }
-
-private:
-    std::mutex mutex_;
-    std::set<std::filesystem::path> files_;
-};
-
-TemporaryFiles& temporary_files()
-{
-    static auto& files = *new TemporaryFiles; // never destroyed: a thread that ends the process may come late
-    return files;
-}
-
-/// Whether a name is one of temporary_beside().
-bool is_temporary(const std::filesystem::path& file)
-{
-    const std::string name = file.filename().string();
-    return name.starts_with(".") && (file.extension() == temporary_mark || file.stem().extension() == temporary_mark);
-}
-
 /// A name beside `path` that no other thread or process uses, hidden, with the same extension.
 std::filesystem::path temporary_beside(const std::filesystem::path& path)
 {
@@ -75,17 +38,49 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path)
     return path.parent_path() / name;
 }
 
+/// The process that has made up this name in temporary_beside(); 0: it is no such name.
+pid_t maker_of(const std::filesystem::path& file)
+{
+    const std::string whole = file.filename().string();
+    std::string_view name = whole;
+    const std::size_t mark = name.rfind(temporary_mark);
+    if (!name.starts_with('.') || mark == std::string_view::npos) return 0;
+    const std::string_view extension = name.substr(mark + temporary_mark.size());
+    if (!extension.empty() && (extension[0] != '.' || extension.find('.', 1) != std::string_view::npos)) return 0;
+    name = name.substr(0, mark);
+    name.remove_prefix(name.rfind('.') + 1); // there is a dot: the first character
+
+    pid_t process = 0;
+    unsigned count = 0;
+    const char* const end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data(), end, process);
+    if (error != std::errc() || process <= 0 || stop == end || *stop != '-') return 0;
+    const auto [last, count_error] = std::from_chars(stop + 1, end, count);
+    return count_error == std::errc() && last == end ? process : 0;
+}
+
+/// On this machine, whoever runs it.
+bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::file_time_type oldest)
+{
+    std::error_code unknown;
+    const pid_t maker = maker_of(entry.path());
+    return maker != 0 && entry.symlink_status(unknown).type() == std::filesystem::file_type::regular &&
+           entry.last_write_time(unknown) <= oldest && !unknown && !is_running(maker);
+}
+
 /// Removes the temporary file at the end of the scope, unless it was renamed by then.
 class TemporaryFile
 {
 public:
     explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
     {
-        temporary_files().add(path_);
+        Leftovers::instance().add(path_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { temporary_files().remove(path_); }
+    ~TemporaryFile() { Leftovers::instance().remove(path_); }
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -107,6 +102,41 @@ void write_content(const std::filesystem::path& file, const std::filesystem::pat
     });
     // What is still buffered is written here, so a full disk may show up only now.
     if (std::fclose(handle.release()) != 0) fail();
+}
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why)
+{
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), why));
+}
+
+/// Devices such as /dev/zero never end; what is typed in a terminal does.
+void check_that_it_ends(const std::filesystem::path& path, const struct stat& info, std::FILE* handle)
+{
+    const bool is_device = S_ISBLK(info.st_mode) || (S_ISCHR(info.st_mode) && ::isatty(::fileno(handle)) == 0);
+    if (is_device) throw InputError(fmt::format("{}: is a device, not a file", path.string()));
+}
+
+/// The rest of an open file. The size is a hint only: pipes have none, and a file may grow while it is read; but not
+/// without end.
+std::string content_of(const std::filesystem::path& path, const struct stat& info, std::FILE* handle)
+{
+    constexpr std::size_t chunk = 1 << 16;
+    constexpr std::size_t most_growth = std::size_t{4} << 30;
+    const auto size = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    std::string content;
+    content.reserve(size + chunk);
+    for (bool more = true; more;) {
+        const std::size_t end = content.size();
+        if (end > size && end - size > most_growth)
+            throw InputError(fmt::format("{}: gives more than {} GiB, and no end: only a file may have more",
+                                         path.string(), most_growth >> 30));
+        content.resize(end + chunk);
+        const std::size_t got = std::fread(content.data() + end, 1, chunk, handle);
+        content.resize(end + got);
+        more = got == chunk;
+    }
+    if (std::ferror(handle) != 0) fail_to_read(path, last_system_error());
+    return content;
 }
 
 }
@@ -137,7 +167,7 @@ void write_whole_file(const std::filesystem::path& path,
 void remove_temporary_files() noexcept
 {
     try {
-        temporary_files().remove_all();
+        Leftovers::instance().clear();
     } catch (const std::exception&) {
         // What stays is removed by the next run.
     }
@@ -150,11 +180,12 @@ void remove_stale_temporary_files(const std::filesystem::path& folder, std::chro
     try {
         const auto oldest = fs::file_time_type::clock::now() - age;
         std::error_code error;
-        for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        constexpr auto options = fs::directory_options::skip_permission_denied; // links to folders are not followed
+        for (fs::recursive_directory_iterator entry(folder, options, error), end; !error && entry != end;
+             entry.increment(error)) {
             if (entry->path().filename() == except) entry.disable_recursion_pending();
-            std::error_code unknown;
-            if (is_temporary(entry->path()) && entry->last_write_time(unknown) <= oldest && !unknown)
-                fs::remove(entry->path(), unknown);
+            std::error_code ignored;
+            if (is_stale(*entry, oldest)) fs::remove(entry->path(), ignored);
         }
     } catch (const std::exception&) {
         // They cost space only.
@@ -163,27 +194,24 @@ void remove_stale_temporary_files(const std::filesystem::path& folder, std::chro
 
 std::string read_whole_file(const std::filesystem::path& path)
 {
-    const auto fail = [&path] {
-        throw InputError(fmt::format("{}: cannot be read: {}", path.string(), last_system_error()));
-    };
     const FileHandle handle(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!handle) fail();
-
-    // The size is a hint only: pipes have none, and a file may grow while it is read.
-    std::error_code no_size;
-    const std::uintmax_t size = std::filesystem::file_size(path, no_size);
-    constexpr std::size_t chunk = 1 << 16;
-    std::string content;
-    if (!no_size) content.reserve(size + chunk);
-    for (bool more = true; more;) {
-        const std::size_t end = content.size();
-        content.resize(end + chunk);
-        const std::size_t got = std::fread(content.data() + end, 1, chunk, handle.get());
-        content.resize(end + got);
-        more = got == chunk;
+    struct stat info{};
+    if (!handle || ::fstat(::fileno(handle.get()), &info) != 0) fail_to_read(path, last_system_error());
+    check_that_it_ends(path, info, handle.get());
+    try {
+        return content_of(path, info, handle.get());
+    } catch (const std::bad_alloc&) {
+        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
+    } catch (const std::length_error&) { // of a size that no text can have
+        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
     }
-    if (std::ferror(handle.get()) != 0) fail();
-    return content;
+}
+
+bool is_no_lasting_file(const std::filesystem::path& path)
+{
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    return !error && std::filesystem::is_other(status);
 }
 
 }

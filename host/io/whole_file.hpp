@@ -25,16 +25,21 @@ void write_whole_file_in_pieces(const std::filesystem::path& path,
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// Removes the temporary files that other threads are writing at this moment: for a process that is about to end without
-/// waiting for them.
+/// Removes the temporary files that other threads are writing at this moment, and all else that would stay, see
+/// Leftovers: for a process that is about to end without waiting for them.
 void remove_temporary_files() noexcept;
 
-/// Removes temporary files of processes that were killed while they wrote, below a folder but not in folders of the name
-/// `except`: those older than `age`, which no process can be writing any more.
+/// Removes temporary files of processes that were killed while they wrote, below a folder but not in folders of the
+/// name `except`: those older than `age`, whose process is not running on this machine. Nothing but regular files whose
+/// names write_whole_file() makes.
 void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
                                   const std::filesystem::path& except = {}) noexcept;
 
-/// The content of a file. Throws InputError when it cannot be read.
+/// The content of a file, of a pipe until its end, or of what is typed. Throws InputError when it cannot be read, such
+/// as one that does not fit in memory or has no end.
 std::string read_whole_file(const std::filesystem::path& path);
+
+/// Whether it is a pipe, a device or the like, which is not to be read twice. False for what is not there.
+bool is_no_lasting_file(const std::filesystem::path& path);
 
 }

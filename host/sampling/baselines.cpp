@@ -2,6 +2,7 @@
 // the cell k of n along an axis holds the coordinates u with floor(u n / 2^32) = k, exactly.
 #include "sampling/baselines.hpp"
 
+#include "geometry/lattice.hpp"
 #include "sampling/random.hpp"
 
 #include <algorithm>
@@ -143,8 +144,7 @@ std::uint32_t lattice_side(std::size_t points, int dimension)
 
 std::size_t lattice_points(const Parameters&, const SampleRequest& request)
 {
-    const std::size_t side = lattice_side(request.points, request.dimension);
-    return request.dimension == 2 ? side * side : side * side * side;
+    return lattice_cells(lattice_side(request.points, request.dimension), request.dimension);
 }
 
 SamplerSpec random_sampler()

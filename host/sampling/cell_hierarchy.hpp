@@ -38,8 +38,8 @@ CellHierarchy cell_hierarchy(double min_distance, int dimension);
 
 /// Darts arrive as a Poisson process ("Poisson rain"): in each batch, each open cell gets a Poisson number of
 /// darts with this mean. Many darts at once reject each other, which is costly, above all in the first batch,
-/// when there are no points yet, and in 3D, where disks reach more cells; few let the list of open cells grow by subdivision faster than points close
-/// them.
+/// when there are no points yet, and in 3D, where disks reach more cells; few let the list of open cells grow by
+/// subdivision faster than points close them.
 inline double darts_per_cell(std::uint32_t batch, int dimension)
 {
     if (batch > 0) return 1.0;

@@ -2,6 +2,7 @@
 // cells.
 #include "sampling/dart_throwing.hpp"
 
+#include "geometry/lattice.hpp"
 #include "geometry/torus.hpp"
 #include "sampling/cell_hierarchy.hpp"
 
@@ -55,12 +56,6 @@ using Words = Buffer<std::uint32_t>;
 std::size_t dart_words(int dimension) { return static_cast<std::size_t>(dimension) + 2; }
 constexpr std::size_t rival_words = 7 + 1;
 std::size_t point_words(int dimension) { return static_cast<std::size_t>(dimension) + 1; }
-
-std::size_t level_0_cells(const CellHierarchy& hierarchy, int dimension)
-{
-    const std::size_t layer = std::size_t{hierarchy.size} * hierarchy.size;
-    return dimension == 2 ? layer : layer * hierarchy.size;
-}
 
 /// A bit for each cell that a point of this cell may reach.
 std::size_t mask_words(const CellHierarchy& hierarchy, int dimension)
@@ -118,7 +113,7 @@ public:
         insert_ = device.kernel(file, "insert_points", options);
 
         Buffers& b = buffers_;
-        const std::size_t cells = level_0_cells(hierarchy_, D);
+        const std::size_t cells = lattice_cells(hierarchy_.size, D);
         reserve(device, b.slots, cells);
         reserve(device, b.masks, cells * mask_words(hierarchy_, D));
         reserve(device, b.positions, cells * D);
@@ -135,7 +130,7 @@ public:
     PointSet run()
     {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::size_t parent_count = level_0_cells(hierarchy_, D);
+        std::size_t parent_count = lattice_cells(hierarchy_.size, D);
         int level = 0;
         for (std::uint32_t batch = 0; point_count() < target && parent_count > 0; ++batch) {
             write_thresholds(batch);
@@ -287,7 +282,7 @@ DeviceMemory DartThrower::memory(const DartThrowingRequest& request)
     const int d = request.dimension;
     const auto axes = static_cast<std::uint64_t>(d);
     const CellHierarchy hierarchy = cell_hierarchy(request.min_distance, d);
-    const std::size_t cells = level_0_cells(hierarchy, d);
+    const std::size_t cells = lattice_cells(hierarchy.size, d);
     const std::size_t darts = most_darts(cells, d);
     DeviceMemory memory;
     const auto words = [&memory](std::uint64_t count) { memory.add_buffer<std::uint32_t>(count); };

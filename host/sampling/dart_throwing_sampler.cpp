@@ -43,8 +43,8 @@ DartThrowingRequest darts_of(const Parameters& parameters, const SampleRequest& 
 std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
 {
     if (!to_saturation(parameters)) return request.points;
-    const double ratio =
-        saturation_relative_radius(request.dimension) / relative_radius(min_distance_of(parameters, request), 1, request.dimension);
+    const double ratio = saturation_relative_radius(request.dimension) /
+                         relative_radius(min_distance_of(parameters, request), 1, request.dimension);
     const double mean = std::pow(ratio, request.dimension);
     return static_cast<std::size_t>(mean + 6.0 * std::sqrt(saturation_structure_factor * mean)) + 1;
 }

@@ -41,6 +41,8 @@ std::vector<std::filesystem::path> files_of(const Parameters& parameters)
     std::set<std::filesystem::path> seen;
     for (const std::string& entry : parameters.texts(path_key)) {
         for (std::filesystem::path& file : resolve(parameters, entry)) {
+            if (is_no_lasting_file(file)) // read by the check, by the key of the series, and for the points
+                throw path_error(parameters, entry, file.string() + " is a pipe or a device; a file is needed");
             if (!seen.insert(std::filesystem::weakly_canonical(file)).second) {
                 throw path_error(parameters, entry, file.string() + " is named twice");
             }

@@ -80,8 +80,14 @@ private:
     /// Starts from files and programs have as many points as they have.
     void check_memory(const PointSet& start) const
     {
-        check_fits(fmt::format("Lloyd relaxation of {} points", start.size()),
-                   relaxation_memory(parameters_, start.size(), start.dimension), device_->info());
+        const DeviceMemory memory = relaxation_memory(parameters_, start.size(), start.dimension);
+        const std::string what = fmt::format("Lloyd relaxation of {} points", start.size());
+        if (!parameters_.has("start")) return check_fits(what, memory, device_->info());
+        if (!fits(memory, device_->info()))
+            throw parameters_.error("start",
+                                    fmt::format("{} {}; start from fewer points, or set engine = \"reference\", "
+                                                "which needs no device",
+                                                what, comparison(memory, device_->info())));
     }
 
     Parameters parameters_;

@@ -1,5 +1,7 @@
 #include "sampling/point_grid.hpp"
 
+#include "geometry/lattice.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,12 +18,6 @@ constexpr std::uint32_t chunk_of_many = 1024;
 /// Kernels read whole vectors.
 constexpr std::uint32_t padding = 16;
 
-std::size_t grid_cells(int dimension, std::uint32_t cells_per_axis)
-{
-    const std::size_t layer = std::size_t{cells_per_axis} * cells_per_axis;
-    return dimension == 2 ? layer : layer * cells_per_axis;
-}
-
 /// Cells that one work-item scans.
 std::uint32_t chunk_of(std::size_t cells)
 {
@@ -33,7 +29,7 @@ std::uint32_t chunk_of(std::size_t cells)
 DeviceMemory PointGrid::memory(int dimension, std::size_t points, std::uint32_t cells_per_axis)
 {
     const auto axes = static_cast<std::uint64_t>(dimension);
-    const std::uint64_t cells = grid_cells(dimension, cells_per_axis);
+    const std::uint64_t cells = lattice_cells(cells_per_axis, dimension);
     DeviceMemory memory;
     for (int i = 0; i < 2; ++i) { // before and after sorting
         memory.add_buffer<double>(points * axes);
@@ -48,7 +44,7 @@ DeviceMemory PointGrid::memory(int dimension, std::size_t points, std::uint32_t 
 PointGrid::PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
                      std::size_t work_group_size)
     : device_(std::move(device)), dimension_(dimension), size_(points), cells_per_axis_(cells_per_axis),
-      cells_(grid_cells(dimension, cells_per_axis)), work_group_size_(work_group_size), chunk_(chunk_of(cells_)),
+      cells_(lattice_cells(cells_per_axis, dimension)), work_group_size_(work_group_size), chunk_(chunk_of(cells_)),
       stride_(static_cast<std::uint32_t>(points) + padding)
 {
     const std::size_t values = points * static_cast<std::size_t>(dimension);

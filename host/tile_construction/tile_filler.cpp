@@ -10,7 +10,7 @@ namespace {
 /// What the buffers of one launch may take; larger batches are cut.
 constexpr std::uint64_t max_batch_bytes = std::uint64_t{256} << 20;
 
-/// Less where a device has less: the largest buffer of a batch is at most half of it.
+/// Less where a device has less: all buffers of a batch together take no more than one buffer may.
 std::uint64_t batch_bytes(const DeviceInfo& device)
 {
     return std::min({max_batch_bytes, device.global_memory_bytes / 4, device.max_allocation_bytes});

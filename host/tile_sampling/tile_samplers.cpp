@@ -1,5 +1,6 @@
 #include "tile_sampling/tile_samplers.hpp"
 
+#include "geometry/lattice.hpp"
 #include "poisson_tiles/poisson_tile_set.hpp"
 #include "sampling/random.hpp"
 #include "tile_construction/tile_construction.hpp"
@@ -61,8 +62,8 @@ public:
         tiles_ = std::move(cached.set);
         tile_set_ = std::move(cached.record);
         if (device_) generator_.emplace(*device_, tiles_);
-        preparation_seconds_ =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - build_seconds();
+        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
+        preparation_seconds_ = all.count() - build_seconds() - cached.waiting_seconds;
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -180,8 +181,7 @@ void check_parameters(const TileMethod& method, const std::string& sampler, cons
 /// The number of tiles of a set's tiling.
 std::uint64_t tiles_of_sets(const PoissonTileParameters& tiles, std::size_t points)
 {
-    const std::uint64_t side = tiling_side(points, tiles.points_per_tile, tiles.dimension);
-    return side * side * (tiles.dimension == 3 ? side : 1);
+    return lattice_cells(tiling_side(points, tiles.points_per_tile, tiles.dimension), tiles.dimension);
 }
 
 /// Building the tile set, then taking points from it.

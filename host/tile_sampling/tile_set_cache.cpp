@@ -2,6 +2,7 @@
 
 #include "code_hashes.hpp"
 #include "errors/errors.hpp"
+#include "io/xxh64_bytes.hpp"
 #include "poisson_tiles/region_counts.hpp"
 #include "poisson_tiles/tile_certificate.hpp"
 #include "poisson_tiles/tile_set_file.hpp"
@@ -21,6 +22,10 @@
 
 namespace poissonlab {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file,
                                          const PoissonTileParameters& parameters)
@@ -66,10 +71,9 @@ std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters&
     if (opened) build.device = opened->info().name;
     build.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     const double compiled_before = compile_seconds();
-    const auto begin = std::chrono::steady_clock::now();
+    const auto begin = Clock::now();
     PoissonTileSet set = build_tile_set(parameters, engine, [=]() -> Device& { return *opened; }, options).set;
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    build.seconds = std::max(0.0, seconds - (compile_seconds() - compiled_before));
+    build.seconds = std::max(0.0, seconds_since(begin) - (compile_seconds() - compiled_before));
     return {std::move(set), std::move(build)};
 }
 
@@ -80,27 +84,33 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
     if (set.parameters.kind == PoissonTileKind::frame) return points;
     const auto counts = region_counts(set);
     for (int cell = 0; cell <= set.parameters.dimension; ++cell)
-        points.push_back({counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
+        points.push_back(
+            {counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
     return points;
 }
 
-/// Lets one process build a set while others wait. Nothing where there is no folder that could be written.
-std::optional<FileLock> building_lock(const std::filesystem::path& file)
+/// Lets one process build a set while others wait, and say so. Nothing where there is no folder that could be written.
+std::optional<FileLock> building_lock(const std::filesystem::path& file,
+                                      const std::function<void(const std::string& what)>& on_step)
 {
+    const std::string lock_file = file.string() + ".lock";
     try {
         std::filesystem::create_directories(file.parent_path());
-        return FileLock(file.string() + ".lock");
+        auto lock = FileLock::try_lock(lock_file);
+        if (lock) return lock;
+        if (on_step) on_step("waiting for another process that builds the tile set");
+        return FileLock(lock_file);
     } catch (const std::filesystem::filesystem_error&) {
     } catch (const StorageError&) {
     }
     return std::nullopt;
 }
 
-CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build)
+CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build, double waiting_seconds)
 {
     TileSetRecord record{set.parameters.tiles, set.parameters.points_per_tile, cached, std::move(build),
                          region_points(set)};
-    return {std::move(set), std::move(record)};
+    return {std::move(set), std::move(record), waiting_seconds};
 }
 
 }
@@ -131,33 +141,40 @@ std::filesystem::path tile_cache_folder()
     return {};
 }
 
-std::string tile_cache_name(const PoissonTileParameters& p, Engine engine)
+std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* device)
 {
+    // Names of devices are long, and hold what file names may not.
+    const std::string maker =
+        device ? fmt::format("opencl-{:08x}", xxh64_bytes(device->identity()) & 0xFFFFFFFFU) : "reference";
     return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-{}.ptiles", kind_name(p),
                        p.kind == PoissonTileKind::frame ? "t" : "c",
                        p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile,
                        p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
                        p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed,
-                       engine == Engine::opencl ? "opencl" : "reference", POISSONLAB_CONSTRUCTION_VERSION);
+                       maker, POISSONLAB_CONSTRUCTION_VERSION);
 }
 
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
                               const DeviceProvider& device, const std::filesystem::path& folder,
                               const std::function<void(const std::string& what)>& on_step)
 {
-    const std::filesystem::path file = folder / tile_cache_name(parameters, engine);
+    const DeviceInfo* const info = engine == Engine::opencl ? &device().info() : nullptr;
+    const std::filesystem::path file = folder / tile_cache_name(parameters, info);
     std::optional<FileLock> lock;
+    double waiting_seconds = 0;
     if (!folder.empty()) {
         auto stored = stored_set(file, parameters);
         if (!stored) {
-            lock = building_lock(file);
+            const auto begin = Clock::now();
+            lock = building_lock(file, on_step);
+            waiting_seconds = seconds_since(begin);
             stored = stored_set(file, parameters); // another process may have built it meanwhile
         }
-        if (stored) return recorded(*std::move(stored), true, read_build_record(file));
+        if (stored) return recorded(*std::move(stored), true, read_build_record(file), waiting_seconds);
     }
     auto [set, build] = timed_build(parameters, engine, device, on_step);
     if (!folder.empty()) try_to_store(file, set, build);
-    return recorded(std::move(set), false, std::move(build));
+    return recorded(std::move(set), false, std::move(build), waiting_seconds);
 }
 
 }

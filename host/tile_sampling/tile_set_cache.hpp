@@ -21,20 +21,22 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
 /// ~/.cache/poissonlab; empty where the environment has none of these.
 std::filesystem::path tile_cache_folder();
 
-/// The name of a tile set's file there: all its parameters, the engine, and the version of the code that builds it.
-std::string tile_cache_name(const PoissonTileParameters& parameters, Engine engine);
+/// The name of a tile set's file there: all its parameters, the version of the code that builds it, and what it is
+/// built on: a device, or with null the reference engine.
+std::string tile_cache_name(const PoissonTileParameters& parameters, const DeviceInfo* device);
 
 /// A tile set and where it came from.
 struct CachedTileSet
 {
     PoissonTileSet set;
     TileSetRecord record;
+    double waiting_seconds = 0; ///< for another process that was building it
 };
 
 /// The tile set from `folder`, or built and put there, with a record of what that took. A file that cannot be read, is
-/// damaged or holds something else is replaced; where nothing can be written, the set is not kept. An empty folder: always
-/// built. Of several processes that want the same set, one builds it and the others wait. `on_step` is told of the steps
-/// of building; what it throws ends that.
+/// damaged or holds something else is replaced; where nothing can be written, the set is not kept. An empty folder:
+/// always built. Of several processes that want the same set, one builds it and the others wait. `on_step` is told of
+/// waiting and of the steps of building; what it throws ends that.
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
                               const std::filesystem::path& folder,
                               const std::function<void(const std::string& what)>& on_step = {});

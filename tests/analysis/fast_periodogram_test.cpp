@@ -108,12 +108,14 @@ TEST(FastPeriodogram, ObeysParsevalOnACompleteGridOfFrequencies)
     std::vector<double> numbers(size * size);
     for (int i = 0; i < 700; ++i) {
         const std::size_t x = random() % size, y = random() % size;
-        points.coordinates.insert(points.coordinates.end(), {static_cast<double>(x) / size, static_cast<double>(y) / size});
+        points.coordinates.insert(points.coordinates.end(),
+                                  {static_cast<double>(x) / size, static_cast<double>(y) / size});
         ++numbers[y * size + x];
     }
     const auto power = fast_periodogram(points, size);
     const double sum = std::accumulate(power.begin(), power.end(), 0.0);
-    const double expected = size * size * std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0) / 700;
+    const double expected =
+        size * size * std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0) / 700;
     EXPECT_NEAR(sum / expected, 1, 4e-9); // twice the error of the transform
 }
 

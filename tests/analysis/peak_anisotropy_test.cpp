@@ -9,8 +9,11 @@ namespace {
 
 TEST(PeakAnisotropy, IsTheLargestOfRingsWithEnoughSamples)
 {
-    const std::vector<RadialBin> radial = {
-        {15, 1, 3.0, 96, 0}, {16, 1, -9.0, 100, 0}, {17, 1, -4.0, 108, 0}, {18, 1, -4.0, 112, 0}, {19, 1, -8.0, 120, 0}};
+    const std::vector<RadialBin> radial = {{15, 1, 3.0, 96, 0},
+                                           {16, 1, -9.0, 100, 0},
+                                           {17, 1, -4.0, 108, 0},
+                                           {18, 1, -4.0, 112, 0},
+                                           {19, 1, -8.0, 120, 0}};
     const auto peak = peak_anisotropy(radial, 10);
     ASSERT_TRUE(peak);
     EXPECT_EQ(peak->db, -4);
@@ -42,7 +45,8 @@ TEST(PeakAnisotropy, ErrorIsTheSpreadOfRingsOfChance)
             squares += db * db / rings;
         }
         const double expected = anisotropy_standard_error_db(2 * independent, realizations);
-        EXPECT_NEAR((squares - sum * sum) / (expected * expected), 1, 4 * std::sqrt(2.0 / rings) + 0.01) << realizations;
+        EXPECT_NEAR((squares - sum * sum) / (expected * expected), 1, 4 * std::sqrt(2.0 / rings) + 0.01)
+            << realizations;
     }
 }
 

@@ -121,7 +121,8 @@ TEST_F(SpectrumFile, OfAllFrequenciesIsATallImage)
     ASSERT_EQ(file.header().dataWindow().max.y, size * size - 1);
     std::vector<float> pixels(volume.power.size());
     Imf::FrameBuffer frame;
-    frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float), sizeof(float) * size));
+    frame.insert("Y",
+                 Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(pixels.data()), sizeof(float), sizeof(float) * size));
     file.setFrameBuffer(frame);
     file.readPixels(0, size * size - 1);
     EXPECT_EQ(std::vector<double>(pixels.begin(), pixels.end()), volume.power);

@@ -1,8 +1,8 @@
 // What it costs to store every unit of work, and what a second process brings.
 //
-// Plain: the same 1,000 sets of 4,096 points, made, written and analysed by a loop without units, schedule and checksums.
-// Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work without start and
-// report, as the program's own events tell them.
+// Plain: the same 1,000 sets of 4,096 points, made, written and analysed by a loop without units, schedule and
+// checksums. Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work
+// without start and report, as the program's own events tell them.
 #include "bench/ratio_reporter.hpp"
 #include "experiment/config_run.hpp"
 #include "experiment/runner.hpp"

@@ -64,8 +64,8 @@ TEST(DeviceChoice, RefusesNumbersOutOfRange)
 {
     // 770 and 7763 are parts of names, but digits alone are a number.
     for (const std::string number : {"4", "770", "99999999999999999999999"}) {
-        EXPECT_THAT(refusal(devices_of(machine), number),
-                    AllOf(HasSubstr("no OpenCL device " + number + ";"), HasSubstr("3: Intel UHD 770"), Not(HasSubstr("\n"))));
+        EXPECT_THAT(refusal(devices_of(machine), number), AllOf(HasSubstr("no OpenCL device " + number + ";"),
+                                                                HasSubstr("3: Intel UHD 770"), Not(HasSubstr("\n"))));
     }
 }
 

@@ -42,8 +42,9 @@ TEST(DeviceMemory, SaysWhatIsNeededAndWhatThereIs)
         check_fits("set.ptiles", {1536 * mebi, 3072 * mebi}, device);
         FAIL() << "accepted";
     } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "set.ptiles: needs 3.0 GiB of device memory, 1.5 GiB of it in one piece; Small GPU has "
-                                   "512.0 MiB, 128.0 MiB in one piece");
+        EXPECT_STREQ(error.what(),
+                     "set.ptiles: needs 3.0 GiB of device memory, 1.5 GiB of it in one piece; Small GPU has "
+                     "512.0 MiB, 128.0 MiB in one piece");
     }
 }
 

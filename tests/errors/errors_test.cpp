@@ -43,10 +43,24 @@ TEST(Shortened, KeepsWholeCharacters)
     EXPECT_EQ(shortened("\x80\x80\x80", 2), "\x80\x80...") << "no characters at all";
 }
 
-TEST(InputErrors, AreOneLineButForDetails)
+template <class Error>
+class Errors : public ::testing::Test
+{};
+using AllErrors = ::testing::Types<InputError, DeviceError, StorageError>;
+TYPED_TEST_SUITE(Errors, AllErrors);
+
+TYPED_TEST(Errors, AreOneLineButForDetails)
 {
-    EXPECT_STREQ(InputError("a\nb").what(), "a\\nb");
-    EXPECT_STREQ(InputError("a\nb", "; it said:\n    c").what(), "a\\nb; it said:\n    c");
+    EXPECT_STREQ(TypeParam("a\nb").what(), "a\\nb");
+    EXPECT_STREQ(TypeParam("a\nb", "; it said:\n    c").what(), "a\\nb; it said:\n    c");
+}
+
+/// As processes send them to each other.
+TYPED_TEST(Errors, StayAsTheyAreWhenThrownAgain)
+{
+    const TypeParam error("a\nb \xff", ": c\n");
+    EXPECT_STREQ(TypeParam({}, error.what()).what(), error.what());
+    EXPECT_STREQ(TypeParam(TypeParam("a\nb \xff").what()).what(), "a\\nb \\xff");
 }
 
 TEST(InputErrors, OfValuesAreOfBearableLength)

@@ -28,8 +28,9 @@ TEST(AnalysisOptions, HaveDefaults)
 
 TEST(AnalysisOptions, TakeEveryKey)
 {
-    const AnalysisOptions plane = options_of({"analysis.spectrum=exact", "analysis.spectrum_size=8192",
-                                              "analysis.zone_plate=true", "analysis.tiles=4096", "analysis.bin_width=2.5"});
+    const AnalysisOptions plane =
+        options_of({"analysis.spectrum=exact", "analysis.spectrum_size=8192", "analysis.zone_plate=true",
+                    "analysis.tiles=4096", "analysis.bin_width=2.5"});
     EXPECT_EQ(plane.bin_width, 2.5);
     EXPECT_EQ(plane.spectrum, PeriodogramMethod::exact);
     EXPECT_EQ(plane.spectrum_size, 8192);

@@ -99,12 +99,15 @@ TEST_F(CollectionConfigs, OtherConfigsAreNone)
 
 TEST_F(CollectionConfigs, HaveNoExperimentOfTheirOwn)
 {
-    EXPECT_EQ(error_of("include = [\"one.toml\"]\nseed = 1\n"),
-              "all.toml:2: seed = 1: does not go with include: a collection has only the keys include, title and device");
+    EXPECT_EQ(
+        error_of("include = [\"one.toml\"]\nseed = 1\n"),
+        "all.toml:2: seed = 1: does not go with include: a collection has only the keys include, title and device");
     EXPECT_EQ(error_of("include = [\"one.toml\"]\n" + random_method),
-              "all.toml:2: method = [{...}]: does not go with include: a collection has only the keys include, title and device");
+              "all.toml:2: method = [{...}]: does not go with include: a collection has only the keys include, title "
+              "and device");
     EXPECT_EQ(message_of([&] { read_config(folder_.write("c.toml", random_method), {"include=[\"one.toml\"]"}); }),
-              "--set include=[\"one.toml\"]: include = [\"one.toml\"]: makes a config a collection, which has no experiment of its own");
+              "--set include=[\"one.toml\"]: include = [\"one.toml\"]: makes a config a collection, which has no "
+              "experiment of its own");
 }
 
 TEST_F(CollectionConfigs, IncludeIsAListOfPaths)
@@ -148,22 +151,25 @@ TEST_F(CollectionConfigs, CyclesAreShown)
               "all.toml:1: include = \"all.toml\": goes round in a circle: all.toml includes all.toml");
     folder_.write("b.toml", "include = [\"sub/c.toml\"]\n");
     folder_.write("sub/c.toml", "include = [\"../b.toml\"]\n");
-    EXPECT_EQ(error_of("include = [\"b.toml\"]\n"),
-              "sub/c.toml:1: include = \"../b.toml\": goes round in a circle: b.toml includes sub/c.toml includes b.toml");
+    EXPECT_EQ(
+        error_of("include = [\"b.toml\"]\n"),
+        "sub/c.toml:1: include = \"../b.toml\": goes round in a circle: b.toml includes sub/c.toml includes b.toml");
 }
 
 TEST_F(CollectionConfigs, MistakesInIncludedConfigsAreNamed)
 {
     folder_.write("bad.toml", "sede = 1\n" + random_method);
-    EXPECT_THAT(error_of("include = [\"one.toml\", \"bad.toml\"]\n"), testing::StartsWith("bad.toml:1: sede = 1: unknown key"));
+    EXPECT_THAT(error_of("include = [\"one.toml\", \"bad.toml\"]\n"),
+                testing::StartsWith("bad.toml:1: sede = 1: unknown key"));
 }
 
 TEST_F(CollectionConfigs, SomeOverridesDoNotSuit)
 {
     const std::string all = "include = [\"one.toml\"]\n";
-    EXPECT_EQ(error_of(all, {"method.0.label=White"}),
-              "--set method.0.label=White: a collection has no numbered methods; method.KEY=VALUE changes every method that "
-              "has KEY");
+    EXPECT_EQ(
+        error_of(all, {"method.0.label=White"}),
+        "--set method.0.label=White: a collection has no numbered methods; method.KEY=VALUE changes every method that "
+        "has KEY");
     EXPECT_THAT(error_of(all, {"title=T"}), HasSubstr("cannot be set"));
     EXPECT_THAT(error_of(all, {"include=[]"}), HasSubstr("cannot be set"));
     EXPECT_THAT(error_of(all, {"method.iterations=3"}),

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include <sys/stat.h>
+
 namespace poissonlab {
 namespace {
 
@@ -80,6 +82,22 @@ TEST_F(CommandLine, WrongArguments)
     expect_error_like({"help", "smaplers"}, 2, "did you mean \"samplers\"?");
     expect_error_like({"analyze"}, 2, "FILE is required");
     expect_error_like({"report", "a", "b"}, 2, "--out is missing");
+}
+
+/// Without waiting for what nobody writes, or filling the memory with what has no end.
+TEST_F(CommandLine, DevicesAndPipes)
+{
+    ASSERT_EQ(::mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+    expect_error({"run", "/dev/zero"}, 2, "/dev/zero: is a pipe or a device; a config file (.toml) is needed");
+    expect_error({"run", "pipe"}, 2, "pipe: is a pipe or a device; a config file (.toml) is needed");
+    expect_error({"analyze", "/dev/zero"}, 2, "/dev/zero: is a device, not a file");
+    expect_error({"tiles", "verify", "/dev/zero"}, 2, "/dev/zero: is a device, not a file");
+    folder_.write("all.toml", "include = [\"pipe\"]\n");
+    expect_error_like({"run", "all.toml"}, 2, "pipe is a pipe or a device");
+    for (const std::string file : {"pipe", "/dev/zero"}) {
+        folder_.write("file.toml", "[[method]]\nsampler = \"file\"\npath = \"" + file + "\"\n");
+        expect_error_like({"run", "file.toml"}, 2, file + " is a pipe or a device; a file is needed");
+    }
 }
 
 TEST_F(CommandLine, WrongConfigs)

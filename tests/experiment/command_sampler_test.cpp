@@ -36,7 +36,9 @@ TEST(CommandWords, HavePlaceholders)
 
 TEST(CommandWords, Mistakes)
 {
-    const auto error_of = [](const std::string& command) { return message_of([&] { command_words(command, values); }); };
+    const auto error_of = [](const std::string& command) {
+        return message_of([&] { command_words(command, values); });
+    };
     EXPECT_EQ(error_of("mine {sed} {out}"),
               "{sed} is none of {points}, {dimension}, {seed}, {realization} and {out}; {{sed}} stands for itself");
     EXPECT_THAT(error_of("mine {points}"), HasSubstr("must have {out}"));
@@ -130,7 +132,8 @@ TEST_F(CommandSampling, SaysHowAProgramFailed)
 
 TEST_F(CommandSampling, ShowsTheEndOfLongOutput)
 {
-    const std::string failure = failure_of("i=0; while [ $i -lt 20000 ]; do echo line $i; i=$((i + 1)); done; exit 1\n");
+    const std::string failure =
+        failure_of("i=0; while [ $i -lt 20000 ]; do echo line $i; i=$((i + 1)); done; exit 1\n");
     EXPECT_THAT(failure, testing::EndsWith("    line 19998\n    line 19999"));
     EXPECT_EQ(std::ranges::count(failure, '\n'), 8);
     EXPECT_THAT(failure_of("printf 'a\\033[31mred'; exit 1\n"), testing::EndsWith("    a?[31mred"));
@@ -141,8 +144,10 @@ TEST_F(CommandSampling, RefusesFilesThatAreNoPointSet)
     EXPECT_THAT(failure_of("echo 0.1 1.5 > $4\n"), MatchesRegex("realization 1: \\{out\\}:1: .*1\\.5.*"));
     EXPECT_THAT(failure_of(": > $4\n"), HasSubstr("realization 1: {out}"));
     EXPECT_THAT(failure_of("echo some words > $4\n"), HasSubstr("{out}:1: "));
-    EXPECT_THAT(failure_of("printf '0.1 0.1\\n#\\n0.2 0.2\\n' > $4\n"), HasSubstr("it wrote 2 realizations; one is needed"));
-    EXPECT_THAT(failure_of("echo 0.1 0.1 0.1 > $4\n"), HasSubstr("it wrote 3D points; the experiment has dimension = 2"));
+    EXPECT_THAT(failure_of("printf '0.1 0.1\\n#\\n0.2 0.2\\n' > $4\n"),
+                HasSubstr("it wrote 2 realizations; one is needed"));
+    EXPECT_THAT(failure_of("echo 0.1 0.1 0.1 > $4\n"),
+                HasSubstr("it wrote 3D points; the experiment has dimension = 2"));
 }
 
 TEST_F(CommandSampling, EndsWhatTakesTooLongWithAllThatItStarted)
@@ -184,11 +189,13 @@ TEST_F(CommandSampling, InterruptsEndTheProgram)
     config_with("echo $$ > pid; exec sleep 50\n");
     const std::string command = "cd " + quoted(folder_.path().string()) + " && " + quoted(POISSONLAB_BINARY) +
                                 " run c.toml >log 2>&1 & lab=$!; while ! test -s " +
-                                quoted((folder_.path() / "pid").string()) + "; do sleep 0.05; done; kill -INT $lab; wait $lab";
+                                quoted((folder_.path() / "pid").string()) +
+                                "; do sleep 0.05; done; kill -INT $lab; wait $lab";
     // Shells let background jobs ignore SIGINT; SIGTERM goes the same way.
     const int status = std::system((std::string(command).replace(command.find("-INT"), 4, "-TERM")).c_str());
     EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_THAT(content_of(folder_.path() / "log"), testing::StartsWith("poissonlab: interrupted; finished work is kept"));
+    EXPECT_THAT(content_of(folder_.path() / "log"),
+                testing::StartsWith("poissonlab: interrupted; finished work is kept"));
     EXPECT_NE(::kill(std::stoi(content_of(folder_.path() / "pid")), 0), 0) << "the program is gone";
 }
 
@@ -197,10 +204,12 @@ TEST_F(CommandSampling, MistakesShowBeforeAnythingRuns)
     const auto error_of = [&](const std::string& method) {
         return message_of([&] { make_plan(parse_config("[[method]]\nsampler = \"command\"\n" + method, "c.toml")); });
     };
-    EXPECT_EQ(error_of(""), "c.toml:1: sampler = \"command\": needs command, such as \"mysampler {points} {seed} {out}\"");
+    EXPECT_EQ(error_of(""),
+              "c.toml:1: sampler = \"command\": needs command, such as \"mysampler {points} {seed} {out}\"");
     EXPECT_EQ(error_of("command = \"no-such-program {out}\"\n"),
               "c.toml:3: command = no-such-program {out}: there is no program no-such-program in the folders of PATH");
-    EXPECT_THAT(error_of("command = \"./nothing {out}\"\n"), HasSubstr("there is no program ./nothing (paths are relative"));
+    EXPECT_THAT(error_of("command = \"./nothing {out}\"\n"),
+                HasSubstr("there is no program ./nothing (paths are relative"));
     EXPECT_THAT(error_of("command = \"sh {points}\"\n"), HasSubstr("c.toml:3: command = sh {points}: must have {out}"));
     EXPECT_THAT(error_of("command = 3\n"), HasSubstr("must be a command in quotes, such as"));
     EXPECT_THAT(error_of("command = \"sh {out}\"\ntime_limit = 0\n"), HasSubstr("must be a number greater than 0"));
@@ -208,10 +217,11 @@ TEST_F(CommandSampling, MistakesShowBeforeAnythingRuns)
 
 TEST_F(CommandSampling, SeriesAreNamedAfterTheProgram)
 {
-    const auto plan = make_plan(parse_config("[[method]]\nsampler = \"command\"\n"
-                                             "command = [\"sh -c x {out}\", \"/bin/sh y {out}\", \"cat {out}\"]\n"
-                                             "[[method]]\nsampler = \"command\"\ncommand = \"sh z {out}\"\nlabel = \"Mine\"\n",
-                                             "c.toml"));
+    const auto plan =
+        make_plan(parse_config("[[method]]\nsampler = \"command\"\n"
+                               "command = [\"sh -c x {out}\", \"/bin/sh y {out}\", \"cat {out}\"]\n"
+                               "[[method]]\nsampler = \"command\"\ncommand = \"sh z {out}\"\nlabel = \"Mine\"\n",
+                               "c.toml"));
     ASSERT_EQ(plan.size(), 4U);
     EXPECT_EQ(plan[0].name, "command-sh");
     EXPECT_EQ(plan[0].label, "sh");
@@ -242,8 +252,9 @@ TEST(YourMethod, IsWhatTheReadmeShows)
 TEST(YourMethod, Runs)
 {
     const TemporaryFolder out;
-    const Outcome outcome = run_program(out.path(), {"run", POISSONLAB_SOURCE_DIR "/configs/your-method.toml", "--set",
-                                                     "analysis.points=256", "--set", "analysis.realizations=2", "--out", "o"});
+    const Outcome outcome =
+        run_program(out.path(), {"run", POISSONLAB_SOURCE_DIR "/configs/your-method.toml", "--set",
+                                 "analysis.points=256", "--set", "analysis.realizations=2", "--out", "o"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     // One point in each row and column is what N-rooks is.
     const PointSet points = read_points(out.path() / "o/command-awk/realization-001.dat").at(0);

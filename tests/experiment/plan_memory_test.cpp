@@ -180,12 +180,13 @@ std::string refusal(const std::vector<SeriesPlan>& plan, const DeviceInfo& devic
 
 TEST(PlanMemory, OfSeriesThatDoNotFitIsRefused)
 {
-    const auto plan = plan_of("[[method]]\nsampler = \"random\"\n[[method]]\nsampler = \"lloyd\"\niterations = [1, 2]\n",
-                              2, 10'000'000);
+    const auto plan = plan_of(
+        "[[method]]\nsampler = \"random\"\n[[method]]\nsampler = \"lloyd\"\niterations = [1, 2]\n", 2, 10'000'000);
     check_device_memory(plan, small_device(4096));
     EXPECT_THAT(refusal(plan, small_device(256)),
-                AllOf(StartsWith("test.toml:7: Lloyd relaxation, i = 1: needs 1021.8 MiB of device memory"), HasSubstr("Small GPU has 256.0 MiB, 64.0 MiB in one piece"),
-                      HasSubstr("points would fit"), Not(HasSubstr("\n"))));
+                AllOf(StartsWith("test.toml:7: Lloyd relaxation, i = 1: needs 1021.8 MiB of device memory"),
+                      HasSubstr("Small GPU has 256.0 MiB, 64.0 MiB in one piece"), HasSubstr("points would fit"),
+                      Not(HasSubstr("\n"))));
 }
 
 /// The number of points that the message of a refusal offers.
@@ -219,16 +220,19 @@ TEST(PlanMemory, CountsTheStart)
 
 TEST(PlanMemory, SaysWhereFewerPointsAreNoHelp)
 {
-    const auto plan = plan_of("[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturation\"\nmin_distance = 0.0005\n");
+    const auto plan =
+        plan_of("[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturation\"\nmin_distance = 0.0005\n");
     EXPECT_THAT(refusal(plan, small_device(64)), HasSubstr("; fewer points would not fit either"));
 }
 
 /// Tile sets are filled, and tilings made, in pieces that fit: only the set itself must.
 TEST(PlanMemory, OfTilesIsCutToFit)
 {
-    const std::string tiles = "[[method]]\nsampler = \"corner-tiles\"\ncolors = 10\npoints_per_tile = 256\nlloyd_iterations = 5\n";
+    const std::string tiles =
+        "[[method]]\nsampler = \"corner-tiles\"\ncolors = 10\npoints_per_tile = 256\nlloyd_iterations = 5\n";
     const auto plan = plan_of(tiles, 2, 1'000'000);
-    EXPECT_GT(plan[0].sampler->device_memory(plan[0].parameters, plan[0].request, small_device(4096)).total, 200u << 20);
+    EXPECT_GT(plan[0].sampler->device_memory(plan[0].parameters, plan[0].request, small_device(4096)).total,
+              200u << 20);
     EXPECT_EQ(refusal(plan, small_device(64)), "");
     EXPECT_THAT(refusal(plan_of("[[method]]\nsampler = \"edge-tiles\"\ncolors = 3\n"), small_device(64)),
                 HasSubstr("fewer points would not fit either"));

@@ -81,11 +81,12 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
 
 TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
 {
-    const Config config = parse_config("[[method]]\nsampler = \"random\"\n"
-                                       "[[method]]\nsampler = \"lloyd\"\nlabel = \"L\"\npoints = [64, 128]\n"
-                                       "iterations = 2\nrepulsion = [false, true]\nuntil_relative_radius = 0.70\n"
-                                       "start = [\"random\", { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }]\n",
-                                       "c.toml");
+    const Config config =
+        parse_config("[[method]]\nsampler = \"random\"\n"
+                     "[[method]]\nsampler = \"lloyd\"\nlabel = \"L\"\npoints = [64, 128]\n"
+                     "iterations = 2\nrepulsion = [false, true]\nuntil_relative_radius = 0.70\n"
+                     "start = [\"random\", { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }]\n",
+                     "c.toml");
     const auto plan = make_plan(config);
     ASSERT_EQ(plan.size(), 1U + 2 * 3 * 2);
     EXPECT_EQ(plan[0].place.method, 0U);

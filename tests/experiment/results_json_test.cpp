@@ -89,8 +89,10 @@ TEST(ResultsJson, HasEveryMember)
     EXPECT_EQ(series["radial"]["file"], "n/radial.csv");
     EXPECT_NEAR(series["radial"]["background_anisotropy_db"].get<double>(), -3.0103, 1e-4);
     EXPECT_EQ(series["point_files"].size(), 2U);
-    EXPECT_EQ(series["timing"],
-              json({{"sample_seconds", {1.0, 2.0}}, {"build_seconds", 0.5}, {"preparation_seconds", 0.0}, {"analysis_seconds", 3.0}}));
+    EXPECT_EQ(series["timing"], json({{"sample_seconds", {1.0, 2.0}},
+                                      {"build_seconds", 0.5},
+                                      {"preparation_seconds", 0.0},
+                                      {"analysis_seconds", 3.0}}));
 }
 
 TEST(ResultsJson, DeterministicOrSingleSetsHaveAPeriodogram)

@@ -137,10 +137,11 @@ TEST_F(Run, InterruptedSaysHowToGoOn)
                                 " >log 2>&1 & pid=$!; sleep 1; kill -TERM $pid; wait $pid";
     const int status = std::system(command.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_THAT(content_of(folder_.path() / "log"),
-                testing::EndsWith("poissonlab: interrupted; finished work is kept in out/tiny/.units: the same command goes "
-                                  "on from there (poissonlab run tiny.toml --set analysis.realizations=10000 --set "
-                                  "analysis.points=1024)\n"));
+    EXPECT_THAT(
+        content_of(folder_.path() / "log"),
+        testing::EndsWith("poissonlab: interrupted; finished work is kept in out/tiny/.units: the same command goes "
+                          "on from there (poissonlab run tiny.toml --set analysis.realizations=10000 --set "
+                          "analysis.points=1024)\n"));
     EXPECT_EQ(files_below(out_).size(), 0U) << "results appear all at once";
 }
 

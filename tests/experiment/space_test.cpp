@@ -71,7 +71,8 @@ TEST_F(Space, IsSampledAnalysedAndReported)
     EXPECT_GE(json["series"][3]["relative_radius"]["min"].get<double>(), 0.7 - 1e-6);
 
     for (const char* picture : {"cube", "slices", "close-ups"})
-        EXPECT_TRUE(fs::exists(folder_.path() / "out/random" / (std::string("spectrum-") + picture + ".png"))) << picture;
+        EXPECT_TRUE(fs::exists(folder_.path() / "out/random" / (std::string("spectrum-") + picture + ".png")))
+            << picture;
     EXPECT_FALSE(fs::exists(folder_.path() / "out/random/spectrum-volume.exr")) << "only where it is asked for";
 
     // Coordinates in threes, and the right words.
@@ -137,7 +138,8 @@ TEST_F(Space, AndPlaneCanShareAReport)
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const std::string page = content_of(folder_.path() / "both/index.html");
     EXPECT_THAT(page, HasSubstr("2 series of 64 points on the unit torus in 2D and 3D"));
-    EXPECT_THAT(content_of(folder_.path() / "both/compare.html"), HasSubstr("in cycles per mean spacing of the points"));
+    EXPECT_THAT(content_of(folder_.path() / "both/compare.html"),
+                HasSubstr("in cycles per mean spacing of the points"));
 }
 
 TEST_F(Space, StoresTheVolumeOnRequest)

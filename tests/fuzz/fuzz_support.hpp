@@ -1,5 +1,6 @@
 // What every fuzz target holds the program to: any input is either accepted, or refused with an InputError that a
-// person can read. Whatever else comes out (other exceptions, crashes, what sanitizers see, hours, gigabytes) is a finding.
+// person can read. Whatever else comes out (other exceptions, crashes, what sanitizers see, hours, gigabytes) is a
+// finding.
 #pragma once
 
 #include "errors/errors.hpp"

@@ -48,7 +48,8 @@ TEST(CollectionFile, StandsForItsRuns)
 TEST(CollectionFile, MistakesAreNamed)
 {
     const TemporaryFolder folder;
-    const auto with = [](const std::string& runs, const std::string& format = "poissonlab-collection", int version = 1) {
+    const auto with = [](const std::string& runs, const std::string& format = "poissonlab-collection",
+                         int version = 1) {
         return "{\"format\": \"" + format + "\", \"format_version\": " + std::to_string(version) +
                ", \"title\": \"T\", \"command\": \"c\", \"runs\": " + runs + "}";
     };

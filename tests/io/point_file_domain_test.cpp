@@ -25,7 +25,8 @@ TEST(CoordinateRange, IsReadFromText)
     EXPECT_EQ(range("512"), std::pair(0.0, 512.0));
     EXPECT_EQ(range("-1:1"), std::pair(-1.0, 1.0));
     EXPECT_EQ(range("0.25:1e3"), std::pair(0.25, 1000.0));
-    for (const auto* wrong : {"", ":", "1:", ":1", "1:1", "2:1", "0", "-1", "x", "0:x", "0:inf", "nan:1", "0:1:2", "0 1"})
+    for (const auto* wrong :
+         {"", ":", "1:", ":1", "1:1", "2:1", "0", "-1", "x", "0:x", "0:inf", "nan:1", "0:1:2", "0 1"})
         EXPECT_FALSE(parse_range(wrong)) << wrong;
 }
 

@@ -160,7 +160,8 @@ TEST(PointFileInPieces, IsThatOfTheWhole)
                                [&](const PointSink& sink) {
                                    for (std::size_t first = 0; first < set.size(); first += 3333)
                                        sink(std::span(set.coordinates)
-                                                .subspan(2 * first, 2 * std::min<std::size_t>(3333, set.size() - first)));
+                                                .subspan(2 * first,
+                                                         2 * std::min<std::size_t>(3333, set.size() - first)));
                                });
         EXPECT_EQ(read_whole_file(folder.path() / ("pieces" + extension)),
                   read_whole_file(folder.path() / ("whole" + extension)));

@@ -32,8 +32,9 @@ std::string in_lines(const std::vector<std::string>& words)
 
 TEST(ShellWords, AreThoseOfTheShell)
 {
-    for (const char* text : {"a", "  a  b\tc ", "'a b' \"c d\"", "a'b c'd", "'' \"\" x", "a\\ b \\\\ \\'", R"("a\"b\\c\$\`d\e")",
-                             R"('a\b' 'it'\''s')", "\"it's\"", "{points} {seed}", "a=b --c=\"d e\""})
+    for (const char* text :
+         {"a", "  a  b\tc ", "'a b' \"c d\"", "a'b c'd", "'' \"\" x", "a\\ b \\\\ \\'", R"("a\"b\\c\$\`d\e")",
+          R"('a\b' 'it'\''s')", "\"it's\"", "{points} {seed}", "a=b --c=\"d e\""})
         EXPECT_EQ(in_lines(split_shell_words(text).value()), words_of_the_shell(text)) << text;
 }
 

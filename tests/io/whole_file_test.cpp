@@ -6,8 +6,11 @@
 #include <gmock/gmock.h>
 
 #include <csignal>
+#include <future>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace poissonlab {
@@ -161,6 +164,80 @@ TEST(WholeFile, NoticesAWriterThatWritesNothing)
     const TemporaryFolder folder;
     EXPECT_THROW(write_whole_file(folder.path() / "file", [](const std::filesystem::path&) {}), StorageError);
     EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+TEST(WholeFile, ReadsPipes)
+{
+    const TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const std::string content(100000, 'x'); // more than a pipe holds
+    const auto writing = std::async(std::launch::async, [&] { std::ofstream(pipe) << content; });
+    EXPECT_EQ(read_whole_file(pipe), content);
+}
+
+TEST(WholeFile, RefusesWhatHasNoEndOrDoesNotFit)
+{
+    const auto error_of = [](const std::filesystem::path& path) -> std::string {
+        try {
+            read_whole_file(path);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "no error";
+    };
+    EXPECT_EQ(error_of("/dev/zero"), "/dev/zero: is a device, not a file");
+    const TemporaryFolder folder;
+    const auto file = folder.write("file", "x");
+    std::error_code error;
+    constexpr std::uintmax_t tebibytes_4 = std::uintmax_t{1} << 42; // of which nothing is on the disk
+    std::filesystem::resize_file(file, tebibytes_4, error);
+    if (error) GTEST_SKIP() << "this file system has no such files";
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // whose allocators end the program
+    rlimit old{};
+    ASSERT_EQ(::getrlimit(RLIMIT_AS, &old), 0);
+    const rlimit limit{tebibytes_4, old.rlim_max};
+    ::setrlimit(RLIMIT_AS, &limit);
+    EXPECT_EQ(error_of(file), file.string() + ": does not fit in memory: has 4398046511104 bytes");
+    ::setrlimit(RLIMIT_AS, &old);
+#endif
+}
+
+/// A process that has ended, whose number nobody has got since.
+pid_t ended_process()
+{
+    const pid_t process = ::fork();
+    if (process == 0) ::_exit(0);
+    ::waitpid(process, nullptr, 0);
+    return process;
+}
+
+TEST(WholeFile, RemovesWhatKilledProcessesLeftAndNothingElse)
+{
+    const TemporaryFolder folder;
+    const std::string gone = std::to_string(ended_process());
+    const std::string running = std::to_string(::getpid());
+    const std::vector<std::string> stale{".a.b." + gone + "-12.tmp.exr", "below/.file." + gone + "-1.tmp"};
+    const std::vector<std::string> kept{
+        "a." + gone + "-1.tmp",         ".a." + gone + ".tmp",    ".notes.tmp",
+        ".a." + gone + "-1.tmp.x.y",    ".a." + gone + "-1.tmpx", ".a.x" + gone + "-1.tmp",
+        ".a." + running + "-1.tmp.svg", ".a." + gone + "-.tmp",   "other/.a." + gone + "-1.tmp"};
+    for (const auto& names : {stale, kept})
+        for (const std::string& name : names) folder.write(name, "x");
+    std::filesystem::create_directory(folder.path() / (".folder." + gone + "-1.tmp"));
+    std::filesystem::create_symlink("nowhere", folder.path() / (".link." + gone + "-1.tmp"));
+    const TemporaryFolder elsewhere;
+    const auto outside = elsewhere.write(".a." + gone + "-1.tmp", "x");
+    std::filesystem::create_directory_symlink(elsewhere.path(), folder.path() / "link");
+
+    remove_stale_temporary_files(folder.path(), std::chrono::hours(1));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / stale[0])) << "too young";
+    remove_stale_temporary_files(folder.path(), std::chrono::seconds(0), "other");
+    for (const std::string& name : stale) EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
+    for (const std::string& name : kept) EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / (".folder." + gone + "-1.tmp")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / (".link." + gone + "-1.tmp")));
+    EXPECT_TRUE(std::filesystem::exists(outside));
 }
 
 TEST(WholeFile, SaysWhichFileCannotBeRead)

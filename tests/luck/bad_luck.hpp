@@ -72,7 +72,8 @@ protected:
     }
 
     /// With --quiet, in the folder.
-    Outcome run(const std::string& out, const std::string& environment = "", const std::string& config = "tiny.toml") const
+    Outcome run(const std::string& out, const std::string& environment = "",
+                const std::string& config = "tiny.toml") const
     {
         return run_program(folder_.path(), {"run", config, "--out", out, "--quiet"}, environment);
     }
@@ -81,7 +82,8 @@ protected:
     Outcome shell(const std::string& command) const
     {
         folder_.write("command.sh", "P=" + quoted(POISSONLAB_BINARY) + "\n" + command + "\n");
-        const std::string streams = "> " + quoted(path("shell.out").string()) + " 2> " + quoted(path("shell.error").string());
+        const std::string streams =
+            "> " + quoted(path("shell.out").string()) + " 2> " + quoted(path("shell.error").string());
         const int status =
             std::system(("cd " + quoted(folder_.path().string()) + " && bash command.sh " + streams).c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(path("shell.out")),

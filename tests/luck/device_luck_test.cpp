@@ -20,8 +20,8 @@ protected:
     }
 };
 
-/// Whatever call is the first to fail: the call and the error are named, nothing is left behind, and with the device back the
-/// run goes on to its end.
+/// Whatever call is the first to fail: the call and the error are named, nothing is left behind, and with the device
+/// back the run goes on to its end.
 TEST_F(DeviceLuck, VanishesDuringARun)
 {
     write_config("tiny.toml", "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.6\n"

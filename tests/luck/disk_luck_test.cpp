@@ -1,6 +1,8 @@
 // Disks that fill up at any moment, or cannot be written to at all.
 #include "luck/bad_luck.hpp"
 
+#include <unistd.h>
+
 namespace poissonlab {
 namespace {
 
@@ -26,7 +28,8 @@ protected:
 };
 
 /// At every stage of a run and its report: one line that says which file, nothing of it half-written; results that were
-/// there before are there still, whole, as long as there are no new ones; and running again ends as if nothing had been.
+/// there before are there still, whole, as long as there are no new ones; and running again ends as if nothing had
+/// been.
 TEST_F(DiskLuck, FillsUpDuringARun)
 {
     const long all = calls_below("whole", {"run", "tiny.toml", "--out", absolute("whole"), "--quiet"});
@@ -78,10 +81,27 @@ TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
     }
 }
 
+/// Before a set of any size is built.
+TEST_F(DiskLuck, HasNoPlaceForTiles)
+{
+    std::filesystem::create_directories(path("folder"));
+    const auto build_to = [&](const std::string& file) {
+        return run_program(folder_.path(),
+                           {"tiles", "build", "corner", "--colors", "6", "--points", "4096", "--out", file});
+    };
+    expect_one_line(build_to("folder"), 2, "--out folder: is a folder");
+    expect_one_line(build_to("none/file"), 2, "--out none/file: there is no folder none");
+    if (::geteuid() == 0) return; // who may write everywhere
+    std::filesystem::permissions(path("folder"),
+                                 std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+    expect_one_line(build_to("folder/file"), 1, "--out folder/file: cannot be written: Permission denied");
+}
+
 TEST_F(DiskLuck, IsReadOnly)
 {
     constexpr int read_only = 30; // EROFS
-    const Outcome outcome = run(absolute("out"), bad_luck(full("out", 0) + " BAD_LUCK_ERROR=" + std::to_string(read_only)));
+    const Outcome outcome =
+        run(absolute("out"), bad_luck(full("out", 0) + " BAD_LUCK_ERROR=" + std::to_string(read_only)));
     expect_one_line(outcome, 1, "cannot create the folder " + absolute("out"));
     EXPECT_THAT(outcome.error, HasSubstr(": Read-only file system"));
     expect_one_line(run("/proc/out"), 1, "/proc/out");
@@ -93,10 +113,24 @@ TEST_F(DiskLuck, OfTheCachesIsFull)
     write_config("tiles.toml", "[[method]]\nsampler = \"corner-tiles\"\ncolors = 1\npoints_per_tile = 16\n"
                                "relative_radius = 0.5\nlloyd_iterations = 2\n");
     std::filesystem::create_directories(path("cache"));
-    const std::string caches = "POCL_CACHE_DIR=" + quoted(absolute("cache/kernels")) + " TMPDIR=" + quoted(absolute(""));
+    const std::string caches =
+        "POCL_CACHE_DIR=" + quoted(absolute("cache/kernels")) + " TMPDIR=" + quoted(absolute(""));
     const Outcome outcome = run("out", bad_luck(full("cache", 0) + " " + caches), "tiles.toml");
     EXPECT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_THAT(folder_.names(), ::testing::Contains(::testing::StartsWith("poissonlab-kernels-")));
+}
+
+/// PoCL would end the program where it cannot store a kernel.
+TEST_F(DiskLuck, LeavesNoFolderForKernels)
+{
+    std::filesystem::create_directories(path("disk/tmp"));
+    const std::string caches = "POCL_CACHE_DIR=" + quoted(absolute("disk/kernels")) +
+                               " TMPDIR=" + quoted(absolute("disk/tmp"));
+    const std::string full_disk = "BAD_LUCK=statvfs BAD_LUCK_FOLDER=" + quoted(absolute("disk"));
+    const Outcome outcome = run("out", bad_luck(full_disk + " " + caches));
+    expect_one_line(outcome, 3, "PoCL needs a folder for compiled kernels with 64.0 MiB free");
+    EXPECT_THAT(outcome.error, HasSubstr(absolute("disk/kernels")));
+    EXPECT_THAT(outcome.error, HasSubstr("POCL_CACHE_DIR"));
 }
 
 }

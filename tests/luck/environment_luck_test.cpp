@@ -21,7 +21,8 @@ TEST_F(EnvironmentLuck, ChangesNoResult)
     const std::string turkish = "LOCPATH=" + quoted(folder_.path().string()) + " LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 ";
     const std::vector<std::string> environments{
         "env -i",
-        "umask 077 && TZ=:@@/../garbage TERM=nonsense COLUMNS=-5 env -u XDG_CACHE_HOME -u POISSONLAB_CACHE HOME=/proc/nobody",
+        "umask 077 && TZ=:@@/../garbage TERM=nonsense COLUMNS=-5 env -u XDG_CACHE_HOME -u POISSONLAB_CACHE "
+        "HOME=/proc/nobody",
         (has_locale ? turkish : "") + "POCL_CACHE_DIR=/proc/none POISSONLAB_CACHE=/proc/none TMPDIR=/proc/none",
         bad_luck("BAD_LUCK_HIDES=/proc LC_ALL=xx_YY.UTF-8 LANG=nonsense"),
     };

@@ -1,6 +1,8 @@
 // A gnuplot that is missing, fails, lies, or has no fonts: the results are there, and the report can be made later.
 #include "luck/bad_luck.hpp"
 
+#include <csignal>
+
 namespace poissonlab {
 namespace {
 
@@ -33,16 +35,36 @@ TEST_F(GnuplotLuck, IsSaidInOneLineAndMendedByReport)
         SCOPED_TRACE(c.words);
         expect_one_line(run("out", c.environment), 1, c.words);
     }
-    expect_one_line(run("out", with_gnuplot("echo one; echo two >&2; exit 3")), 1, "gnuplot failed with status 3: one two");
-    expect_one_line(run("out", with_gnuplot("exit 0")), 1, "a picture of it is missing");
-    expect_one_line(run("out", with_gnuplot(garbage)), 1, "a picture of it is damaged");
-    expect_one_line(run("out", "FONTCONFIG_FILE=" + quoted(path("no-fonts.conf").string())), 1, "gnuplot finds no fonts");
+    expect_one_line(run("out", with_gnuplot("echo one; echo two >&2; exit 3")), 1,
+                    "gnuplot failed with status 3: one two");
+    expect_one_line(run("out", with_gnuplot("exit 0")), 1, ".svg is missing");
+    expect_one_line(run("out", with_gnuplot(garbage)), 1, ".svg is damaged");
+    expect_one_line(run("out", "FONTCONFIG_FILE=" + quoted(path("no-fonts.conf").string())), 1,
+                    "gnuplot finds no fonts");
     EXPECT_TRUE(std::filesystem::exists(path("out") / "results.json"));
     EXPECT_THAT(left_over(path("out")), ::testing::IsEmpty());
 
     EXPECT_EQ(run_program(folder_.path(), {"report", "out", "--quiet"}).status, 0);
     ASSERT_EQ(run("plain").status, 0);
     EXPECT_EQ(lasting_files(path("out")), lasting_files(path("plain")));
+}
+
+/// Ctrl-C while curves are drawn: no error, and neither gnuplot nor its files stay.
+TEST_F(GnuplotLuck, EndsWithTheProgram)
+{
+    write_config("tiny.toml", "[[method]]\nsampler = \"random\"\n");
+    std::filesystem::create_directories(path("tmp"));
+    const std::string gnuplot = with_gnuplot("echo $$ >> " + quoted(path("pids").string()) + "; exec sleep 50");
+    // Shells let background jobs ignore SIGINT; SIGTERM goes the same way.
+    const Outcome outcome = shell("export TMPDIR=$PWD/tmp " + gnuplot +
+                                  "\n$P run tiny.toml --out out --quiet & lab=$!\n"
+                                  "while ! test -s pids; do sleep 0.05; done; kill -TERM $lab; wait $lab");
+    EXPECT_EQ(outcome.status, 130);
+    EXPECT_THAT(outcome.error, ::testing::HasSubstr("poissonlab: interrupted"));
+    EXPECT_THAT(outcome.error, ::testing::Not(::testing::HasSubstr("error")));
+    EXPECT_TRUE(std::filesystem::is_empty(path("tmp")));
+    std::istringstream pids(content_of(path("pids")));
+    for (int pid = 0; pids >> pid;) EXPECT_NE(::kill(pid, 0), 0) << "gnuplot is still there";
 }
 
 }

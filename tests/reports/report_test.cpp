@@ -55,8 +55,8 @@ TEST_F(ReportTest, EveryPageIsSound)
     EXPECT_EQ(test::site_errors(folder()), "");
     std::vector<std::string> names;
     for (const auto& [name, text] : test::pages_below(folder())) names.push_back(name);
-    EXPECT_THAT(names, ElementsAre("claims.html", "compare.html", "index.html", "jittered/index.html", "random/index.html",
-                                   "regular/index.html"));
+    EXPECT_THAT(names, ElementsAre("claims.html", "compare.html", "index.html", "jittered/index.html",
+                                   "random/index.html", "regular/index.html"));
 }
 
 TEST_F(ReportTest, EveryPageIsInReach)
@@ -193,7 +193,8 @@ TEST_F(ReportTest, SeveralFoldersShareOnePage)
     EXPECT_EQ(test::site_errors(out), "");
     EXPECT_THAT(text, HasSubstr("Comparison: Grids"));
     EXPECT_THAT(text, HasSubstr("; The other run"));
-    EXPECT_THAT(text, HasSubstr("<td data-key=\"run\" class=\"text\"><a href=\"run-2/index.html\">The other run</a></td>"));
+    EXPECT_THAT(text,
+                HasSubstr("<td data-key=\"run\" class=\"text\"><a href=\"run-2/index.html\">The other run</a></td>"));
     EXPECT_THAT(test::attribute_values(text, "href"),
                 testing::IsSupersetOf({"run/index.html", "run-2/index.html", "run/regular/index.html",
                                        "run-2/regular/index.html"}));

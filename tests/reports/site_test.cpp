@@ -131,9 +131,14 @@ TEST_F(SiteTest, FurtherAxesMakeATableForEachOfTheirValues)
 TEST_F(SiteTest, PlacesOutsideTheGridAreErrors)
 {
     make_grid();
-    EXPECT_THAT(error_after("place", [](auto& json) { json = {0, 2}; }), HasSubstr("series[0].place: must be an index"));
+    EXPECT_THAT(error_after("place",
+                            [](auto& json) {
+                                json = {0, 2};
+                            }),
+                HasSubstr("series[0].place: must be an index"));
     EXPECT_THAT(error_after("place", [](auto& json) { json = {0}; }), HasSubstr("series[0].place: must be an index"));
-    EXPECT_THAT(error_after("method", [](auto& json) { json = 1; }), HasSubstr("series[0].method = 1: must be the number"));
+    EXPECT_THAT(error_after("method", [](auto& json) { json = 1; }),
+                HasSubstr("series[0].method = 1: must be the number"));
 }
 
 TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)
@@ -259,8 +264,11 @@ protected:
     void write(const std::string& name) { test::write_results_json(path() / name, runs_[name]); }
     void write_collection(const nlohmann::json& runs)
     {
-        const nlohmann::json json = {{"format", "poissonlab-collection"}, {"format_version", 1}, {"title", "All of them"},
-                                     {"command", "poissonlab run all.toml"}, {"runs", runs}};
+        const nlohmann::json json = {{"format", "poissonlab-collection"},
+                                     {"format_version", 1},
+                                     {"title", "All of them"},
+                                     {"command", "poissonlab run all.toml"},
+                                     {"runs", runs}};
         write_whole_file(path() / "collection.json", json.dump());
     }
     std::string overview()
@@ -292,7 +300,8 @@ TEST_F(CollectionTest, TimesOfDifferentMachinesAreMarked)
     write("second");
     const auto text = overview();
     EXPECT_THAT(text, HasSubstr("do not compare with times of another"));
-    EXPECT_THAT(text, HasSubstr("A: Test &lt;device&gt;, driver 1.2, threads 2. B: Another device, driver 1.2, threads 2."));
+    EXPECT_THAT(text,
+                HasSubstr("A: Test &lt;device&gt;, driver 1.2, threads 2. B: Another device, driver 1.2, threads 2."));
     EXPECT_THAT(text, HasSubstr("different versions of the program: 0.1.0 (test); 0.2.0."));
     EXPECT_EQ(test::count_of(text, "<data value=\"0.0123\">12.3 ms</data> <sup>A</sup>"), 3);
     EXPECT_EQ(test::count_of(text, "<data value=\"0.0123\">12.3 ms</data> <sup>B</sup>"), 3);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# runtime/poisson_tiles_gpu.h in a GLSL 4.3 shader: compiled where glslangValidator is there, otherwise only preprocessed,
-# with a look that nothing of OpenCL C is left.
+# runtime/poisson_tiles_gpu.h in a GLSL 4.3 shader: compiled where glslangValidator is there, otherwise only
+# preprocessed, with a look that nothing of OpenCL C is left.
 #
 # Usage: compile_glsl.sh HEADER
 set -euo pipefail

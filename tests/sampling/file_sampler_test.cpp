@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sys/stat.h>
+
 namespace poissonlab {
 namespace {
 
@@ -128,6 +130,13 @@ TEST_F(FileSampler, PassesOnWhatIsWrongInAFile)
 {
     folder.write("a.dat", "0.1 0\n0.2 1.5\n");
     EXPECT_EQ(error({"a.dat"}), "a.dat:2: 1.5: must be a number in [0, 1)");
+}
+
+TEST_F(FileSampler, RefusesWhatHasNoEndOrCanBeReadOnce)
+{
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(error({"pipe"}), "experiment.toml:12: path = pipe: pipe is a pipe or a device; a file is needed");
+    EXPECT_THAT(error({"/dev/zero"}), HasSubstr("path = /dev/zero: /dev/zero is a pipe or a device"));
 }
 
 TEST_F(FileSampler, NeedsAPath)

@@ -2,13 +2,17 @@
 #include "tile_sampling/tile_set_cache.hpp"
 
 #include "poisson_tiles/tile_set_file.hpp"
+#include "store/file_lock.hpp"
 #include "support/small_tile_sets.hpp"
 #include "support/temporary_folder.hpp"
 #include "tile_sampling/tile_set_build.hpp"
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <future>
+#include <thread>
 
 namespace poissonlab {
 namespace {
@@ -21,33 +25,73 @@ protected:
     PoissonTileSet cached(const PoissonTileParameters& p = parameters)
     {
         CachedTileSet result = cached_tile_set(
-            p, Engine::opencl, [this]() -> Device& { return ++opened_, device_; }, folder_.path());
+            p, Engine::opencl, [this]() -> Device& { return device_; }, folder_.path(),
+            [this](const std::string& what) { steps_.push_back(what); });
         record_ = result.record;
+        if (!record_.cached) ++built_;
+        waiting_seconds_ = result.waiting_seconds;
         return result.set;
     }
 
     std::filesystem::path file() const
     {
-        return folder_.path() / tile_cache_name(parameters, Engine::opencl);
+        return folder_.path() / tile_cache_name(parameters, &device_.info());
     }
 
     TemporaryFolder folder_;
     Device device_ = Device::open();
     TileSetRecord record_; ///< of the last set
-    int opened_ = 0; ///< how often something was built
+    std::vector<std::string> steps_;
+    double waiting_seconds_ = 0;
+    int built_ = 0; ///< how often something was
 };
 
 TEST_F(TileSetCache, BuildsOnce)
 {
     const PoissonTileSet built = cached();
     EXPECT_GE(built.squared_min_distance, asked_squared_distance(parameters));
-    EXPECT_EQ(opened_, 1);
+    EXPECT_EQ(built_, 1);
     EXPECT_EQ(cached(), built);
-    EXPECT_EQ(opened_, 1);
+    EXPECT_EQ(built_, 1);
     PoissonTileParameters other = parameters;
     other.seed = 2;
     EXPECT_NE(cached(other).points, built.points);
-    EXPECT_EQ(opened_, 2);
+    EXPECT_EQ(built_, 2);
+}
+
+TEST_F(TileSetCache, SaysWhenItWaitsForAnotherProcess)
+{
+    const PoissonTileSet built = cached();
+    const std::string bytes = encode_tile_set(built);
+    std::filesystem::remove(file());
+    steps_.clear();
+    auto lock = FileLock::try_lock(file().string() + ".lock");
+    ASSERT_TRUE(lock);
+    auto other = std::async(std::launch::async, [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        folder_.write(file().filename().string(), bytes);
+        lock.reset();
+    });
+    EXPECT_EQ(cached(), built);
+    other.get();
+    EXPECT_TRUE(record_.cached);
+    EXPECT_GE(waiting_seconds_, 0.05);
+    EXPECT_EQ(steps_, std::vector<std::string>{"waiting for another process that builds the tile set"});
+}
+
+TEST(TileCacheName, TellsDevicesApartWhoseSetsMayDiffer)
+{
+    DeviceInfo card;
+    card.platform = "A";
+    card.name = "B";
+    card.type = "GPU";
+    DeviceInfo other_card = card;
+    other_card.name = "C";
+    const auto name_on = [](const DeviceInfo* info) { return tile_cache_name(parameters, info); };
+    EXPECT_NE(name_on(&card), name_on(&other_card));
+    EXPECT_NE(name_on(&card), name_on(nullptr));
+    card.type = other_card.type = "CPU";
+    EXPECT_EQ(name_on(&card), name_on(&other_card)) << "machines of a cluster share sets";
 }
 
 TEST_F(TileSetCache, ReplacesDamagedAndForeignFiles)
@@ -66,7 +110,7 @@ TEST_F(TileSetCache, ReplacesDamagedAndForeignFiles)
         EXPECT_EQ(cached(), built);
         EXPECT_EQ(read_tile_set(file()), built);
     }
-    EXPECT_EQ(opened_, 6);
+    EXPECT_EQ(built_, 6);
 }
 
 TEST_F(TileSetCache, BuildsWhereNothingCanBeKept)
@@ -108,8 +152,8 @@ TEST_F(TileSetCache, TakesSetsWithoutTimes)
     folder_.write(record, with("0.5"));
     cached();
     EXPECT_TRUE(record_.build);
-    for (const std::string& content : {std::string(), std::string("{"), std::string("[]"), std::string("{}"), with("-1"),
-                                       with("\"soon\""), with("1e999"), with("0.5", "2")}) {
+    for (const std::string& content : {std::string(), std::string("{"), std::string("[]"), std::string("{}"),
+                                       with("-1"), with("\"soon\""), with("1e999"), with("0.5", "2")}) {
         folder_.write(record, content);
         EXPECT_EQ(cached(), built);
         EXPECT_TRUE(record_.cached);
@@ -118,7 +162,7 @@ TEST_F(TileSetCache, TakesSetsWithoutTimes)
     std::filesystem::remove(folder_.path() / record);
     EXPECT_EQ(cached(), built);
     EXPECT_FALSE(record_.build);
-    EXPECT_EQ(opened_, 1) << "none of that is a reason to build again";
+    EXPECT_EQ(built_, 1) << "none of that is a reason to build again";
 }
 
 TEST(TileCacheFolder, IsTheFirstThatTheEnvironmentNames)

@@ -14,7 +14,8 @@ void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_re
     if (!options.domain.empty()) {
         domain = parse_range(options.domain);
         if (!domain)
-            throw InputError("--domain " + options.domain + ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
+            throw InputError("--domain " + options.domain +
+                             ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
     Experiment experiment = import_points(options.files, options.label, domain);
     experiment.overrides = options.overrides;

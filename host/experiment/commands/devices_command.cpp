@@ -1,29 +1,48 @@
 // poissonlab devices: what OpenCL offers here.
 #include "device/device.hpp"
-#include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <string>
+#include <vector>
 
 namespace poissonlab {
+namespace {
+
+/// A line, without what a driver leaves empty.
+void print_line(const std::string& name, std::vector<std::string> fields)
+{
+    std::erase(fields, "");
+    if (!fields.empty()) fmt::print("     {:<12}{}\n", name, fmt::join(fields, ", "));
+}
+
+std::string version_of_driver(const DeviceInfo& device)
+{
+    return device.driver_version.empty() ? "" : "driver " + device.driver_version;
+}
+
+void print_device(std::size_t number, const DeviceInfo& device)
+{
+    fmt::print("{}  {}\n", number, device.name);
+    print_line("platform", {device.platform, version_of_driver(device)});
+    print_line("device", {device.type, device.vendor, device.device_version});
+    if (device.compute_units > 0) // of one that did not say what it is, nothing is known
+        print_line("resources", {fmt::format("{} compute units", device.compute_units),
+                                 fmt::format("{} memory, {} in one piece", bytes_text(device.global_memory_bytes),
+                                             bytes_text(device.max_allocation_bytes)),
+                                 fmt::format("work-groups of up to {}", device.max_work_group_size)});
+    print_line("unusable", {device.unusable});
+}
+
+}
 
 void devices_command()
 {
     const std::vector<DeviceInfo> devices = list_devices();
-    if (devices.empty())
-        throw DeviceError(
-            "no OpenCL device found; PoCL makes one of any processor (Debian: pocl-opencl-icd)");
-    for (std::size_t i = 0; i < devices.size(); ++i) {
-        const DeviceInfo& device = devices[i];
-        constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
-        fmt::print("{}  {}\n", i, device.name);
-        fmt::print("     platform    {}, driver {}\n", device.platform, device.driver_version);
-        fmt::print("     device      {}, {}, {}\n", device.type, device.vendor, device.device_version);
-        fmt::print("     resources   {} compute units, {:.1f} GiB memory, work-groups of up to {}\n",
-                   device.compute_units, static_cast<double>(device.global_memory_bytes) / gibibyte,
-                   device.max_work_group_size);
-        if (!device.unusable.empty()) fmt::print("     unusable    {}\n", device.unusable);
-    }
+    choose_device(devices, ""); // says what to do where there is none
+    for (std::size_t i = 0; i < devices.size(); ++i) print_device(i, devices[i]);
 }
 
 }

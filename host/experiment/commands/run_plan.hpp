@@ -18,8 +18,8 @@ struct RunPlan
     std::vector<PlannedRun> runs;
 };
 
-/// Plans every experiment and checks every folder, before the first one runs. `threads` restricts a CPU device where the
-/// user, or the crew, restricts threads. Throws InputError and DeviceError.
+/// Plans every experiment and checks every folder, before the first one runs. `threads` restricts a CPU device where
+/// the user, or the crew, restricts threads. Throws InputError and DeviceError.
 RunPlan plan_run(const RunOptions& options, int threads);
 
 }

@@ -11,7 +11,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <system_error>
+
+#include <unistd.h>
 
 namespace poissonlab {
 namespace {
@@ -56,13 +60,25 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     return p;
 }
 
-/// Building takes up to minutes, which a folder that is not there would waste.
-void check_folder_of(const std::filesystem::path& file)
+/// Building takes up to minutes, which a file that cannot be written would waste.
+void check_target(const std::filesystem::path& file)
 {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    if (!std::filesystem::is_directory(folder))
+    std::error_code unknown;
+    if (!std::filesystem::is_directory(folder, unknown))
         throw InputError(
             fmt::format("tiles build: --out {}: there is no folder {}", file.string(), folder.string()));
+    if (std::filesystem::is_directory(file, unknown))
+        throw InputError(fmt::format("tiles build: --out {}: is a folder", file.string()));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw StorageError(fmt::format("tiles build: --out {}: cannot be written: {}", file.string(),
+                                       std::generic_category().message(errno)));
+}
+
+void check_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)
+{
+    check_fits(fmt::format("tiles build: filling a tile of {} points", parameters.points_per_tile),
+               construction_memory(parameters, device), device);
 }
 
 }
@@ -70,7 +86,7 @@ void check_folder_of(const std::filesystem::path& file)
 void tiles_build_command(const TilesBuildOptions& options)
 {
     const PoissonTileParameters parameters = checked_parameters(options);
-    check_folder_of(options.out);
+    check_target(options.out);
     Progress progress(Progress::detect(options.quiet));
     const auto begin = std::chrono::steady_clock::now();
     ConstructionOptions construction;
@@ -84,6 +100,7 @@ void tiles_build_command(const TilesBuildOptions& options)
         return *device;
     };
     const Engine engine = options.engine == "reference" ? Engine::reference : Engine::opencl;
+    if (engine == Engine::opencl) check_memory(parameters, open().info());
     const ConstructedTileSet built = build_tile_set(parameters, engine, open, construction);
     write_tile_set(options.out, built.set);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
