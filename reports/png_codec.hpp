@@ -13,7 +13,8 @@ class PngCodec
 {
 public:
     virtual ~PngCodec() = default;
-    virtual std::string write(const std::filesystem::path& path, const PngLayout& layout, const PngRows& rows) const = 0;
+    virtual std::string write(const std::filesystem::path& path, const PngLayout& layout,
+                              const PngRows& rows) const = 0;
     virtual std::string read(const std::filesystem::path& path, PngPixels& pixels) const = 0;
 };
 

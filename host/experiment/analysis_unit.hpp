@@ -29,8 +29,8 @@ public:
     /// Stores everything that was added, for load(). Throws StorageError.
     void store_part(UnitStore& store, const UnitKey& key) const;
 
-    /// Takes over what store_part() stored of a unit that was constructed alike; false where it is not there, or another
-    /// process removes it just now.
+    /// Takes over what store_part() stored of a unit that was constructed alike; false where it is not there, or
+    /// another process removes it just now.
     bool load_part(const UnitStore& store, const UnitKey& key);
 
     /// Measures the means over all realizations and stores them with all images and tables. `metadata` goes into the

@@ -11,8 +11,8 @@ namespace poissonlab {
 
 /// One process, or several that take jobs from the same schedule and keep what they make in the same store.
 ///
-/// One of them leads: it has the schedule, writes the results and speaks to the user. Members are called by all processes
-/// in the same order.
+/// One of them leads: it has the schedule, writes the results and speaks to the user. Members are called by all
+/// processes in the same order.
 class Crew
 {
 public:
@@ -26,8 +26,8 @@ public:
     virtual bool leads() const = 0;
 
     /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one
-    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. What any process throws
-    /// is thrown in the one that leads, and the others return false; true where all went well.
+    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. What any process
+    /// throws is thrown in the one that leads, and the others return false; true where all went well.
     virtual bool work(Schedule& schedule, const Execute& execute, const Done& done) = 0;
 
     /// Does something in every process. What any of them throws is thrown in the one that leads, and the others return

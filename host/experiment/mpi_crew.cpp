@@ -29,8 +29,8 @@ constexpr int report_tag = 1;   ///< to the leader: what became of a job, and th
 constexpr int order_tag = 2;    ///< from the leader
 constexpr int farewell_tag = 3; ///< from the leader: the end
 
-/// Between two looks for messages: looking takes some microseconds, of a core that has other work, and jobs take tens of
-/// milliseconds.
+/// Between two looks for messages: looking takes some microseconds, of a core that has other work, and jobs take tens
+/// of milliseconds.
 constexpr auto pause = std::chrono::milliseconds(1);
 
 /// What a process tells the leader. The message of a failure follows.
@@ -165,8 +165,8 @@ private:
         return status.MPI_SOURCE;
     }
 
-    /// A job, or that there is no more; nothing: jobs are left, but all of them wait for others, or this process has not
-    /// said yet that all went well.
+    /// A job, or that there is no more; nothing: jobs are left, but all of them wait for others, or this process has
+    /// not said yet that all went well.
     std::optional<Order> next_order()
     {
         const std::lock_guard lock(mutex_);
@@ -198,11 +198,12 @@ public:
         MPI_Comm_size(MPI_COMM_WORLD, &size_);
         if (threads < MPI_THREAD_SERIALIZED) refuse("this MPI does not allow several threads to use it");
         if (size_ != expected)
-            refuse(fmt::format("mpirun started {} processes, and the MPI that poissonlab was built with sees {}: use the "
-                               "mpirun of that MPI, or --shard",
+            refuse(fmt::format("mpirun started {} processes, and the MPI that poissonlab was built with sees {}: use "
+                               "the mpirun of that MPI, or --shard",
                                expected, size_));
     }
-    /// MPI_Finalize waits busily for the process that leads, which may write a report for long: sleep until that is done.
+    /// MPI_Finalize waits busily for the process that leads, which may write a report for long: sleep until that is
+    /// done.
     ~MpiCrew() override
     {
         if (leads()) {

@@ -92,10 +92,12 @@ Schedule::Id RunWork::add_series(Schedule& schedule, std::uint32_t item, bool sp
         }
         samples.insert(samples.end(), first_chunk.begin(), first_chunk.end());
         // The only part of a series is analysed when the series is finished.
-        if (units.parts() == 1)
+        if (units.parts() == 1) {
             last.insert(last.end(), samples.begin(), samples.end());
-        else
-            last.push_back(schedule.add(job(Job::Kind::part, item, {part, split ? 0 : units.part(part).count}), samples));
+        } else {
+            const std::uint32_t made = split ? 0 : units.part(part).count;
+            last.push_back(schedule.add(job(Job::Kind::part, item, {part, made}), samples));
+        }
     }
     const auto made = static_cast<std::uint32_t>(split || units.parts() > 1 ? 0 : missing_realizations(series));
     return schedule.add(job(Job::Kind::series, item, {0, made}), last);

@@ -31,12 +31,13 @@ public:
     /// Everything that decides which units there are, in lines.
     std::string identity() const;
 
-    /// Jobs that make series of the same point sets, of all runs: they wait for each other instead of making them twice.
+    /// Jobs that make series of the same point sets, of all runs: they wait for each other instead of making them
+    /// twice.
     using JobsBySets = std::map<std::string, Schedule::Id>;
 
     /// Adds a job for everything that is not done. `next` counts the independent_jobs() of all runs. From number
-    /// `split_from` on, sampling and analysis of a series are jobs of their own, of some realizations each: small jobs that
-    /// keep all processes busy to the end, at the price of reading points again for their analysis.
+    /// `split_from` on, sampling and analysis of a series are jobs of their own, of some realizations each: small jobs
+    /// that keep all processes busy to the end, at the price of reading points again for their analysis.
     void add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32_t& next, JobsBySets& jobs_by_sets) const;
 
     /// Adds those jobs that do not need the results of others and fall to a shard; `next` counts the jobs of all runs.
@@ -59,8 +60,8 @@ public:
     std::uint64_t realizations_made_by(const Job& job) const;
     std::uint64_t realizations_analysed_by(const Job& job) const;
 
-    /// Moves the results to the output folder, and removes from the store what they make superfluous. Everything must be
-    /// done. Throws InputError and StorageError.
+    /// Moves the results to the output folder, and removes from the store what they make superfluous. Everything must
+    /// be done. Throws InputError and StorageError.
     void publish(const std::filesystem::path& out, int processes);
 
     const SeriesWork& series(std::uint32_t item) const { return series_[item]; }

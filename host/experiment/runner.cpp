@@ -215,12 +215,13 @@ private:
 void check_folders(std::span<const PlannedRun> runs, const RunSettings& settings)
 {
     std::optional<FileLock> lock;
-    if (std::error_code error; std::filesystem::exists(settings.units, error)) lock.emplace(publish_lock(settings.units));
+    std::error_code error;
+    if (std::filesystem::exists(settings.units, error)) lock.emplace(publish_lock(settings.units));
     for (const PlannedRun& run : runs) ResultFolder::check(run.out, folder_names(run.experiment));
 }
 
-/// Whether all processes make the same units: those with another device or program would not find what others made. Throws
-/// InputError in the one that leads.
+/// Whether all processes make the same units: those with another device or program would not find what others made.
+/// Throws InputError in the one that leads.
 bool are_alike(Crew& crew, const std::string& own)
 {
     if (crew.size() == 1) return true;

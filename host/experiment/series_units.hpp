@@ -10,8 +10,8 @@
 
 namespace poissonlab {
 
-/// Realizations that are analysed together. Parts of a series are put together in order, so that results do not depend on
-/// who analysed which one. Larger parts cost less to store, smaller ones less when a run is killed.
+/// Realizations that are analysed together. Parts of a series are put together in order, so that results do not depend
+/// on who analysed which one. Larger parts cost less to store, smaller ones less when a run is killed.
 inline constexpr std::uint32_t realizations_per_part = 32;
 
 /// Consecutive realizations.

@@ -138,8 +138,8 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
     return {task_.label, first.sizes_vary, analysis_of(first, experiment_.analysis), begin};
 }
 
-/// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never run
-/// at the same time. Times of sampling are results, and analysis would disturb them.
+/// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never
+/// run at the same time. Times of sampling are results, and analysis would disturb them.
 void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener)
 {
     for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
@@ -171,8 +171,8 @@ void SeriesWork::analyse(std::uint32_t part, const WorkListener& listener)
     measure_part(unit, part, listener);
 }
 
-/// Takes a stored part, or analyses it. False: there is no need, as another process has finished the whole analysis, and
-/// may have removed its parts.
+/// Takes a stored part, or analyses it. False: there is no need, as another process has finished the whole analysis,
+/// and may have removed its parts.
 bool SeriesWork::take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener)
 {
     stop_if_interrupted();

@@ -24,10 +24,10 @@ struct StoredUnit
     std::map<std::string, std::filesystem::path> files; ///< by the names that they were stored under
 };
 
-/// A folder of units. Each has a manifest with its key, a record, and the sizes and checksums (XXH64) of its files, which
-/// is written last: a unit is there whole or not at all, whatever ended the process that wrote it. Several processes, on
-/// several machines, may read and write one folder at the same time: equal keys mean equal contents, so that it does
-/// not matter who comes last. All members may be called by several threads.
+/// A folder of units. Each has a manifest with its key, a record, and the sizes and checksums (XXH64) of its files,
+/// which is written last: a unit is there whole or not at all, whatever ended the process that wrote it. Several
+/// processes, on several machines, may read and write one folder at the same time: equal keys mean equal contents, so
+/// that it does not matter who comes last. All members may be called by several threads.
 class UnitStore
 {
 public:
@@ -36,9 +36,9 @@ public:
 
     const std::filesystem::path& folder() const { return folder_; }
 
-    /// The unit, where it is there and every checksum is right; what is damaged counts as missing. What this process has
-    /// checked before is not read again while its manifest stays the same file. Another process may remove a unit at any
-    /// time: files that were found may be gone when they are read.
+    /// The unit, where it is there and every checksum is right; what is damaged counts as missing. What this process
+    /// has checked before is not read again while its manifest stays the same file. Another process may remove a unit
+    /// at any time: files that were found may be gone when they are read.
     std::optional<StoredUnit> find(const UnitKey& key) const;
 
     /// Where a file of a unit is to be written, by any of the functions of io/whole_file, before the unit is stored.
@@ -51,8 +51,8 @@ public:
     /// Forgets a unit and removes its files.
     void remove(const UnitKey& key);
 
-    /// Copies all sound units of another store, those that are here apart, and returns how many. Damaged ones are left out.
-    /// `progress` is told of each unit. Throws StorageError.
+    /// Copies all sound units of another store, those that are here apart, and returns how many. Damaged ones are left
+    /// out. `progress` is told of each unit. Throws StorageError.
     template <class Progress>
     std::size_t merge(const UnitStore& other, const Progress& progress)
     {

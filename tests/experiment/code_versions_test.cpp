@@ -30,7 +30,8 @@ std::map<std::string, Files> hashed_files()
     return files;
 }
 
-/// The file of the project that `file` means by #include "name", below the source folder; empty: it is made by the build.
+/// The file of the project that `file` means by #include "name", below the source folder; empty: it is made by the
+/// build.
 std::string included_file(const fs::path& file, const std::string& name)
 {
     for (const fs::path& folder : {file.parent_path(), fs::path("host"), fs::path()}) {
@@ -50,8 +51,8 @@ std::set<std::string> includes(const std::string& file)
     return names;
 }
 
-/// Whether a file may be left out of a version: how work is stored and dealt out changes no result, and what is measured
-/// on points does not change them.
+/// Whether a file may be left out of a version: how work is stored and dealt out changes no result, and what is
+/// measured on points does not change them.
 bool may_change(const std::string& version, const std::string& file)
 {
     return file.starts_with("host/store/") || file.starts_with("host/experiment/") ||

@@ -222,15 +222,17 @@ TEST_P(LloydRelaxationIn, SeparatesCoincidingPoints)
 
 TEST(LloydRelaxation, LeavesLatticesAsTheyAre)
 {
-    // Cells of a lattice have their sites as centroids. Energies: 1/6 of the square, 5 / (18 sqrt 3) of the
-    // hexagonal lattice, which 56 x 97 points in every second row shifted come near to, since 97 / 56 is near
-    // sqrt 3.
+    // Cells of a lattice have their sites as centroids. The energy of the square lattice is 1/6.
     const PointSet square = test::square_lattice(16, 2);
     const LloydResult relaxed = LloydRelaxation(Device::open()).relax(square, {}, {3});
     for (std::size_t i = 0; i < square.size(); ++i)
         EXPECT_LT(torus_distance(relaxed.points, square, i), 1e-15);
     EXPECT_NEAR(relaxed.iterations[0].energy, 1.0 / 6, 1e-14);
+}
 
+TEST(LloydRelaxation, KnowsTheEnergyOfTheHexagonalLattice)
+{
+    // 5 / (18 sqrt 3), which 84 x 96 points in every second row shifted come near to.
     const PointSet hexagonal = test::staggered_lattice(84, 97 - 1);
     const double energy = LloydRelaxation(Device::open()).relax(hexagonal, {}, {0}).iterations[0].energy;
     const double least = 5 / (18 * std::numbers::sqrt3);

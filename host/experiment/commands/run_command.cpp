@@ -176,8 +176,8 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
     if (!crew->leads()) return;
     if (!is_complete)
         return progress.message(fmt::format("shard {} is done, and kept in {}; others are not. When all are, the same "
-                                            "command without --shard writes the results (`poissonlab merge` first, where "
-                                            "shards have folders of their own)",
+                                            "command without --shard writes the results (`poissonlab merge` first, "
+                                            "where shards have folders of their own)",
                                             options.shard, settings.units.string()));
     write_final_report(plan, done, write_report, progress);
 }
