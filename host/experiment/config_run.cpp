@@ -1,6 +1,7 @@
 #include "experiment/config_run.hpp"
 
 #include "device/device.hpp"
+#include "experiment/crew.hpp"
 #include "experiment/plan.hpp"
 #include "experiment/plan_memory.hpp"
 #include "experiment/thread_limit.hpp"
@@ -129,16 +130,18 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
 }
 
 /// Where there is no usable device that is left to whoever needs one: everything may be stored already.
-void check_memory_of_device(const std::vector<SeriesPlan>& plan, const std::string& selector)
+void check_memory_of_device(const std::vector<SeriesPlan>& plan, const Config& config, const std::string& selector)
 {
     const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
         return static_cast<bool>(series.sampler->device_memory);
     });
-    if (!needs_device) return;
+    if (!needs_device && config.constructions.empty()) return;
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) return;
-    const DeviceInfo& device = devices[choose_device(devices, selector)];
-    if (device.unusable.empty()) check_device_memory(plan, device);
+    const DeviceInfo device = share_of(devices[choose_device(devices, selector)], crew_processes_here());
+    if (!device.unusable.empty()) return;
+    check_device_memory(plan, device);
+    check_device_memory(config.constructions, device);
 }
 
 /// The name of a folder that no other has.
@@ -193,7 +196,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
     const std::vector<SeriesPlan> plan = make_plan(config);
-    if (config.engine == Engine::opencl) check_memory_of_device(plan, device);
+    if (config.engine == Engine::opencl) check_memory_of_device(plan, config, device);
     for (const SeriesPlan& series : plan)
         experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
     std::set<std::string> names; // folders of the series come first

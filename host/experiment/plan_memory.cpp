@@ -1,6 +1,10 @@
 #include "experiment/plan_memory.hpp"
 
+#include "tile_construction/tile_construction.hpp"
+
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 namespace {
@@ -36,6 +40,21 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
             "{}: {}: {}{}", to_string(series.where), series.label, comparison(memory, device),
             most > 0 ? fmt::format("; up to {} points would fit", most) : "; fewer points would not fit either"));
     }
+}
+
+void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device)
+{
+    for (const ConstructionConfig& config : constructions)
+        check_fits(to_string(config.where) + ": " + config.label, construction_memory(config.parameters, device), device);
+}
+
+DeviceInfo share_of(DeviceInfo device, int processes)
+{
+    if (processes < 2) return device;
+    device.name += fmt::format(", shared by {} processes,", processes);
+    device.global_memory_bytes /= static_cast<std::uint64_t>(processes);
+    device.max_allocation_bytes = std::min(device.max_allocation_bytes, device.global_memory_bytes);
+    return device;
 }
 
 }

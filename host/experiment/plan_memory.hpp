@@ -2,6 +2,7 @@
 #pragma once
 
 #include "device/device.hpp"
+#include "experiment/construction_table.hpp"
 #include "experiment/plan.hpp"
 
 #include <vector>
@@ -12,5 +13,11 @@ namespace poissonlab {
 /// has, and how many points would fit. Point sets that come from files and programs may turn out larger than was asked
 /// for: their size is checked when they are there.
 void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& device);
+
+/// The same for constructions, which are made one batch of the same tiles after another.
+void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device);
+
+/// What each of several processes on a machine may take of a device, if all take the same.
+DeviceInfo share_of(DeviceInfo device, int processes);
 
 }

@@ -189,6 +189,30 @@ TEST(PlanMemory, OfSeriesThatDoNotFitIsRefused)
                       Not(HasSubstr("\n"))));
 }
 
+TEST(PlanMemory, IsSharedByTheProcessesOfAMachine)
+{
+    const auto plan = plan_of("[[method]]\nsampler = \"lloyd\"\niterations = 1\n", 2, 10'000'000);
+    EXPECT_EQ(refusal(plan, share_of(small_device(4096), 1)), "");
+    EXPECT_EQ(refusal(plan, share_of(small_device(4096), 4)), "") << "needs 1021.8 MiB, and has 1024";
+    EXPECT_THAT(refusal(plan, share_of(small_device(4096), 5)),
+                HasSubstr("Small GPU, shared by 5 processes, has 819.2 MiB, 819.2 MiB in one piece"));
+}
+
+TEST(PlanMemory, OfConstructionsThatDoNotFitIsRefused)
+{
+    ConstructionConfig config;
+    config.parameters = {.dimension = 3, .colors = 2, .points_per_tile = 4096};
+    config.label = "Tiles";
+    config.where = {"test.toml", 3};
+    check_device_memory({config}, small_device(1024));
+    try {
+        check_device_memory({config}, small_device(1));
+        ADD_FAILURE() << "one MiB is enough";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), AllOf(StartsWith("test.toml:3: Tiles: needs "), HasSubstr("Small GPU has 1.0 MiB")));
+    }
+}
+
 /// The number of points that the message of a refusal offers.
 std::size_t offered(const std::string& message)
 {
