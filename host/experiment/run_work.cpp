@@ -5,6 +5,8 @@
 #include "experiment/runner.hpp"
 
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 namespace poissonlab {
 namespace {
@@ -165,7 +167,26 @@ bool RunWork::all_shares_are_done(bool split) const
     return pictures_.are_constructions_there();
 }
 
+/// Of the series or tiling that a job belongs to.
+std::string RunWork::label(const Job& job) const
+{
+    switch (job.kind) {
+    case Job::Kind::tiling: return experiment_.tilings.at(job.item).config.label;
+    case Job::Kind::constructions: return "constructions";
+    default: return series_.at(job.item).task().label;
+    }
+}
+
 void RunWork::execute(const Job& job, const WorkListener& listener)
+{
+    try {
+        execute_in_memory(job, listener);
+    } catch (const std::bad_alloc&) {
+        throw std::runtime_error(label(job) + ": there is not enough memory for this");
+    }
+}
+
+void RunWork::execute_in_memory(const Job& job, const WorkListener& listener)
 {
     switch (job.kind) {
     case Job::Kind::series: return series_.at(job.item).finish(listener);

@@ -49,6 +49,7 @@ public:
     /// Whether all jobs of all shards are done, on whatever machines.
     bool all_shares_are_done(bool split) const;
 
+    /// Throws what samplers throw, InputError and StorageError.
     void execute(const Job& job, const WorkListener& listener);
 
     /// Realizations that are not made, and not analysed, yet.
@@ -70,6 +71,8 @@ private:
     using Ids = std::vector<Schedule::Id>;
     Ids add_samples(Schedule& schedule, std::uint32_t item, const RealizationRange& range, const Ids& after) const;
     Schedule::Id add_series(Schedule& schedule, std::uint32_t item, bool split, const Ids& after) const;
+    void execute_in_memory(const Job& job, const WorkListener& listener);
+    std::string label(const Job& job) const;
     Job job(Job::Kind kind, std::uint32_t item, const RealizationRange& range = {}) const;
 
     const Experiment& experiment_;

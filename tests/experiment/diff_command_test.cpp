@@ -51,7 +51,8 @@ TEST_F(DiffCommand, TellsASeedFromAMethod)
 {
     run("a");
     run("seed", {"--set", "seed=2"});
-    for (const auto& number : nlohmann::json::parse(diff({"a", "seed", "--json"}).out)["numbers"])
+    const auto json = nlohmann::json::parse(diff({"a", "seed", "--json"}).out);
+    for (const auto& number : json["numbers"])
         EXPECT_TRUE(number["verdict"] != "changed" || is_about_times(number)) << number;
 
     // Darts become random points under the name of darts.

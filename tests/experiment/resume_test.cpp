@@ -282,6 +282,19 @@ TEST_F(Resuming, WhatIsDamagedIsMadeAgainAndNothingElse)
     }
 }
 
+TEST_F(Resuming, WhoLacksMemoryIsNamed)
+{
+    const auto greedy = experiment(3, [](std::uint32_t realization) {
+        if (realization == 1) throw std::bad_alloc();
+    });
+    try {
+        run(greedy);
+        ADD_FAILURE() << "bad_alloc is lost";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "s: there is not enough memory for this");
+    }
+}
+
 /// At any moment of a run another one, of the same folder, may do all the rest, and remove what it no longer needs.
 TEST_F(Resuming, AnotherRunMayBeFaster)
 {
