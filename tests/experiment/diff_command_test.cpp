@@ -51,8 +51,8 @@ TEST_F(DiffCommand, TellsASeedFromAMethod)
 {
     run("a");
     run("seed", {"--set", "seed=2"});
-    const auto json = nlohmann::json::parse(diff({"a", "seed", "--json"}).out);
-    for (const auto& number : json["numbers"])
+    const auto seeds = nlohmann::json::parse(diff({"a", "seed", "--json"}).out);
+    for (const auto& number : seeds["numbers"])
         EXPECT_TRUE(number["verdict"] != "changed" || is_about_times(number)) << number;
 
     // Darts become random points under the name of darts.
