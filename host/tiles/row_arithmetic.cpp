@@ -1,7 +1,9 @@
 #include "tiles/row_arithmetic.hpp"
 
-// Two versions, of which the processor at hand gets the right one. Integers: the results are the same.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+// Two versions, of which the processor at hand gets the right one. Integers: the results are the same. Sanitizers are
+// not ready yet when the loader chooses.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&               \
+    !defined(__SANITIZE_THREAD__)
 #define FOR_WIDE_VECTORS_TOO __attribute__((target_clones("avx2", "default")))
 #else
 #define FOR_WIDE_VECTORS_TOO
