@@ -71,11 +71,11 @@ UnitKey PictureWork::key_of(const ConstructionTask& task) const
         .add("window", fmt::format("{} {} {} {}", w.x, w.y, w.width, w.height));
 }
 
-std::optional<StoredTiling> PictureWork::tiling(const TilingTask& task) const
+std::optional<TilingUnit> PictureWork::tiling(const TilingTask& task) const
 {
     const auto unit = store_.find(key_of(task));
     if (!unit) return std::nullopt;
-    StoredTiling stored;
+    TilingUnit stored;
     from_bytes(unit->record, stored.statistics);
     stored.files = unit->files;
     return stored;
@@ -100,13 +100,13 @@ void PictureWork::make_tiling(const TilingTask& task)
     store_.store(key, to_bytes(statistics), files);
 }
 
-std::optional<StoredConstruction> PictureWork::construction(const ConstructionTask& task) const
+std::optional<ConstructionUnit> PictureWork::construction(const ConstructionTask& task) const
 {
     const auto unit = store_.find(key_of(task));
     if (!unit) return std::nullopt;
     std::tuple<SceneSummary, bool> record;
     from_bytes(unit->record, record);
-    return StoredConstruction{std::get<SceneSummary>(record), std::get<bool>(record), unit->files};
+    return ConstructionUnit{std::get<SceneSummary>(record), std::get<bool>(record), unit->files};
 }
 
 bool PictureWork::are_constructions_there() const

@@ -15,14 +15,14 @@
 namespace poissonlab {
 
 /// What is stored of a tile set or tiling.
-struct StoredTiling
+struct TilingUnit
 {
     std::optional<TilingStatistics> statistics; ///< of tilings that do not close; without autocorrelations
     std::map<std::string, std::filesystem::path> files; ///< by their names in the output folder
 };
 
 /// What is stored of a construction.
-struct StoredConstruction
+struct ConstructionUnit
 {
     SceneSummary summary;
     bool on_device = false; ///< whether a device made it
@@ -39,8 +39,8 @@ public:
     {}
 
     /// Nothing where it is not stored.
-    std::optional<StoredTiling> tiling(const TilingTask& task) const;
-    std::optional<StoredConstruction> construction(const ConstructionTask& task) const;
+    std::optional<TilingUnit> tiling(const TilingTask& task) const;
+    std::optional<ConstructionUnit> construction(const ConstructionTask& task) const;
 
     bool are_constructions_there() const;
 

@@ -245,13 +245,13 @@ void RunWork::publish(const std::filesystem::path& out, int processes)
     }
     std::vector<std::optional<TilingStatistics>> statistics;
     for (const TilingTask& task : experiment_.tilings) {
-        const StoredTiling stored = there(pictures_.tiling(task), task.config.label);
+        const TilingUnit stored = there(pictures_.tiling(task), task.config.label);
         folder.add(task.name, stored.files);
         statistics.push_back(stored.statistics);
     }
     std::vector<SceneSummary> scenes;
     for (const ConstructionTask& task : experiment_.constructions) {
-        const StoredConstruction stored = there(pictures_.construction(task), task.config.label);
+        const ConstructionUnit stored = there(pictures_.construction(task), task.config.label);
         folder.add(task.name, stored.files);
         scenes.push_back(stored.summary);
         used_device = used_device || stored.on_device;
