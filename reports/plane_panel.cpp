@@ -32,7 +32,7 @@ public:
             if (region.faces.empty()) continue;
             for (const ColoredPart& part : colored_parts(piece, 2)) {
                 RegionShape half = region;
-                for (const HalfSpace& bound : part.bounds) half = clipped(half, bound);
+                for (const ShapeHalfSpace& bound : part.bounds) half = clipped(half, bound);
                 if (!half.faces.empty()) fills.push_back({outline(half.faces.front()), part.fill, {}});
             }
             outlines.push_back({outline(region.faces.front()),

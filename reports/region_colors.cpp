@@ -56,7 +56,7 @@ std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
             if (!(piece.axes >> k & 1)) continue;
             const double middle = (piece.base[k] + 0.5) * tile_units;
             const double side = corner >> bit++ & 1 ? -1 : 1; // the upper half: -x <= -middle
-            HalfSpace half{{}, side * middle};
+            ShapeHalfSpace half{{}, side * middle};
             half.normal[k] = side;
             part.bounds.push_back(half);
         }

@@ -14,7 +14,7 @@ namespace poissonlab {
 /// A region's part of one colour.
 struct ColoredPart
 {
-    std::vector<HalfSpace> bounds; ///< that cut it out of the region
+    std::vector<ShapeHalfSpace> bounds; ///< that cut it out of the region
     std::string fill;              ///< "#rrggbb"
 };
 

@@ -102,7 +102,7 @@ public:
                 const double shade = darkest_shade * (1 - light_on(face.normal));
                 for (const ColoredPart& part : colored_parts(*pieces_[i], 3)) {
                     RegionShape piece{{face}};
-                    for (const HalfSpace& bound : part.bounds) piece = clipped(piece, bound);
+                    for (const ShapeHalfSpace& bound : part.bounds) piece = clipped(piece, bound);
                     if (!piece.faces.empty())
                         shapes_.push_back(
                             {outline(piece.faces.front()), mixed_color(part.fill, "#000000", shade), {}});

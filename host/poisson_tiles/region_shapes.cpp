@@ -35,7 +35,7 @@ void add_once(std::vector<ShapeVector>& corners, const ShapeVector& corner)
 }
 
 /// Sutherland and Hodgman's step. Adds the corners on the plane to `cut`.
-ShapeFace clipped_face(const ShapeFace& face, const HalfSpace& half, std::vector<ShapeVector>& cut)
+ShapeFace clipped_face(const ShapeFace& face, const ShapeHalfSpace& half, std::vector<ShapeVector>& cut)
 {
     ShapeFace result{{}, face.normal};
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
@@ -96,10 +96,10 @@ public:
     const RegionShape& shape() const { return shape_; }
 
 private:
-    HalfSpace half_space(unsigned axes, unsigned sides, double limit) const
+    ShapeHalfSpace half_space(unsigned axes, unsigned sides, double limit) const
     {
         const bool is_own = (axes & own_axes_) != 0;
-        HalfSpace half{{}, is_own ? -limit : limit};
+        ShapeHalfSpace half{{}, is_own ? -limit : limit};
         for (std::size_t k = 0; k < 3; ++k) {
             if (!(axes >> k & 1)) continue;
             const bool upper = sides >> k & 1;
@@ -141,7 +141,7 @@ RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& 
     return shape;
 }
 
-RegionShape clipped(const RegionShape& shape, const HalfSpace& half)
+RegionShape clipped(const RegionShape& shape, const ShapeHalfSpace& half)
 {
     const auto is_beyond = [&](const ShapeVector& corner) { return dot(half.normal, corner) > half.limit; };
     if (std::ranges::none_of(

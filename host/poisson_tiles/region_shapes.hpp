@@ -17,7 +17,7 @@ namespace poissonlab {
 using ShapeVector = std::array<double, 3>;
 
 /// The positions p with normal . p <= limit.
-struct HalfSpace
+struct ShapeHalfSpace
 {
     ShapeVector normal{};
     double limit = 0;
@@ -39,7 +39,7 @@ struct RegionShape
 RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& high);
 
 /// What of a shape lies in a half space.
-RegionShape clipped(const RegionShape& shape, const HalfSpace& half);
+RegionShape clipped(const RegionShape& shape, const ShapeHalfSpace& half);
 
 /// What of a shape lies in a box.
 RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& low, const ShapeVector& high);

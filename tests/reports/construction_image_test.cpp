@@ -111,7 +111,7 @@ TEST(ConstructionImage, CornersOfEdgeBasedTilesHaveWedges)
     const auto part_at = [&](double x, double y) {
         std::vector<std::size_t> found;
         for (std::size_t i = 0; i < parts.size(); ++i)
-            if (std::ranges::all_of(parts[i].bounds, [&](const HalfSpace& half) {
+            if (std::ranges::all_of(parts[i].bounds, [&](const ShapeHalfSpace& half) {
                     return half.normal[0] * (x + tile_units) + half.normal[1] * (y + tile_units) <=
                            half.limit;
                 }))
