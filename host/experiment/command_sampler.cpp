@@ -26,10 +26,10 @@ constexpr const char* limit_key = "time_limit";
 constexpr double default_limit = 60;
 constexpr std::size_t lines_shown = 8; ///< of what a program said
 
-constexpr const char* known_placeholders = "{points}, {dimension}, {seed}, {realization} and {out}";
+constexpr const char* known_fields = "{points}, {dimension}, {seed}, {realization} and {out}";
 
 /// The length of the word in braces that `text` begins with, "{word}"; 0: it does not.
-std::size_t placeholder_length(std::string_view text)
+std::size_t field_length(std::string_view text)
 {
     if (text.empty() || text[0] != '{') return 0;
     std::size_t end = 1;
@@ -37,24 +37,24 @@ std::size_t placeholder_length(std::string_view text)
     return end > 1 && end < text.size() && text[end] == '}' ? end + 1 : 0;
 }
 
-std::string value_of(std::string_view placeholder, const CommandValues& values)
+std::string value_of(std::string_view field, const CommandValues& values)
 {
-    if (placeholder == "{points}") return fmt::format("{}", values.points);
-    if (placeholder == "{dimension}") return fmt::format("{}", values.dimension);
-    if (placeholder == "{seed}") return fmt::format("{}", values.seed);
-    if (placeholder == "{realization}") return fmt::format("{}", values.realization);
-    if (placeholder == "{out}") return values.out;
+    if (field == "{points}") return fmt::format("{}", values.points);
+    if (field == "{dimension}") return fmt::format("{}", values.dimension);
+    if (field == "{seed}") return fmt::format("{}", values.seed);
+    if (field == "{realization}") return fmt::format("{}", values.realization);
+    if (field == "{out}") return values.out;
     throw InputError(
-        fmt::format("{} is none of {}; {{{}}} stands for itself", placeholder, known_placeholders, placeholder));
+        fmt::format("{} is none of {}; {{{}}} stands for itself", field, known_fields, field));
 }
 
-/// A word with its placeholders replaced; `has_out` becomes true where {out} is one of them.
+/// A word with its fields replaced; `has_out` becomes true where {out} is one of them.
 std::string replaced(std::string_view word, const CommandValues& values, bool& has_out)
 {
     std::string result;
     while (!word.empty()) {
-        const std::size_t escaped = word[0] == '{' ? placeholder_length(word.substr(1)) : 0;
-        const std::size_t length = placeholder_length(word);
+        const std::size_t escaped = word[0] == '{' ? field_length(word.substr(1)) : 0;
+        const std::size_t length = field_length(word);
         if (escaped > 0 && word.size() > escaped + 1 && word[escaped + 1] == '}') {
             result += word.substr(1, escaped);
             word.remove_prefix(escaped + 2);
@@ -236,7 +236,7 @@ std::vector<std::string> command_words(const std::string& command, const Command
     for (std::string& word : *words) word = replaced(word, values, has_out);
     if (!has_out)
         throw InputError(fmt::format("must have {{out}}, the file that the program writes; it may have {}",
-                                     known_placeholders));
+                                     known_fields));
     return *std::move(words);
 }
 
@@ -257,7 +257,7 @@ SamplerSpec command_sampler()
     command.key = command_key;
     command.kind = ParameterSpec::Kind::command;
     command.help =
-        fmt::format("a program and its arguments, with {}; run in the folder of the config", known_placeholders);
+        fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields);
 
     ParameterSpec limit;
     limit.key = limit_key;

@@ -11,7 +11,7 @@ namespace poissonlab {
 
 SamplerSpec command_sampler();
 
-/// What stands for the placeholders {points}, {dimension}, {seed}, {realization} and {out} of a command.
+/// What stands for the fields {points}, {dimension}, {seed}, {realization} and {out} of a command.
 struct CommandValues
 {
     std::size_t points = 0;
@@ -21,8 +21,8 @@ struct CommandValues
     std::string out;
 };
 
-/// The words of a command with placeholders replaced, {{word}} by {word}. Throws InputError, a sentence without a
-/// place: no words, quotes without an end, unknown placeholders, no {out}.
+/// The words of a command with fields replaced, {{word}} by {word}. Throws InputError, a sentence without a
+/// place: no words, quotes without an end, unknown fields, no {out}.
 std::vector<std::string> command_words(const std::string& command, const CommandValues& values);
 
 /// The seed that a program is given: 1 to 2^31 - 1, so that every language's generator takes it.

@@ -25,7 +25,7 @@ using testing::MatchesRegex;
 
 const CommandValues values{1024, 3, 77, 5, "/dir/o"};
 
-TEST(CommandWords, HavePlaceholders)
+TEST(CommandWords, HaveFields)
 {
     EXPECT_THAT(command_words("mine -n {points} '--dim={dimension} x' {seed}{realization} \"{out}.npy\"", values),
                 ElementsAre("mine", "-n", "1024", "--dim=3 x", "775", "/dir/o.npy"));

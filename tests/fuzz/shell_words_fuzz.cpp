@@ -1,4 +1,4 @@
-// Words of a command line, and the command of the sampler "command" with its placeholders; nothing is run.
+// Words of a command line, and the command of the sampler "command" with its fields; nothing is run.
 #include "experiment/command_sampler.hpp"
 #include "fuzz/fuzz_support.hpp"
 #include "io/shell_words.hpp"
