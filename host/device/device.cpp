@@ -1,6 +1,6 @@
 #include "device/device.hpp"
 
-#include "device/kernel_cache.hpp"
+#include "device/pocl_needs.hpp"
 #include "device/kernel_source.hpp"
 #include "device/opencl.hpp"
 
@@ -69,7 +69,7 @@ DeviceInfo describe(const cl::Device& device)
 /// A driver that fails does not keep others from being used.
 std::vector<cl::Device> all_devices()
 {
-    static const std::string no_kernel_cache = provide_kernel_cache();
+    static const std::string pocl_lacks = provide_pocl_needs();
     const std::string doing = "looking for OpenCL devices";
     std::vector<cl::Platform> platforms;
     try {
@@ -83,8 +83,8 @@ std::vector<cl::Device> all_devices()
     for (const cl::Platform& platform : platforms) {
         std::vector<cl::Device> found;
         try {
-            if (!no_kernel_cache.empty() && is_pocl(platform.getInfo<CL_PLATFORM_NAME>())) {
-                failed = DeviceError(no_kernel_cache);
+            if (!pocl_lacks.empty() && is_pocl(platform.getInfo<CL_PLATFORM_NAME>())) {
+                failed = DeviceError(pocl_lacks);
                 continue;
             }
             platform.getDevices(CL_DEVICE_TYPE_ALL, &found);

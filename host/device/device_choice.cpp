@@ -1,6 +1,6 @@
 // Which device is meant: by number, by name, or none in particular.
 #include "device/device.hpp"
-#include "device/kernel_cache.hpp"
+#include "device/pocl_needs.hpp"
 #include "errors/errors.hpp"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "errors/errors.hpp"
 #include "experiment/commands/commands.hpp"
 #include "experiment/crew.hpp"
+#include "experiment/failure.hpp"
 #include "experiment/interrupt.hpp"
 #include "experiment/nearest_key.hpp"
 #include "io/shell_words.hpp"
@@ -18,7 +19,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
-#include <new>
 
 namespace poissonlab {
 namespace {
@@ -471,23 +471,21 @@ int flushed(int status)
 /// Says what the exception being handled is. Returns the exit status.
 int tell_of_exception()
 {
+    Failure failure;
     try {
         stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no error
         throw;
-    } catch (const Interrupted&) {
+    } catch (...) {
+        failure = Failure::current();
+    }
+    switch (failure.kind) {
+    case Failure::Kind::interrupted:
         std::fflush(stdout);
         tell_of_interruption();
         return exit_interrupted;
-    } catch (const InputError& error) {
-        return fail(exit_input, error.what());
-    } catch (const DeviceError& error) {
-        return fail(exit_device, error.what());
-    } catch (const StorageError& error) {
-        return fail(exit_other, error.what());
-    } catch (const std::bad_alloc&) {
-        return fail(exit_other, "there is not enough memory for this");
-    } catch (const std::exception& error) {
-        return fail(exit_other, printable(error.what()));
+    case Failure::Kind::input: return fail(exit_input, failure.message);
+    case Failure::Kind::device: return fail(exit_device, failure.message);
+    default: return fail(exit_other, failure.message);
     }
 }
 

@@ -23,7 +23,7 @@ Failure Failure::current()
     } catch (const std::bad_alloc&) {
         return {Kind::other, "there is not enough memory for this"};
     } catch (const std::exception& error) {
-        return {Kind::other, error.what()};
+        return {Kind::other, printable(error.what())};
     }
 }
 

@@ -6,7 +6,7 @@
 
 namespace poissonlab {
 
-/// Kind and message of an exception.
+/// Kind and message of an exception; the message is printable.
 struct Failure
 {
     enum class Kind : int

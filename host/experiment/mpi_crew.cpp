@@ -4,9 +4,9 @@
 #include "experiment/failure.hpp"
 #include "experiment/interrupt.hpp"
 
+#include <fmt/format.h>
 #define OMPI_SKIP_MPICXX
 #define MPICH_SKIP_MPICXX
-#include <fmt/format.h>
 #include <mpi.h>
 
 #include <unistd.h>

@@ -75,6 +75,15 @@ TEST_F(DeviceLuck, DoesNotBuildAKernel)
     EXPECT_THAT(outcome.error, HasSubstr("clBuildProgram failed with CL_BUILD_PROGRAM_FAILURE"));
 }
 
+/// PoCL looks for a linker in PATH, and would end the program where there is none and kernels are new.
+TEST_F(DeviceLuck, HasNoLinker)
+{
+    const std::string no_kernels = "POCL_CACHE_DIR=" + quoted(path("kernels").string());
+    expect_one_line(run("out", no_kernels + " PATH=/proc/none"), 3, "PoCL needs the linker ld");
+    const Outcome outcome = run("out", no_kernels + " env -u PATH");
+    EXPECT_EQ(outcome.status, 0) << "programs are looked for in /usr/bin; " << outcome.error;
+}
+
 TEST_F(DeviceLuck, IsNotThere)
 {
     std::filesystem::create_directories(path("no drivers"));

@@ -1,6 +1,7 @@
-#include "device/kernel_cache.hpp"
+#include "device/pocl_needs.hpp"
 
 #include "device/device_memory.hpp"
+#include "io/program_run.hpp"
 #include "io/scratch_folder.hpp"
 
 #include <fmt/format.h>
@@ -53,10 +54,7 @@ bool is_of_this_user_alone(const fs::path& folder)
            (info.st_mode & (S_IRWXG | S_IRWXO)) == 0;
 }
 
-}
-
-bool is_pocl(const std::string& platform) { return platform == "Portable Computing Language"; }
-
+/// Returns what to say where there is none.
 std::string provide_kernel_cache()
 {
     const fs::path chosen = chosen_by_pocl();
@@ -70,6 +68,17 @@ std::string provide_kernel_cache()
     return fmt::format("PoCL needs a folder for compiled kernels with {} free, and can use neither {} nor {}; the "
                        "environment variable {} can name another",
                        bytes_text(needed_bytes), chosen.string(), other.string(), variable);
+}
+
+}
+
+bool is_pocl(const std::string& platform) { return platform == "Portable Computing Language"; }
+
+std::string provide_pocl_needs()
+{
+    ::setenv("PATH", "/bin:/usr/bin", 0); // where there is none, programs are looked for there
+    if (!find_program("ld", {})) return "PoCL needs the linker ld (Debian: binutils), which no folder of PATH has";
+    return provide_kernel_cache();
 }
 
 }
