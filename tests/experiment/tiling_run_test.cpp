@@ -66,8 +66,8 @@ TEST_F(TilingRun, SeesWhichHashFunctionsRepeat)
 {
     const json root = results("[[tiling]]\nhash = \"permutation\"\n[[tiling]]\n[[tiling]]\nkind = \"wang\"\n"
                               "hash = \"xxh64\"\n[[tiling]]\nkind = \"wang\"\nalgorithm = \"scanline\"\n");
-    const auto statistics = [&](int i) { return root["tilings"][i]["statistics"]; };
-    const json bad = statistics(0)["colors"][0]["autocorrelation"];
+    const auto statistics = [&](int i) -> const json& { return root["tilings"][i]["statistics"]; };
+    const json& bad = statistics(0)["colors"][0]["autocorrelation"];
     EXPECT_GT(bad["largest"].get<double>(), 100) << "colours are the same again after 256";
     EXPECT_EQ(std::abs(bad["largest_at"][0].get<int>()) % 256, 0);
     EXPECT_EQ(bad["largest_at"][1].get<int>() % 256, 0);

@@ -1,0 +1,60 @@
+// How long the program takes to end after Ctrl-C, at random moments of its longest pieces of work. Target: a second.
+#include "support/started_program.hpp"
+#include "support/temporary_folder.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <thread>
+
+namespace poissonlab::bench {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+/// Work for at least a minute.
+struct Work
+{
+    const char* name;
+    const char* config;
+};
+
+constexpr Work works[] = {
+    {"Lloyd relaxation", "[analysis]\npoints = 65536\nspectrum = \"none\"\n[[method]]\nsampler = \"lloyd\"\n"
+                         "iterations = 1000000\nstart = \"random\"\n"},
+    {"Lloyd relaxation in 3D", "[analysis]\npoints = 65536\ndimension = 3\nspectrum = \"none\"\n[[method]]\n"
+                               "sampler = \"lloyd\"\niterations = 1000000\nstart = \"random\"\n"},
+    {"dart throwing", "[analysis]\npoints = 1000000\nrealizations = 1000\nspectrum = \"none\"\n[[method]]\n"
+                      "sampler = \"dart-throwing\"\nrelative_radius = 0.7\n"},
+    {"a tile set", "[analysis]\npoints = 4096\n[[method]]\nsampler = \"corner-tiles\"\ncolors = 4\n"
+                   "points_per_tile = 256\nlloyd_iterations = 100000\n"},
+    {"a spectrum", "[analysis]\npoints = 1000000\nrealizations = 10\nspectrum_size = 4096\nspectrum = \"exact\"\n"
+                   "[[method]]\nsampler = \"random\"\n"},
+};
+
+void interrupted(benchmark::State& state)
+{
+    const Work& work = works[state.range(0)];
+    state.SetLabel(work.name);
+    static std::mt19937 random(20261122);
+    for (auto _ : state) {
+        const TemporaryFolder folder;
+        folder.write("c.toml", work.config);
+        StartedProgram program(folder.path(), {"run", "c.toml"});
+        std::this_thread::sleep_for(Seconds(std::uniform_real_distribution(0.5, 2.5)(random)));
+        const auto begin = std::chrono::steady_clock::now();
+        program.send(SIGINT);
+        const int status = program.wait();
+        state.SetIterationTime(Seconds(std::chrono::steady_clock::now() - begin).count());
+        if (!WIFEXITED(status) || WEXITSTATUS(status) != 130)
+            state.SkipWithError("it was not interrupted");
+    }
+}
+BENCHMARK(interrupted)->DenseRange(0, std::size(works) - 1)->UseManualTime()->Iterations(1)->Repetitions(10)
+    ->ComputeStatistics("max", [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); })
+    ->ReportAggregatesOnly()->Unit(benchmark::kMillisecond);
+
+}
+}

@@ -1,0 +1,64 @@
+// The program, at work beside a test or a benchmark.
+#pragma once
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+extern char** environ;
+
+namespace poissonlab {
+
+class StartedProgram
+{
+public:
+    /// In `folder`, where what it says goes to the file "log".
+    StartedProgram(const std::filesystem::path& folder, std::vector<std::string> arguments)
+    {
+        arguments.insert(arguments.begin(), POISSONLAB_BINARY);
+        std::vector<char*> argv;
+        for (std::string& word : arguments) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        posix_spawn_file_actions_t actions;
+        posix_spawn_file_actions_init(&actions);
+        posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+        posix_spawn_file_actions_addopen(&actions, 1, "log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_adddup2(&actions, 1, 2);
+        const int error = ::posix_spawn(&process_, POISSONLAB_BINARY, &actions, nullptr, argv.data(), environ);
+        posix_spawn_file_actions_destroy(&actions);
+        if (error != 0) throw std::runtime_error("poissonlab cannot be started");
+    }
+
+    /// Ends it where nobody has waited for it.
+    ~StartedProgram()
+    {
+        if (process_ <= 0) return;
+        send(SIGKILL);
+        wait();
+    }
+    StartedProgram(const StartedProgram&) = delete;
+    StartedProgram& operator=(const StartedProgram&) = delete;
+
+    void send(int signal) const { ::kill(process_, signal); }
+
+    /// Its status, as waitpid() gives it.
+    int wait()
+    {
+        int status = 0;
+        ::waitpid(process_, &status, 0);
+        process_ = 0;
+        return status;
+    }
+
+private:
+    pid_t process_ = 0;
+};
+
+}
