@@ -122,10 +122,11 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     auto site = make_site(runs, out, collection ? collection->title : std::string());
     create_folders(site);
 
-    // gnuplot works in its own processes while this one draws the images.
     say("drawing pictures");
     PictureStore store(out, out / asset_folder / picture_keys);
-    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site), &store); },
+    const auto plots = all_plots(site); // before the images: drawing those changes the series
+    // gnuplot works in its own processes while this one draws the images.
+    tbb::parallel_invoke([&] { draw_with_gnuplot(plots, &store); },
                          [&] { tbb::parallel_for_each(site.runs, [&](ReportRun& run) { draw_images(run, store); }); });
     store.save();
 
