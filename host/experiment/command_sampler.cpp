@@ -44,8 +44,8 @@ std::string value_of(std::string_view field, const CommandValues& values)
     if (field == "{seed}") return fmt::format("{}", values.seed);
     if (field == "{realization}") return fmt::format("{}", values.realization);
     if (field == "{out}") return values.out;
-    throw InputError(
-        fmt::format("{} is none of {}; {{{}}} stands for itself", field, known_fields, field));
+    const std::string shown = shortened(field);
+    throw InputError(fmt::format("{} is none of {}; {{{}}} stands for itself", shown, known_fields, shown));
 }
 
 /// A word with its fields replaced; `has_out` becomes true where {out} is one of them.
