@@ -58,7 +58,7 @@ only what these change. Several processes share the work:
 constexpr auto merge_footer =
     R"(Copies what is stored in DIR/.units and not in OUT/.units; what is damaged is left out. Then the same run writes
 the results:
-  poissonlab merge out/all out/shard-1 out/shard-2 out/shard-3
+  poissonlab merge out/shard-1 out/shard-2 out/shard-3 --out out/all
   poissonlab run config.toml --out out/all)";
 
 constexpr auto analyze_footer =
@@ -227,8 +227,8 @@ void CommandLine::add_merge()
 {
     MergeOptions& o = merge_options_;
     merge_ = app_.add_subcommand("merge", "Take over finished work of other output folders, such as those of shards");
-    merge_->add_option("OUT", o.out, "The output folder that gets it")->required();
     merge_->add_option("DIR", o.folders, "Output folders of `run --shard`")->required();
+    merge_->add_option("--out", o.out, "The output folder that gets it")->required()->option_text("OUT REQUIRED");
     merge_->add_flag("--quiet", o.quiet, "Print nothing but errors");
     merge_->footer(merge_footer);
 }

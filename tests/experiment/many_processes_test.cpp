@@ -63,7 +63,7 @@ TEST_F(ManyProcesses, ShardsOfFoldersThatAreMerged)
 {
     for (const std::string shard : {"1", "2", "3"})
         ASSERT_EQ(run({"run", "c.toml", "--out", "shard-" + shard, "--shard", shard + "/3"}).status, 0);
-    const Outcome merged = run({"merge", "all", "shard-1", "shard-2", "shard-3"});
+    const Outcome merged = run({"merge", "shard-1", "shard-2", "shard-3", "--out", "all"});
     EXPECT_EQ(merged.status, 0) << merged.error;
     EXPECT_THAT(merged.out, HasSubstr("shard-2: "));
     const Outcome last = run({"run", "c.toml", "--out", "all"});
@@ -81,7 +81,7 @@ TEST_F(ManyProcesses, MistakesInShards)
         EXPECT_EQ(outcome.error, std::string("poissonlab: error: --shard ") + shard +
                                      ": must be i/n, with i from 1 to n\n");
     }
-    EXPECT_EQ(run({"merge", "x", "c.toml"}).error,
+    EXPECT_EQ(run({"merge", "c.toml", "--out", "x"}).error,
               "poissonlab: error: merge: c.toml: has no .units folder; output folders of `run --shard` are needed\n");
     EXPECT_FALSE(fs::exists(folder_->path() / "x"));
 }
