@@ -109,9 +109,9 @@ unsigned long count_attribute(const Imf::Header& header, const std::string& name
 }
 
 /// The size of the spectrum, once the header has everything that write_spectrum puts there.
-int checked_size(const Imf::Header& header, const std::filesystem::path& path)
+int checked_size(const Imf::Header& header)
 {
-    const int size = checked_square_size(header, path);
+    const int size = checked_square_size(header);
     if (size % 2 != 0) throw std::runtime_error("a spectrum has an even size, not " + std::to_string(size));
     return size;
 }
@@ -160,7 +160,7 @@ std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
     return reading(path, [&] {
         Imf::InputFile file(path.c_str());
         Spectrum plane;
-        plane.size = checked_size(file.header(), path);
+        plane.size = checked_size(file.header());
         plane.points = count_attribute(file.header(), points_name, 1UL << 53);
         plane.realizations = static_cast<int>(count_attribute(file.header(), realizations_name, INT_MAX));
 
@@ -197,7 +197,7 @@ std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem:
 {
     return reading(path, [&] {
         const Imf::InputFile file(path.c_str());
-        checked_layers(file.header(), checked_size(file.header(), path));
+        checked_layers(file.header(), checked_size(file.header()));
         std::map<std::string, std::string> metadata;
         for (auto it = file.header().begin(); it != file.header().end(); ++it) {
             const std::string name = it.name();

@@ -4,8 +4,8 @@
 #include "io/byte_order.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
-#include <OpenEXR/ImfCompression.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
@@ -19,7 +19,7 @@ namespace {
 constexpr int max_size = 1 << 15; // a larger picture is a damaged header
 
 /// Bytes of pixels for each byte of the file, at most: what deflate, the best of the usual ones, makes of zeros.
-constexpr std::uintmax_t largest_ratio = 1032;
+constexpr double largest_ratio = 1032;
 
 /// Reads a header, attribute by attribute: https://openexr.com/en/latest/OpenEXRFileLayout.html.
 class HeaderWalk
@@ -42,6 +42,7 @@ public:
         if (word() != magic) throw std::runtime_error("is no OpenEXR file");
         if ((word() & ~long_names) != version) throw std::runtime_error("has tiles, deep pixels or several parts");
         for (std::string name = text(); !name.empty(); name = text()) check_attribute(name);
+        check_pixels();
     }
 
 private:
@@ -50,6 +51,15 @@ private:
         std::string bytes(sizeof(std::uint32_t), '\0');
         if (!file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) fail();
         return load<std::uint32_t>(bytes, std::endian::little);
+    }
+
+    std::int32_t number() { return static_cast<std::int32_t>(word()); }
+
+    char byte()
+    {
+        char byte = 0;
+        if (!file_.get(byte)) fail();
+        return byte;
     }
 
     /// A text, which ends with a zero.
@@ -78,7 +88,11 @@ private:
         const std::uint32_t bytes = word();
         const std::uintmax_t end = place() + bytes;
         if (type == "chlist") {
-            while (place() < end && !text().empty()) skip(channel_size);
+            while (!text().empty()) read_channel(); // OpenEXR, too, goes on to the empty name
+        } else if (name == "dataWindow" && type == "box2i") {
+            read_window();
+        } else if (name == "compression" && type == "compression") {
+            is_compressed_ = byte() != 0;
         } else if (const auto fixed = sizes.find(type); fixed != sizes.end()) {
             skip(fixed->second);
         } else if (type == "string") {
@@ -91,21 +105,43 @@ private:
             throw std::runtime_error("its attribute " + shortened(name) + " has another length than it says");
     }
 
-    static constexpr std::uint32_t channel_size = 16; ///< of the description of a channel, after its name
+    /// The description of a channel, after its name.
+    void read_channel()
+    {
+        constexpr std::uint32_t half = 1;
+        const double bytes = word() == half ? 2 : 4;
+        skip(4);
+        const double x_sampling = std::max(1, number());
+        const double y_sampling = std::max(1, number());
+        bytes_per_pixel_ += bytes / (x_sampling * y_sampling);
+    }
+
+    void read_window()
+    {
+        const std::int64_t left = number();
+        const std::int64_t bottom = number();
+        width_ = number() - left + 1;
+        height_ = number() - bottom + 1;
+    }
+
+    /// OpenEXR takes memory for some rows when it opens a file, however short that is.
+    void check_pixels() const
+    {
+        const double most = static_cast<double>(size_) * (is_compressed_ ? largest_ratio : 1);
+        if (bytes_per_pixel_ * static_cast<double>(width_) * static_cast<double>(height_) > most)
+            throw std::runtime_error("its " + std::to_string(size_) + " bytes are too few for its " +
+                                     std::to_string(width_) + " x " + std::to_string(height_) + " pixels");
+    }
 
     [[noreturn]] static void fail() { throw std::runtime_error("its header is longer than the file"); }
 
     std::ifstream file_;
-    std::uintmax_t size_ = 0;
+    std::uintmax_t size_ = 0; ///< of the file, in bytes
+    std::int64_t width_ = 0;
+    std::int64_t height_ = 0;
+    double bytes_per_pixel_ = 0; ///< of all channels
+    bool is_compressed_ = false;
 };
-
-std::size_t float_channels(const Imf::Header& header)
-{
-    std::size_t count = 0;
-    for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
-        if (has_float_channel(header, it.name())) ++count;
-    return count;
-}
 
 }
 
@@ -117,7 +153,7 @@ bool has_float_channel(const Imf::Header& header, const std::string& name)
     return channel && channel->type == Imf::FLOAT && channel->xSampling == 1 && channel->ySampling == 1;
 }
 
-int checked_square_size(const Imf::Header& header, const std::filesystem::path& file)
+int checked_square_size(const Imf::Header& header)
 {
     const auto& window = header.dataWindow();
     const int width = window.max.x - window.min.x + 1;
@@ -127,14 +163,6 @@ int checked_square_size(const Imf::Header& header, const std::filesystem::path& 
     if (width > max_size)
         throw std::runtime_error("it has " + std::to_string(width) + " pixels along each axis; must have at most " +
                                  std::to_string(max_size));
-
-    std::error_code unknown;
-    const std::uintmax_t bytes = std::filesystem::file_size(file, unknown);
-    const std::uintmax_t ratio = header.compression() == Imf::NO_COMPRESSION ? 1 : largest_ratio;
-    const std::uintmax_t row = std::uintmax_t{4} * static_cast<unsigned>(width) * float_channels(header);
-    if (!unknown && row * static_cast<unsigned>(height) / ratio > bytes)
-        throw std::runtime_error("its " + std::to_string(bytes) + " bytes are too few for its " +
-                                 std::to_string(width) + " x " + std::to_string(height) + " pixels");
     return width;
 }
 

@@ -42,10 +42,10 @@ void turn_over(const std::vector<From>& from, std::vector<To>& to, int size)
                        [](From value) { return static_cast<To>(value); });
 }
 
-int checked_size(const Imf::Header& header, const std::filesystem::path& path)
+int checked_size(const Imf::Header& header)
 {
     if (!has_float_channel(header, "Y")) throw std::runtime_error("there is no float32 channel \"Y\"");
-    return checked_square_size(header, path);
+    return checked_square_size(header);
 }
 
 }
@@ -76,7 +76,7 @@ SquareImage read_square_image(const std::filesystem::path& path)
     try {
         check_header_fits(path);
         Imf::InputFile file(path.c_str());
-        SquareImage image{checked_size(file.header(), path), {}};
+        SquareImage image{checked_size(file.header()), {}};
         std::vector<float> pixels(static_cast<std::size_t>(image.size) *
                                   static_cast<std::size_t>(image.size));
         file.setFrameBuffer(frame_buffer(pixels, image.size));

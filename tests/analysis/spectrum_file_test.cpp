@@ -196,6 +196,11 @@ TEST_F(SpectrumFile, TakesNoMemoryForWhatTheFileCannotHold)
     patch_attribute(path, std::string("dataWindow\0box2i\0", 17),
                     std::string("\x10\0\0\0\0\0\0\0\0\0\0\0\x0f\0\0\0\x0f\0\0\0", 20));
     EXPECT_THAT(error(), testing::MatchesRegex(".*bytes are too few for its 16 x 16 pixels"));
+    // Rows of 256 MiB each, of which OpenEXR would take some into memory at once.
+    write_spectrum(path, random_spectrum(8), {});
+    patch_attribute(path, std::string("dataWindow\0box2i\0", 17),
+                    std::string("\x10\0\0\0\0\0\0\0\0\0\0\0\xff\xff\xff\x03\x07\0\0\0", 20));
+    EXPECT_THAT(error(), testing::MatchesRegex(".*bytes are too few for its 67108864 x 8 pixels"));
     // A text of 1 GiB.
     write_spectrum(path, random_spectrum(8), {{"label", "L"}});
     patch_attribute(path, std::string("poissonlab:meta:label\0string\0", 29), std::string("\0\0\0\x40", 4));
