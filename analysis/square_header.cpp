@@ -124,9 +124,11 @@ private:
         height_ = number() - bottom + 1;
     }
 
-    /// OpenEXR takes memory for some rows when it opens a file, however short that is.
+    /// OpenEXR takes memory for some rows when it opens a file, however short that is. Windows of less than one pixel it
+    /// refuses by itself.
     void check_pixels() const
     {
+        if (width_ < 1 || height_ < 1) return;
         const double most = static_cast<double>(size_) * (is_compressed_ ? largest_ratio : 1);
         if (bytes_per_pixel_ * static_cast<double>(width_) * static_cast<double>(height_) > most)
             throw std::runtime_error("its " + std::to_string(size_) + " bytes are too few for its " +

@@ -76,7 +76,7 @@ bool is_pocl(const std::string& platform) { return platform == "Portable Computi
 
 std::string provide_pocl_needs()
 {
-    ::setenv("PATH", "/bin:/usr/bin", 0); // where there is none, programs are looked for there
+    ::setenv("PATH", default_path, 0); // for PoCL; one that is there stays
     if (!find_program("ld", {})) return "PoCL needs the linker ld (Debian: binutils), which no folder of PATH has";
     return provide_kernel_cache();
 }

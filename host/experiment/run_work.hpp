@@ -49,7 +49,7 @@ public:
     /// Whether all jobs of all shards are done, on whatever machines.
     bool all_shares_are_done(bool split) const;
 
-    /// Throws what samplers throw, InputError and StorageError.
+    /// Throws what samplers throw, InputError, StorageError, and std::runtime_error where memory is lacking.
     void execute(const Job& job, const WorkListener& listener);
 
     /// Realizations that are not made, and not analysed, yet.

@@ -183,7 +183,7 @@ std::optional<fs::path> find_program(const std::string& name, const fs::path& fo
     if (name.find('/') != std::string::npos)
         return is_executable(folder / name) ? std::optional(folder / name) : std::nullopt;
     const char* variable = std::getenv("PATH");
-    const std::string path = variable ? variable : "/bin:/usr/bin";
+    const std::string path = variable ? variable : default_path;
     for (std::size_t begin = 0; begin <= path.size();) {
         const std::size_t end = std::min(path.find(':', begin), path.size());
         const fs::path file = folder / path.substr(begin, end - begin) / name;

@@ -32,17 +32,23 @@ public:
         }
     }
 
-    void print(const std::vector<Ratio>& ratios) const
+    /// Returns whether all targets are reached.
+    bool print(const std::vector<Ratio>& ratios) const
     {
+        bool are_reached = true;
         std::printf("\nRatios of medians\n");
         for (const Ratio& ratio : ratios) {
             const auto slow = medians_.find(ratio.slow);
             const auto fast = medians_.find(ratio.fast);
             if (slow == medians_.end() || fast == medians_.end()) continue;
-            std::printf("  %-70s %6.2f", ratio.what.c_str(), slow->second / fast->second);
-            if (ratio.target > 0) std::printf("  (target: at least %.2f)", ratio.target);
+            const double found = slow->second / fast->second;
+            const bool is_missed = found < ratio.target;
+            std::printf("  %-70s %6.2f", ratio.what.c_str(), found);
+            if (ratio.target > 0) std::printf("  (target: at least %.2f%s)", ratio.target, is_missed ? ", MISSED" : "");
             std::printf("\n");
+            are_reached = are_reached && !is_missed;
         }
+        return are_reached;
     }
 
 private:
@@ -52,15 +58,14 @@ private:
     std::map<std::string, double> medians_;
 };
 
-/// The body of main.
+/// The body of main. Returns 1 where a target is missed.
 inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios)
 {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    reporter.print(ratios);
-    return 0;
+    return reporter.print(ratios) ? 0 : 1;
 }
 
 }
