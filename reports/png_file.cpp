@@ -8,6 +8,7 @@
 
 #include <dlfcn.h>
 
+#include <cerrno>
 #include <string>
 #include <system_error>
 
@@ -44,8 +45,12 @@ const PngCodec& codec()
 void write_png(const fs::path& path, const PngLayout& layout, const PngRows& rows)
 {
     write_whole_file(path, [&](const fs::path& temporary) {
-        const std::string problem = codec().write(temporary, layout, rows);
-        if (!problem.empty()) throw StorageError(path.string() + ": cannot write the picture: " + problem);
+        errno = 0;
+        std::string problem = codec().write(temporary, layout, rows);
+        if (problem.empty()) return;
+        // OpenImageIO says what failed, and not always why.
+        if (errno != 0) problem += ": " + std::generic_category().message(errno);
+        throw StorageError(path.string() + ": cannot write the picture: " + problem);
     });
 }
 
