@@ -32,7 +32,7 @@ if(POISSONLAB_FUZZ)
   target_link_options(lab_options INTERFACE -fsanitize=${fuzz_checks})
   target_compile_definitions(lab_options INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
-target_include_directories(lab_options INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR})
+target_include_directories(lab_options INTERFACE ${PROJECT_SOURCE_DIR})
 
 # Most of the time to build a library goes into the headers of the standard library and of fmt: they are compiled once,
 # here, for all that link fmt.

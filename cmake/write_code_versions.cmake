@@ -20,20 +20,13 @@ function(hash_of variable)
   set(listed "${listed}" PARENT_SCOPE)
 endfunction()
 
-# Everything that these parts include, and not only what they are: tests/experiment/code_versions_test.cpp follows the
-# includes. Whole folders where most of a folder counts.
-set(construction kernels/* runtime/*.h host/device/* host/errors/* host/geometry/* host/io/* host/sampling/* host/tiles/*
-    host/poisson_tiles/* host/tile_construction/*)
-set(records host/experiment/archives.hpp host/experiment/experiment.hpp host/experiment/work_listener.hpp)
+# Whole folders, and everything that these include: tests/host/series/code_versions_test.cpp follows the includes.
+set(construction kernels/* runtime/*.h base/* tiles/* host/device/* host/sampling/* host/tile_construction/*
+    results/records/*)
 hash_of(construction_version ${construction})
-hash_of(sampling_version ${construction} ${records} host/tile_points/* host/tile_sampling/*
-        host/experiment/command_sampler.* host/experiment/imported_points.* host/experiment/sample_unit.*
-        host/experiment/series_work.*)
-hash_of(analysis_version ${records} analysis/* host/errors/* host/geometry/* host/io/* host/experiment/analysis_unit.*
-        host/experiment/iteration_records.* host/experiment/result_tables.* host/experiment/series_analysis.*
-        host/experiment/series_work.* host/experiment/zone_plate_analysis.*)
-hash_of(picture_version ${construction} ${records} host/experiment/construction_* host/experiment/picture_units.*
-        host/experiment/tiling_*)
+hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/series/*)
+hash_of(analysis_version base/* analysis/* results/* host/measuring/* host/series/*)
+hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/scenes/* host/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"
 #define POISSONLAB_SAMPLING_VERSION \"${sampling_version}\"

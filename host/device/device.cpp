@@ -1,8 +1,8 @@
-#include "device/device.hpp"
+#include "host/device/device.hpp"
 
-#include "device/kernel_source.hpp"
-#include "device/opencl.hpp"
-#include "device/pocl_needs.hpp"
+#include "host/device/kernel_source.hpp"
+#include "host/device/opencl.hpp"
+#include "host/device/pocl_needs.hpp"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 // the name of the error code, the kernel and, where there is one, the build log.
 #pragma once
 
-#include "device/buffer.hpp"
-#include "device/device_memory.hpp"
-#include "device/kernel.hpp"
+#include "host/device/buffer.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/device/kernel.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-#include "device/device_memory.hpp"
+#include "host/device/device_memory.hpp"
 
-#include "device/device.hpp"
-#include "errors/errors.hpp"
+#include "host/device/device.hpp"
+#include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "device/opencl.hpp"
+#include "host/device/opencl.hpp"
 
 namespace poissonlab {
 namespace {

@@ -1,7 +1,7 @@
 // A kernel that can be enqueued with typed arguments.
 #pragma once
 
-#include "device/buffer.hpp"
+#include "host/device/buffer.hpp"
 
 #include <cstddef>
 #include <memory>

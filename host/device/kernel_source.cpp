@@ -1,4 +1,4 @@
-#include "device/kernel_source.hpp"
+#include "host/device/kernel_source.hpp"
 
 #include <set>
 #include <stdexcept>

@@ -1,8 +1,8 @@
-#include "device/pocl_needs.hpp"
+#include "host/device/pocl_needs.hpp"
 
-#include "device/device_memory.hpp"
-#include "io/program_run.hpp"
-#include "io/scratch_folder.hpp"
+#include "host/device/device_memory.hpp"
+#include "base/programs/program_run.hpp"
+#include "base/files/scratch_folder.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Coordinates are 32-bit fixed point: whole multiples of 2^-32. In these units the torus has side 2^32, and
 // the cell k of n along an axis holds the coordinates u with floor(u n / 2^32) = k, exactly.
-#include "sampling/baselines.hpp"
+#include "host/sampling/baselines.hpp"
 
-#include "geometry/lattice.hpp"
-#include "sampling/random.hpp"
+#include "base/geometry/lattice.hpp"
+#include "base/random/random.hpp"
 
 #include <algorithm>
 #include <array>

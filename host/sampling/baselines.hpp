@@ -1,7 +1,7 @@
 // The point sets that Poisson disk distributions are compared with: random, regular, jittered.
 #pragma once
 
-#include "sampling/sampler.hpp"
+#include "host/sampling/sampler.hpp"
 
 namespace poissonlab {
 

@@ -1,9 +1,9 @@
 // The samplers that use no tiles. To add one, describe it and put it here.
-#include "sampling/baselines.hpp"
-#include "sampling/dart_throwing.hpp"
-#include "sampling/lloyd_relaxation.hpp"
-#include "sampling/relaxation_dart_throwing.hpp"
-#include "sampling/sampler.hpp"
+#include "host/sampling/baselines.hpp"
+#include "host/sampling/dart_throwing.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <algorithm>
 

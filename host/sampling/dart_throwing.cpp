@@ -1,10 +1,10 @@
 // Runs kernels/dart_throwing.cl: one batch of darts after the other, until there are points enough or no open
 // cells.
-#include "sampling/dart_throwing.hpp"
+#include "host/sampling/dart_throwing.hpp"
 
-#include "geometry/lattice.hpp"
-#include "geometry/torus.hpp"
-#include "sampling/cell_hierarchy.hpp"
+#include "base/geometry/lattice.hpp"
+#include "base/geometry/torus.hpp"
+#include "host/sampling/cell_hierarchy.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_sort.h>

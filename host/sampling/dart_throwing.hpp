@@ -6,10 +6,10 @@
 // simply not drawn.
 #pragma once
 
-#include "device/device.hpp"
-#include "geometry/point_set.hpp"
-#include "sampling/random.hpp"
-#include "sampling/sampler.hpp"
+#include "host/device/device.hpp"
+#include "base/geometry/point_set.hpp"
+#include "base/random/random.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 // The sampler "dart-throwing": what the config can ask of dart throwing, and what it is told when that is
 // impossible.
-#include "geometry/relative_radius.hpp"
-#include "sampling/cell_hierarchy.hpp"
-#include "sampling/dart_throwing.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/dart_throwing.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "sampling/domain_buffers.hpp"
+#include "host/sampling/domain_buffers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Domains on a device, and the movement of points in them. Runs move_points of kernels/relaxation.cl.
 #pragma once
 
-#include "device/device.hpp"
-#include "geometry/domain.hpp"
-#include "sampling/point_grid.hpp"
+#include "host/device/device.hpp"
+#include "host/sampling/domain.hpp"
+#include "host/sampling/point_grid.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
-#include "sampling/file_sampler.hpp"
+#include "host/sampling/file_sampler.hpp"
 
-#include "io/file_glob.hpp"
-#include "io/point_file.hpp"
-#include "io/whole_file.hpp"
-#include "io/xxh64_bytes.hpp"
+#include "base/files/file_glob.hpp"
+#include "base/points/point_file.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Point sets from files, so that an experiment can compare methods with sets made elsewhere.
 #pragma once
 
-#include "sampling/sampler.hpp"
+#include "host/sampling/sampler.hpp"
 
 namespace poissonlab {
 

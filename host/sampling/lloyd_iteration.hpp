@@ -1,8 +1,8 @@
 // What the two engines of Lloyd relaxation have in common: the course of the iterations.
 #pragma once
 
-#include "geometry/relative_radius.hpp"
-#include "sampling/lloyd_relaxation.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,10 +1,10 @@
 // Runs the kernels of Lloyd relaxation.
-#include "sampling/lloyd_relaxation.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
 
-#include "sampling/domain_buffers.hpp"
-#include "sampling/lloyd_iteration.hpp"
-#include "sampling/point_grid.hpp"
-#include "sampling/voronoi_cells.hpp"
+#include "host/sampling/domain_buffers.hpp"
+#include "host/sampling/lloyd_iteration.hpp"
+#include "host/sampling/point_grid.hpp"
+#include "host/sampling/voronoi_cells.hpp"
 
 #include <fmt/format.h>
 

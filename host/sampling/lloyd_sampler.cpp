@@ -1,7 +1,7 @@
 // The sampler "lloyd": what the config can ask of Lloyd relaxation, and of the repulsion after it.
-#include "geometry/relative_radius.hpp"
-#include "sampling/lloyd_relaxation.hpp"
-#include "sampling/repulsion.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/repulsion.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "sampling/parameters.hpp"
+#include "host/sampling/parameters.hpp"
 
-#include "sampling/sampler.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // What a sampler can be told: declared as data, checked in one place, and remembered with its origin.
 #pragma once
 
-#include "errors/errors.hpp"
+#include "base/errors/errors.hpp"
 
 #include <cstdint>
 #include <map>

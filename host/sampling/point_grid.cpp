@@ -1,6 +1,6 @@
-#include "sampling/point_grid.hpp"
+#include "host/sampling/point_grid.hpp"
 
-#include "geometry/lattice.hpp"
+#include "base/geometry/lattice.hpp"
 
 #include <fmt/format.h>
 

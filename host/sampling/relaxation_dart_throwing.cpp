@@ -1,9 +1,9 @@
 // Runs kernels/relaxation_dart_throwing.cl: rounds of one batch of darts each. Where the algorithm is stays
 // on the device; the host looks every few rounds, and chooses the size of batches, which decides about the
 // cost only.
-#include "sampling/relaxation_dart_throwing.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
 
-#include "geometry/torus.hpp"
+#include "base/geometry/torus.hpp"
 
 #include <fmt/format.h>
 

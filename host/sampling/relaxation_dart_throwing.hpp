@@ -9,10 +9,10 @@
 // counter j, in 3D dart j is the first three: coordinates in units of 2^-32.
 #pragma once
 
-#include "device/device.hpp"
-#include "geometry/point_set.hpp"
-#include "sampling/random.hpp"
-#include "sampling/sampler.hpp"
+#include "host/device/device.hpp"
+#include "base/geometry/point_set.hpp"
+#include "base/random/random.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <cstddef>
 #include <cstdint>

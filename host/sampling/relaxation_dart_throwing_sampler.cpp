@@ -1,7 +1,7 @@
 // The sampler "relaxation-dart-throwing": what the config can ask of relaxation dart throwing, and what it is
 // told when that is impossible.
-#include "geometry/relative_radius.hpp"
-#include "sampling/relaxation_dart_throwing.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
 
 #include <fmt/format.h>
 

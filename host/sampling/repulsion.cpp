@@ -1,8 +1,8 @@
-#include "sampling/repulsion.hpp"
+#include "host/sampling/repulsion.hpp"
 
-#include "geometry/relative_radius.hpp"
-#include "sampling/domain_buffers.hpp"
-#include "sampling/point_grid.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/domain_buffers.hpp"
+#include "host/sampling/point_grid.hpp"
 
 #include <fmt/format.h>
 

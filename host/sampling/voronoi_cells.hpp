@@ -1,9 +1,9 @@
 // The Voronoi cells of points on the unit torus: what Lloyd relaxation needs of them.
 #pragma once
 
-#include "device/device.hpp"
-#include "geometry/point_set.hpp"
-#include "sampling/point_grid.hpp"
+#include "host/device/device.hpp"
+#include "base/geometry/point_set.hpp"
+#include "host/sampling/point_grid.hpp"
 
 #include <cstddef>
 #include <vector>

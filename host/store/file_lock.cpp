@@ -1,6 +1,6 @@
-#include "store/file_lock.hpp"
+#include "host/store/file_lock.hpp"
 
-#include "errors/errors.hpp"
+#include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "store/unit_key.hpp"
+#include "host/store/unit_key.hpp"
 
-#include "io/xxh64_bytes.hpp"
+#include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
-#include "store/unit_store.hpp"
+#include "host/store/unit_store.hpp"
 
-#include "errors/errors.hpp"
-#include "io/whole_file.hpp"
-#include "io/xxh64_bytes.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Finished units of work on disk: what a run that was interrupted, and every later one, need not do again.
 #pragma once
 
-#include "store/unit_key.hpp"
+#include "host/store/unit_key.hpp"
 
 #include <cstdint>
 #include <filesystem>

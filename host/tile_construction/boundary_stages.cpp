@@ -1,4 +1,4 @@
-#include "tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/boundary_stages.hpp"
 
 #include <bit>
 #include <span>

@@ -7,7 +7,7 @@
 // of two colours are made on a torus whose corners have these colours by turns.
 #pragma once
 
-#include "poisson_tiles/tile_pieces.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 // Foretells the sizes of the tori that the construction fills.
-#include "tile_construction/boundary_stages.hpp"
-#include "tile_construction/tile_construction.hpp"
+#include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/tile_construction.hpp"
 
 #include <cmath>
 

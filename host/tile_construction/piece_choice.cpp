@@ -1,4 +1,4 @@
-#include "tile_construction/piece_choice.hpp"
+#include "host/tile_construction/piece_choice.hpp"
 
 #include <algorithm>
 #include <bit>

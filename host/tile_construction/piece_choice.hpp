@@ -8,9 +8,9 @@
 // other: what the pieces so far have too many counts against the next.
 #pragma once
 
-#include "tile_construction/boundary_stages.hpp"
-#include "tile_construction/piece_store.hpp"
-#include "tile_construction/tile_construction.hpp"
+#include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/piece_store.hpp"
+#include "host/tile_construction/tile_construction.hpp"
 
 #include <map>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "tile_construction/piece_store.hpp"
+#include "host/tile_construction/piece_store.hpp"
 
 namespace poissonlab {
 

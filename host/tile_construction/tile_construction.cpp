@@ -1,9 +1,9 @@
-#include "tile_construction/tile_construction.hpp"
+#include "host/tile_construction/tile_construction.hpp"
 
-#include "errors/errors.hpp"
-#include "tile_construction/boundary_stages.hpp"
-#include "tile_construction/piece_choice.hpp"
-#include "tile_construction/piece_store.hpp"
+#include "base/errors/errors.hpp"
+#include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/piece_choice.hpp"
+#include "host/tile_construction/piece_store.hpp"
 
 #include <fmt/format.h>
 

@@ -9,9 +9,9 @@
 // edge (face, corner), together with all that have it.
 #pragma once
 
-#include "poisson_tiles/poisson_tile_set.hpp"
-#include "poisson_tiles/tile_pieces.hpp"
-#include "tile_construction/tile_filling.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
+#include "host/tile_construction/tile_filling.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Fills tori on a device, a batch a launch.
-#include "tile_construction/tile_filling.hpp"
+#include "host/tile_construction/tile_filling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 // repulsion. A batch of tori is filled at once.
 #pragma once
 
-#include "device/device.hpp"
-#include "poisson_tiles/poisson_tile_set.hpp"
-#include "sampling/random.hpp"
-#include "tile_construction/tile_torus.hpp"
+#include "host/device/device.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+#include "base/random/random.hpp"
+#include "host/tile_construction/tile_torus.hpp"
 
 #include <cstdint>
 #include <memory>

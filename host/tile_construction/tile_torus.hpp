@@ -4,7 +4,8 @@
 // are whole units, 65,536 to a tile's side. kernels/common/tile_torus.clh makes the same decisions.
 #pragma once
 
-#include "poisson_tiles/tile_regions.hpp"
+#include "tiles/poisson/tile_position.hpp"
+#include "tiles/poisson/tile_regions.hpp"
 
 #include <array>
 #include <cstdint>
@@ -12,9 +13,6 @@
 namespace poissonlab {
 
 inline constexpr std::int32_t torus_units = 2 * tile_units;
-
-/// A position on the torus, or a movement. In 2D the last coordinate is 0.
-using TilePosition = std::array<std::int32_t, 3>;
 
 /// Coordinates on the torus, 0 to torus_units - 1.
 constexpr std::int32_t wrapped(std::int32_t coordinate) { return coordinate & (torus_units - 1); }

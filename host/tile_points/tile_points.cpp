@@ -1,6 +1,6 @@
-#include "tile_points/tile_points.hpp"
+#include "host/tile_points/tile_points.hpp"
 
-#include "errors/errors.hpp"
+#include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -6,9 +6,9 @@
 // as 32-bit integers in units of 1/65,536 of a tile, which do not.
 #pragma once
 
-#include "device/device.hpp"
-#include "geometry/point_set.hpp"
-#include "poisson_tiles/tile_lookup.hpp"
+#include "host/device/device.hpp"
+#include "base/geometry/point_set.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
 
 #include <array>
 #include <cstddef>

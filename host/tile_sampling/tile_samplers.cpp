@@ -1,11 +1,11 @@
-#include "tile_sampling/tile_samplers.hpp"
+#include "host/tile_sampling/tile_samplers.hpp"
 
-#include "geometry/lattice.hpp"
-#include "poisson_tiles/poisson_tile_set.hpp"
-#include "sampling/random.hpp"
-#include "tile_construction/tile_construction.hpp"
-#include "tile_points/tile_points.hpp"
-#include "tile_sampling/tile_set_cache.hpp"
+#include "base/geometry/lattice.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+#include "base/random/random.hpp"
+#include "host/tile_construction/tile_construction.hpp"
+#include "host/tile_points/tile_points.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // realizations are tilings with one tile set, which is built once and kept, see tile_set_cache.hpp.
 #pragma once
 
-#include "sampling/sampler.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
-#include "tile_sampling/tile_set_build.hpp"
+#include "host/tile_sampling/tile_set_build.hpp"
 
-#include "io/whole_file.hpp"
+#include "base/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // What it took to build a tile set, kept beside the set in the cache: times are results of the laboratory as well.
 #pragma once
 
-#include "sampling/sampler.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <filesystem>
 #include <optional>

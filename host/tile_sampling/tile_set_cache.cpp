@@ -1,13 +1,13 @@
-#include "tile_sampling/tile_set_cache.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 
 #include "code_hashes.hpp"
-#include "errors/errors.hpp"
-#include "io/xxh64_bytes.hpp"
-#include "poisson_tiles/region_counts.hpp"
-#include "poisson_tiles/tile_certificate.hpp"
-#include "poisson_tiles/tile_set_file.hpp"
-#include "store/file_lock.hpp"
-#include "tile_sampling/tile_set_build.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/xxh64_bytes.hpp"
+#include "tiles/poisson/region_counts.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+#include "host/store/file_lock.hpp"
+#include "host/tile_sampling/tile_set_build.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

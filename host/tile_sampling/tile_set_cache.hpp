@@ -1,10 +1,10 @@
 // Tile sets that were built before: construction takes seconds, reading a file milliseconds.
 #pragma once
 
-#include "device/device.hpp"
-#include "poisson_tiles/poisson_tile_set.hpp"
-#include "sampling/sampler.hpp"
-#include "tile_construction/tile_construction.hpp"
+#include "host/device/device.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+#include "host/sampling/sampler.hpp"
+#include "host/tile_construction/tile_construction.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,8 +1,8 @@
 // Dart throwing: kernels against the plain sequential algorithm and against the sequential reference.
-#include "bench/plain_dart_throwing.hpp"
-#include "bench/ratio_reporter.hpp"
-#include "geometry/relative_radius.hpp"
-#include "sampling/dart_throwing.hpp"
+#include "tests/bench/plain_dart_throwing.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/dart_throwing.hpp"
 
 namespace poissonlab::bench {
 namespace {

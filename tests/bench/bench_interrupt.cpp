@@ -1,7 +1,7 @@
 // How long the program takes to end after Ctrl-C, at random moments of its longest pieces of work: a second at
 // most, or this benchmark fails.
-#include "support/started_program.hpp"
-#include "support/temporary_folder.hpp"
+#include "tests/support/started_program.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // The memory that Lloyd relaxation needs: the process' peak, with all that OpenCL and the start take.
 //
 // A benchmark of its own, since a peak does not fall: nothing else may run before it in its process.
-#include "sampling/lloyd_relaxation.hpp"
-#include "support/point_patterns.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
+#include "tests/support/point_patterns.hpp"
 
 #include <benchmark/benchmark.h>
 

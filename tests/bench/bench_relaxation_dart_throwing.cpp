@@ -1,6 +1,6 @@
 // Relaxation dart throwing: kernels against the sequential reference.
-#include "bench/ratio_reporter.hpp"
-#include "sampling/relaxation_dart_throwing.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
 
 namespace poissonlab::bench {
 namespace {

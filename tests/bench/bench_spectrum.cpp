@@ -1,9 +1,9 @@
 // Periodograms at the sizes that experiments use, fast ones against FFTW's own transforms.
-#include "analysis/fast_periodogram.hpp"
-#include "analysis/radial_statistics.hpp"
-#include "analysis/spectrum.hpp"
-#include "bench/ratio_reporter.hpp"
-#include "support/point_patterns.hpp"
+#include "analysis/spectra/fast_periodogram.hpp"
+#include "analysis/spectra/radial_statistics.hpp"
+#include "analysis/spectra/spectrum.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "tests/support/point_patterns.hpp"
 
 #include <fftw3.h>
 

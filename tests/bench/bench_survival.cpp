@@ -3,12 +3,13 @@
 // Plain: the same 1,000 sets of 4,096 points, made, written and analysed by a loop without units, schedule and
 // checksums. Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work
 // without start and report, as the program's own events tell them.
-#include "bench/ratio_reporter.hpp"
-#include "experiment/config_run.hpp"
-#include "experiment/runner.hpp"
-#include "experiment/series_analysis.hpp"
-#include "io/point_file.hpp"
-#include "support/temporary_folder.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "host/run/make_experiment.hpp"
+#include "host/run/runner.hpp"
+#include "host/measuring/series_analysis.hpp"
+#include "base/points/point_file.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,9 +60,9 @@ void stored(benchmark::State& state)
     }
 }
 
-#ifdef POISSONLAB_MPIEXEC
 void ranks(benchmark::State& state)
 {
+    if (mpiexec_file().empty()) return state.SkipWithError("there is no mpirun");
     std::string sweep = "[analysis]\npoints = 4096\nrealizations = 20\ntiming_runs = 1\n[[method]]\n"
                         "sampler = \"dart-throwing\"\nrelative_radius = [";
     for (int i = 60; i < 73; ++i) sweep += fmt::format("0.{}, ", i);
@@ -71,7 +72,7 @@ void ranks(benchmark::State& state)
         folder.write("sweep.toml", sweep);
         const std::string command =
             fmt::format("cd {} && {} --allow-run-as-root -n {} {} run sweep.toml --threads 1 --json > events",
-                        folder.path().string(), POISSONLAB_MPIEXEC, state.range(0), POISSONLAB_BINARY);
+                        folder.path().string(), mpiexec_file(), state.range(0), program_file());
         if (std::system(command.c_str()) != 0) state.SkipWithError("mpirun failed");
         std::ifstream events(folder.path() / "events");
         double seconds = 0;
@@ -84,7 +85,6 @@ void ranks(benchmark::State& state)
     }
 }
 BENCHMARK(ranks)->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kSecond)->Iterations(1)->Repetitions(5);
-#endif
 
 BENCHMARK(plain)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1)->Repetitions(5);
 BENCHMARK(stored)->Unit(benchmark::kSecond)->UseRealTime()->Iterations(1)->Repetitions(5);

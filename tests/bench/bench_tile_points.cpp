@@ -3,10 +3,10 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.2.1, measures points a second; memory sets
 // the limit.
-#include "bench/ratio_reporter.hpp"
-#include "support/random_tile_set.hpp"
-#include "support/temporary_folder.hpp"
-#include "tile_points/tile_points.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "host/tile_points/tile_points.hpp"
 
 #include <benchmark/benchmark.h>
 

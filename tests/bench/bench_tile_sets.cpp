@@ -3,9 +3,9 @@
 //
 // The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8
 // colours: those of tiles, which are 95 of 100.
-#include "bench/ratio_reporter.hpp"
-#include "support/small_tile_sets.hpp"
-#include "tile_sampling/tile_set_cache.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "tests/support/small_tile_sets.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 
 namespace poissonlab::bench {
 namespace {

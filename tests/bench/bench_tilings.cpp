@@ -3,11 +3,11 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 3.3, calls corner tiles the cheapest: four
 // hash evaluations and no sums. Wang tiles by one hash function add sums to these, by two hash functions
 // double them. A hash function at the edges is evaluated four times too, but neighbours share fewer of them.
-#include "bench/ratio_reporter.hpp"
-#include "tiles/cube_tiling.hpp"
-#include "tiles/direct_tiling.hpp"
-#include "tiles/scanline_tiling.hpp"
-#include "tiles/tiling.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "tiles/tilings/cube_tiling.hpp"
+#include "tiles/tilings/direct_tiling.hpp"
+#include "tiles/tilings/scanline_tiling.hpp"
+#include "tiles/tilings/tiling.hpp"
 
 #include <benchmark/benchmark.h>
 

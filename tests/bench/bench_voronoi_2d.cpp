@@ -1,10 +1,10 @@
 // One Lloyd iteration in 2D: kernels against CGAL.
-#include "bench/cgal_lloyd_2d.hpp"
-#include "bench/ratio_reporter.hpp"
-#include "geometry/relative_radius.hpp"
-#include "sampling/dart_throwing.hpp"
-#include "sampling/voronoi_cells.hpp"
-#include "support/point_patterns.hpp"
+#include "tests/bench/cgal_lloyd_2d.hpp"
+#include "tests/bench/ratio_reporter.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/dart_throwing.hpp"
+#include "host/sampling/voronoi_cells.hpp"
+#include "tests/support/point_patterns.hpp"
 
 #include <map>
 

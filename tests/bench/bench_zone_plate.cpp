@@ -1,8 +1,8 @@
 // The sampling test at the size of the dissertation: 262,144 points, 512 x 512 pixels.
-#include "analysis/zone_plate.hpp"
-#include "analysis/zone_plate_error.hpp"
-#include "analysis/zone_plate_reference.hpp"
-#include "support/point_patterns.hpp"
+#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_error.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "tests/support/point_patterns.hpp"
 
 #include <benchmark/benchmark.h>
 

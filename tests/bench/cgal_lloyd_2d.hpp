@@ -1,7 +1,7 @@
 // One Lloyd iteration in 2D as users of CGAL would write it, in the two usual ways.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -2,7 +2,7 @@
 // list.
 #pragma once
 
-#include "geometry/torus.hpp"
+#include "base/geometry/torus.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Configs: TOML text, with `--set` arguments on lines that begin with `#--set `. What is accepted is planned as well.
-#include "experiment/config.hpp"
-#include "experiment/plan.hpp"
-#include "fuzz/fuzz_support.hpp"
-#include "io/text_lines.hpp"
+#include "host/config/config.hpp"
+#include "host/config/plan.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
+#include "base/files/text_lines.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 // OpenEXR images: spectra, their planes and metadata, pictures of the zone plate.
-#include "analysis/spectrum_file.hpp"
-#include "analysis/square_image_file.hpp"
-#include "fuzz/fuzz_support.hpp"
+#include "analysis/spectra/spectrum_file.hpp"
+#include "base/images/square_image_file.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

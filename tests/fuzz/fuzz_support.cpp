@@ -1,6 +1,6 @@
-#include "fuzz/fuzz_support.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
-#include "support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // finding.
 #pragma once
 
-#include "errors/errors.hpp"
+#include "base/errors/errors.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 // results.json, in a folder that has files to name.
-#include "fuzz/fuzz_support.hpp"
-#include "reports/stored_results.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
+#include "results/stored_results.hpp"
 
 namespace poissonlab::fuzz {
 namespace {

@@ -2,13 +2,13 @@
 // and looked up as `tiles verify` and `tiles points` do.
 //
 // Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
-#include "fuzz/fuzz_support.hpp"
-#include "fuzz/mended_mutation.hpp"
-#include "io/xxh64_bytes.hpp"
-#include "poisson_tiles/tile_certificate.hpp"
-#include "poisson_tiles/tile_lookup.hpp"
-#include "poisson_tiles/tile_set_file.hpp"
-#include "poisson_tiles/tile_set_json.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
+#include "tests/fuzz/mended_mutation.hpp"
+#include "base/files/xxh64_bytes.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+#include "tiles/poisson/tile_set_json.hpp"
 
 #include <tbb/global_control.h>
 

@@ -1,7 +1,8 @@
 // Runs the program where something goes wrong, and looks at what it leaves behind.
 #pragma once
 
-#include "experiment/program.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/places.hpp"
 
 #include <gmock/gmock.h>
 
@@ -16,7 +17,7 @@ inline std::string bad_luck(const std::string& settings)
     // Sanitizers want to be first otherwise.
     const char* sanitizers = std::getenv("ASAN_OPTIONS");
     const std::string options = std::string(sanitizers ? sanitizers : "detect_leaks=0") + ":verify_asan_link_order=0";
-    return "ASAN_OPTIONS=" + quoted(options) + " LD_PRELOAD=" + quoted(POISSONLAB_BAD_LUCK) + " " + settings;
+    return "ASAN_OPTIONS=" + quoted(options) + " LD_PRELOAD=" + quoted(bad_luck_file()) + " " + settings;
 }
 
 /// The words of a message are one line, on standard error alone.
@@ -81,7 +82,7 @@ protected:
     /// A command of the shell in the folder, in which $P is the program.
     Outcome shell(const std::string& command) const
     {
-        folder_.write("command.sh", "P=" + quoted(POISSONLAB_BINARY) + "\n" + command + "\n");
+        folder_.write("command.sh", "P=" + quoted(program_file()) + "\n" + command + "\n");
         const std::string streams =
             "> " + quoted(path("shell.out").string()) + " 2> " + quoted(path("shell.error").string());
         const int status =

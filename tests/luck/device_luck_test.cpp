@@ -1,5 +1,5 @@
 // OpenCL that is not there, fails, vanishes, or has too little memory.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 namespace poissonlab {
 namespace {

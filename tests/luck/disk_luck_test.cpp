@@ -1,5 +1,5 @@
 // Disks that fill up at any moment, or cannot be written to at all.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 #include <unistd.h>
 

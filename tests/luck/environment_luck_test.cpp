@@ -1,5 +1,5 @@
 // Environments that lack what most have, or say strange things: the results are the same bytes.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 namespace poissonlab {
 namespace {

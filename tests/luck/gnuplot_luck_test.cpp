@@ -1,5 +1,5 @@
 // A gnuplot that is missing, fails, lies, or has no fonts: the results are there, and the report can be made later.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 #include <sstream>
 

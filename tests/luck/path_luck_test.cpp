@@ -1,5 +1,5 @@
 // Names with blanks, letters of any alphabet, quotes, and bytes that are no text at all.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 namespace poissonlab {
 namespace {

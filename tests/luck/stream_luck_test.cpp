@@ -1,5 +1,5 @@
 // Standard streams that are closed or full. What was meant for them must not end up in files.
-#include "luck/bad_luck.hpp"
+#include "tests/luck/bad_luck.hpp"
 
 namespace poissonlab {
 namespace {

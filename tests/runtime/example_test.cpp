@@ -1,6 +1,7 @@
 // runtime/example.cpp prints the points of a window, and says what is wrong with files.
-#include "support/random_tile_set.hpp"
-#include "support/temporary_folder.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 std::string printed(const TemporaryFolder& folder, const std::string& arguments)
 {
     const std::string command =
-        "cd '" + folder.path().string() + "' && '" POISSONLAB_EXAMPLE "' " + arguments + " > out 2>&1";
+        "cd '" + folder.path().string() + "' && '" + example_file() + "' " + arguments + " > out 2>&1";
     const int status = std::system(command.c_str());
     std::ifstream out(folder.path() / "out");
     return std::string(std::istreambuf_iterator<char>(out), {}) + (status == 0 ? "" : "failed");

@@ -1,8 +1,8 @@
 // runtime/poisson_tiles_gpu.h, as OpenCL C, against runtime/poisson_tiles.h.
-#include "device/device.hpp"
-#include "device/kernel_source.hpp"
-#include "poisson_tiles/tile_lookup.hpp"
-#include "runtime/tile_set_cases.hpp"
+#include "host/device/device.hpp"
+#include "host/device/kernel_source.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
+#include "tests/runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // runtime/poisson_tiles.h against docs/tile-set-file.md: files, and which tile is where.
-#include "poisson_tiles/tile_lookup.hpp"
-#include "poisson_tiles/tile_pieces.hpp"
-#include "poisson_tiles/tile_set_file.hpp"
-#include "runtime/tile_set_cases.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+#include "tests/runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Windows and nearest points of runtime/poisson_tiles.h against all points of the tiles around.
-#include "poisson_tiles/tile_lookup.hpp"
-#include "runtime/tile_set_cases.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
+#include "tests/runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tile sets of every kind and dimension, to go through.
 #pragma once
 
-#include "support/random_tile_set.hpp"
+#include "tests/support/random_tile_set.hpp"
 
 #include <vector>
 

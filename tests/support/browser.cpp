@@ -1,4 +1,4 @@
-#include "support/browser.hpp"
+#include "tests/support/browser.hpp"
 
 #include <algorithm>
 #include <array>

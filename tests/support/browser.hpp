@@ -1,7 +1,7 @@
 // A real browser in tests: headless Chromium opens a page, moves a mouse, presses keys, and says what it was asked for.
 #pragma once
 
-#include "support/devtools_pipe.hpp"
+#include "tests/support/devtools_pipe.hpp"
 
 #include <chrono>
 #include <filesystem>

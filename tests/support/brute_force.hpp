@@ -1,7 +1,7 @@
 // Oracles that are slow and obvious: every pair, every term, in long double.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <algorithm>
 #include <array>

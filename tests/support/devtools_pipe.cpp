@@ -1,6 +1,6 @@
-#include "support/devtools_pipe.hpp"
+#include "tests/support/devtools_pipe.hpp"
 
-#include "io/whole_file.hpp"
+#include "base/files/whole_file.hpp"
 
 #include <fcntl.h>
 #include <poll.h>

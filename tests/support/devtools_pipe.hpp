@@ -2,7 +2,7 @@
 // on the browser's file descriptors 3 and 4 (--remote-debugging-pipe).
 #pragma once
 
-#include "support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <nlohmann/json.hpp>
 

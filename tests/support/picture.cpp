@@ -1,4 +1,4 @@
-#include "support/picture.hpp"
+#include "tests/support/picture.hpp"
 
 #include <png.h>
 

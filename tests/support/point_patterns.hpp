@@ -1,7 +1,7 @@
 // Point sets whose properties are known in advance.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -2,7 +2,7 @@
 // not matter.
 #pragma once
 
-#include "poisson_tiles/poisson_tile_set.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <bit>
 #include <filesystem>

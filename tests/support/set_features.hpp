@@ -1,9 +1,9 @@
 // Numbers that describe a point set, and a comparison of two ways to make sets by the means of such numbers.
 #pragma once
 
-#include "analysis/spectrum.hpp"
-#include "geometry/point_set.hpp"
-#include "support/statistics.hpp"
+#include "analysis/spectra/spectrum.hpp"
+#include "base/geometry/point_set.hpp"
+#include "tests/support/statistics.hpp"
 
 #include <gtest/gtest.h>
 

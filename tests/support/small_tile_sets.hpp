@@ -1,7 +1,7 @@
 // Parameters of tile sets that are built in a moment.
 #pragma once
 
-#include "poisson_tiles/poisson_tile_set.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <ostream>
 

@@ -1,6 +1,8 @@
 // The program, at work beside a test or a benchmark.
 #pragma once
 
+#include "tests/support/places.hpp"
+
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -22,7 +24,7 @@ public:
     /// In `folder`, where what it says goes to the file "log".
     StartedProgram(const std::filesystem::path& folder, std::vector<std::string> arguments)
     {
-        arguments.insert(arguments.begin(), POISSONLAB_BINARY);
+        arguments.insert(arguments.begin(), program_file());
         std::vector<char*> argv;
         for (std::string& word : arguments) argv.push_back(word.data());
         argv.push_back(nullptr);
@@ -31,7 +33,7 @@ public:
         posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
         posix_spawn_file_actions_addopen(&actions, 1, "log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_adddup2(&actions, 1, 2);
-        const int error = ::posix_spawn(&process_, POISSONLAB_BINARY, &actions, nullptr, argv.data(), environ);
+        const int error = ::posix_spawn(&process_, program_file().c_str(), &actions, nullptr, argv.data(), environ);
         posix_spawn_file_actions_destroy(&actions);
         if (error != 0) throw std::runtime_error("poissonlab cannot be started");
     }

@@ -5,7 +5,7 @@
 // code.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <cmath>
 #include <cstddef>

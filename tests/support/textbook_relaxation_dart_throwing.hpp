@@ -3,7 +3,7 @@
 // No grid, no Philox, doubles instead of fixed point: it shares nothing with the laboratory's code.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <cmath>
 #include <cstddef>

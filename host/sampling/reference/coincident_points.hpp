@@ -1,7 +1,7 @@
 // Points by position: triangulations know each position once.
 #pragma once
 
-#include "geometry/point_set.hpp"
+#include "base/geometry/point_set.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Relaxation dart throwing, plain and sequential: what the kernels must reproduce.
-#include "sampling/relaxation_dart_throwing.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
 
-#include "geometry/torus.hpp"
+#include "base/geometry/torus.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Repulsion, plain and sequential: what the kernels must reproduce.
-#include "sampling/repulsion.hpp"
+#include "host/sampling/repulsion.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "sampling/reference/voronoi_cells.hpp"
+#include "host/sampling/reference/voronoi_cells.hpp"
 
 namespace poissonlab::reference {
 

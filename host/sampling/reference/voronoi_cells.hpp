@@ -1,7 +1,7 @@
 // The two halves of reference::voronoi_cells().
 #pragma once
 
-#include "sampling/voronoi_cells.hpp"
+#include "host/sampling/voronoi_cells.hpp"
 
 namespace poissonlab::reference {
 

@@ -1,7 +1,7 @@
 // Voronoi cells in 3D from CGAL's periodic Delaunay triangulation.
-#include "sampling/reference/voronoi_cells.hpp"
+#include "host/sampling/reference/voronoi_cells.hpp"
 
-#include "sampling/reference/coincident_points.hpp"
+#include "host/sampling/reference/coincident_points.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Periodic_3_Delaunay_triangulation_3.h>

@@ -1,8 +1,8 @@
 // Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
-#include "tile_construction/tile_filling.hpp"
-#include "geometry/point_set.hpp"
-#include "sampling/reference/voronoi_cells.hpp"
-#include "sampling/voronoi_cells.hpp"
+#include "host/tile_construction/tile_filling.hpp"
+#include "base/geometry/point_set.hpp"
+#include "host/sampling/reference/voronoi_cells.hpp"
+#include "host/sampling/voronoi_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The plain C++ twin of kernels/tile_points.cl: a loop over tiles, with the look-up that engines use.
-#include "tile_points/tile_points.hpp"
+#include "host/tile_points/tile_points.hpp"
 
 namespace poissonlab::reference {
 namespace {

@@ -1,0 +1,194 @@
+// The closest pair on the torus, by a hashed grid whose cells follow the smallest distance seen so far.
+//
+// Points enter one by one and are compared with those in the 3^d cells around them. Cells are at least as
+// wide as the smallest distance so far, so no closer pair is missed; when they are more than twice as wide,
+// the grid is rebuilt. Hence a cell holds a bounded number of points however clustered the set is, every
+// rebuild halves the cells, and the whole costs O(N) for well-spread points (no rebuild: the cells start at
+// the width of the densest packing) and O(N log(1/distance)) for any others. Compare Khuller and Matias, A
+// simple randomized sieve algorithm for the closest-pair problem (1995).
+#include "analysis/measures/distance_statistics.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+#include "base/geometry/torus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+namespace {
+
+/// Cells along an axis, at most 2^40 so that rounding coordinate * cells stays far below the slack.
+constexpr double max_cells = 0x1p40;
+/// Cells are wider than the distance that they must cover by this factor, far more than rounding takes away.
+constexpr double slack = 1.0 + 0x1p-10;
+
+/// Points in grid cells, chained by a hash of the cell. Chains may mix cells: that costs time, never a pair.
+template <int D>
+class HashedGrid
+{
+public:
+    explicit HashedGrid(std::size_t capacity) : heads_(std::bit_ceil(2 * capacity), none), next_(capacity) {}
+
+    /// Empties the grid; from now on all pairs within `reach` lie in cells that touch.
+    void reset(double reach)
+    {
+        std::fill(heads_.begin(), heads_.end(), none);
+        const double cells = reach > 0.0 ? 1.0 / (reach * slack) : max_cells;
+        cells_ = static_cast<std::uint64_t>(std::clamp(cells, 1.0, max_cells));
+    }
+
+    double cell_width() const { return 1.0 / static_cast<double>(cells_); }
+    bool at_finest() const { return static_cast<double>(cells_) == max_cells; }
+
+    void insert(std::uint32_t i, std::span<const double> x)
+    {
+        std::uint32_t& head = heads_[slot(cell_of(x))];
+        next_[i] = head;
+        head = i;
+    }
+
+    /// Calls visit(j) for every point j in the cells around x (and perhaps some others, and some twice).
+    template <class Visit>
+    void for_each_near(std::span<const double> x, const Visit& visit) const
+    {
+        const Cell cell = cell_of(x);
+        for (int offset = 0; offset < (D == 2 ? 9 : 27); ++offset) {
+            Cell near;
+            for (int k = 0, rest = offset; k < D; ++k, rest /= 3) near[k] = wrapped(cell[k], rest % 3);
+            for (std::uint32_t j = heads_[slot(near)]; j != none; j = next_[j]) visit(j);
+        }
+    }
+
+private:
+    using Cell = std::array<std::uint64_t, D>;
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    Cell cell_of(std::span<const double> x) const
+    {
+        Cell cell;
+        for (int k = 0; k < D; ++k) {
+            cell[k] = std::min(static_cast<std::uint64_t>(x[k] * static_cast<double>(cells_)), cells_ - 1);
+        }
+        return cell;
+    }
+
+    /// Cell c - 1, c or c + 1 around the torus, for step 0, 1, 2.
+    std::uint64_t wrapped(std::uint64_t c, int step) const
+    {
+        if (step == 0) return c == 0 ? cells_ - 1 : c - 1;
+        if (step == 2) return c == cells_ - 1 ? 0 : c + 1;
+        return c;
+    }
+
+    /// Rows of cells lie behind each other in memory; odd multipliers spread the rows and slices.
+    std::size_t slot(const Cell& cell) const
+    {
+        std::uint64_t hash = cell[0] + cell[1] * 0x9e3779b97f4a7c15u;
+        if constexpr (D == 3) hash += cell[2] * 0xc2b2ae3d27d4eb4fu;
+        return (hash ^ (hash >> 32)) & (heads_.size() - 1);
+    }
+
+    std::uint64_t cells_ = 1;
+    std::vector<std::uint32_t> heads_;
+    std::vector<std::uint32_t> next_;
+};
+
+/// Squared distances as exact integers, for coordinates that are multiples of 2^-32.
+template <int D>
+struct FixedPointMetric
+{
+    std::vector<TorusPoint<D>> points;
+
+    static bool suits(const PointSet& set)
+    {
+        return std::ranges::all_of(set.coordinates,
+                                   [](double x) { return x * 0x1p32 == std::floor(x * 0x1p32); });
+    }
+
+    explicit FixedPointMetric(const PointSet& set) : points(set.size())
+    {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            for (int k = 0; k < D; ++k) points[i][k] = static_cast<std::uint32_t>(set[i][k] * 0x1p32);
+        }
+    }
+
+    std::uint64_t operator()(std::size_t i, std::size_t j) const
+    {
+        return squared_distance<D>(points[i], points[j]);
+    }
+
+    /// A long double holds every 64-bit integer: one rounding in the root, one in the conversion.
+    static double distance(std::uint64_t squared)
+    {
+        return static_cast<double>(std::sqrt(static_cast<long double>(squared)) * 0x1p-32L);
+    }
+};
+
+/// Squared distances in double, for any other coordinates.
+template <int D>
+struct FloatingMetric
+{
+    const PointSet& set;
+
+    double operator()(std::size_t i, std::size_t j) const
+    {
+        double sum = 0.0;
+        for (int k = 0; k < D; ++k) {
+            // 1 - high is exact where it matters (high >= 1/2): each way round is rounded once.
+            const auto [low, high] = std::minmax(set[i][k], set[j][k]);
+            const double shortest = std::min(high - low, (1.0 - high) + low);
+            sum += shortest * shortest;
+        }
+        return sum;
+    }
+
+    static double distance(double squared) { return std::sqrt(squared); }
+};
+
+template <int D, class Metric>
+double closest_pair(const PointSet& set, const Metric& squared)
+{
+    HashedGrid<D> grid(set.size());
+    grid.reset(max_min_distance(set.size(), D));
+    auto least = std::numeric_limits<decltype(squared(0, 0))>::max();
+    double distance = std::numeric_limits<double>::infinity();
+
+    for (std::uint32_t i = 0; i < set.size(); ++i) {
+        const auto before = least;
+        grid.for_each_near(set[i], [&](std::uint32_t j) { least = std::min(least, squared(i, j)); });
+        if (least < before) {
+            distance = Metric::distance(least);
+            if (distance == 0.0) return 0.0;
+            if (2.0 * distance < grid.cell_width() && !grid.at_finest()) {
+                grid.reset(distance);
+                for (std::uint32_t j = 0; j < i; ++j) grid.insert(j, set[j]);
+            }
+        }
+        grid.insert(i, set[i]);
+    }
+    return distance;
+}
+
+template <int D>
+double min_distance(const PointSet& set)
+{
+    if (FixedPointMetric<D>::suits(set)) return closest_pair<D>(set, FixedPointMetric<D>(set));
+    return closest_pair<D>(set, FloatingMetric<D>{set});
+}
+
+}
+
+double min_toroidal_distance(const PointSet& points)
+{
+    if (points.size() < 2) return std::numeric_limits<double>::infinity();
+    return points.dimension == 2 ? min_distance<2>(points) : min_distance<3>(points);
+}
+
+}

@@ -1,0 +1,17 @@
+// Nearest-neighbour distances of a point set on the unit torus.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+
+namespace poissonlab {
+
+/// The smallest toroidal distance between two points, in unit lengths; 0 for coinciding points.
+///
+/// Exact up to rounding: for coordinates that are multiples of 2^-32, as all integer samplers make them, the
+/// squared distance is compared as an exact integer and rounded once, in the final square root and scaling.
+/// For other coordinates differences and squares are rounded in double (relative error below 1e-15 for
+/// distances above 1e-150). Coordinates must lie in [0, 1). A set of fewer than two points has no distance:
+/// infinity. Time is O(N) for well-spread points, O(N log(1 / distance)) for any others.
+double min_toroidal_distance(const PointSet& points);
+
+}

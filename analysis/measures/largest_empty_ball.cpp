@@ -1,0 +1,209 @@
+#include "analysis/measures/largest_empty_ball.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
+#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
+#include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace poissonlab {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Traits2 = CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>;
+using Triangulation2 = CGAL::Periodic_2_Delaunay_triangulation_2<Traits2>;
+using Traits3 = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
+using Triangulation3 = CGAL::Periodic_3_Delaunay_triangulation_3<Traits3>;
+
+template <int D>
+using Coordinates = std::array<double, D>;
+
+/// A corner of a triangle or tetrahedron: a point of the unit square or cube, and in which image of it.
+template <int D>
+struct Corner
+{
+    Coordinates<D> position{};
+    std::array<int, D> image{};
+};
+
+template <int D>
+using Simplex = std::array<Corner<D>, D + 1>;
+
+template <class Number>
+Number cross(const std::array<Number, 2>& a, const std::array<Number, 2>& b)
+{
+    return a[0] * b[1] - a[1] * b[0];
+}
+
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b)
+{
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+template <class Number, std::size_t D>
+Number dot(const std::array<Number, D>& a, const std::array<Number, D>& b)
+{
+    Number sum = a[0] * b[0];
+    for (std::size_t k = 1; k < D; ++k) sum += a[k] * b[k];
+    return sum;
+}
+
+/// The circumcentre relative to the corner 0, times `determinant`, from the edges that start there.
+template <class Number>
+std::array<Number, 2> scaled_centre(const std::array<std::array<Number, 2>, 2>& e, Number& determinant)
+{
+    determinant = 2 * cross(e[0], e[1]);
+    const Number a = dot(e[0], e[0]);
+    const Number b = dot(e[1], e[1]);
+    return {e[1][1] * a - e[0][1] * b, e[0][0] * b - e[1][0] * a};
+}
+
+template <class Number>
+std::array<Number, 3> scaled_centre(const std::array<std::array<Number, 3>, 3>& e, Number& determinant)
+{
+    const auto u = cross(e[1], e[2]), v = cross(e[2], e[0]), w = cross(e[0], e[1]);
+    determinant = 2 * dot(e[0], u);
+    const Number a = dot(e[0], e[0]), b = dot(e[1], e[1]), c = dot(e[2], e[2]);
+    std::array<Number, 3> centre;
+    for (std::size_t k = 0; k < 3; ++k) centre[k] = a * u[k] + b * v[k] + c * w[k];
+    return centre;
+}
+
+template <class Number, int D>
+std::array<std::array<Number, D>, D> edges_of(const Simplex<D>& simplex)
+{
+    std::array<std::array<Number, D>, D> edges;
+    for (std::size_t i = 0; i < D; ++i) {
+        for (std::size_t k = 0; k < D; ++k) {
+            edges[i][k] = (Number(simplex[i + 1].position[k]) - Number(simplex[0].position[k])) +
+                          Number(simplex[i + 1].image[k] - simplex[0].image[k]);
+        }
+    }
+    return edges;
+}
+
+/// The circumcentre relative to corner 0. In double where the simplex is far from flat, for then rounding,
+/// 1e-16 of the longest edge's power and of the unit torus, stays far below the determinant; otherwise in
+/// exact rationals.
+template <int D>
+Coordinates<D> circumcentre(const Simplex<D>& simplex)
+{
+    constexpr double flat = 1e-4;
+    const auto edges = edges_of<double, D>(simplex);
+    double longest = 0;
+    for (const auto& edge : edges) longest = std::max(longest, dot(edge, edge));
+    double determinant = 0;
+    Coordinates<D> centre = scaled_centre(edges, determinant);
+    if (std::abs(determinant) > flat * std::pow(longest, 0.5 * D)) {
+        for (double& c : centre) c /= determinant;
+        return centre;
+    }
+    using Exact = CGAL::Exact_rational;
+    Exact exact_determinant;
+    const auto exact = scaled_centre(edges_of<Exact, D>(simplex), exact_determinant);
+    for (std::size_t k = 0; k < D; ++k) centre[k] = CGAL::to_double(Exact(exact[k] / exact_determinant));
+    return centre;
+}
+
+/// Keeps the largest of the balls that it is shown.
+template <int D>
+class LargestBall
+{
+public:
+    void show(const Simplex<D>& simplex)
+    {
+        const Coordinates<D> centre = circumcentre<D>(simplex);
+        const double squared = dot(centre, centre);
+        if (squared <= squared_) return;
+        squared_ = squared;
+        for (std::size_t k = 0; k < D; ++k) {
+            const double c = centre[k] + simplex[0].position[k];
+            const double wrapped = c - std::floor(c);
+            centre_[k] = wrapped < 1 ? wrapped : 0;
+        }
+    }
+
+    LargestEmptyBall result(std::size_t points) const
+    {
+        const double radius = std::sqrt(squared_);
+        return {radius, radius / max_min_distance(points, D), centre_};
+    }
+
+private:
+    double squared_ = 0;
+    std::array<double, 3> centre_{};
+};
+
+LargestEmptyBall largest_empty_circle(const PointSet& points)
+{
+    std::vector<Kernel::Point_2> positions;
+    for (std::size_t i = 0; i < points.size(); ++i) positions.emplace_back(points[i][0], points[i][1]);
+    Triangulation2 triangulation(Traits2::Iso_rectangle_2(0, 0, 1, 1));
+    triangulation.insert(positions.begin(), positions.end(), true);
+
+    LargestBall<2> largest;
+    for (auto face = triangulation.faces_begin(); face != triangulation.faces_end(); ++face) {
+        const auto triangle = triangulation.periodic_triangle(face);
+        Simplex<2> simplex;
+        for (int i = 0; i < 3; ++i) {
+            const auto& [point, image] = triangle[static_cast<std::size_t>(i)];
+            simplex[static_cast<std::size_t>(i)] = {{point.x(), point.y()}, {image.x(), image.y()}};
+        }
+        largest.show(simplex);
+    }
+    return largest.result(points.size());
+}
+
+/// Inserted as a range, points start from a regular set that is removed at the end: fast, but not where only
+/// few points are left.
+constexpr std::size_t few = 100;
+
+LargestEmptyBall largest_empty_sphere(const PointSet& points)
+{
+    std::vector<Kernel::Point_3> positions;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        positions.emplace_back(points[i][0], points[i][1], points[i][2]);
+    }
+    Triangulation3 triangulation(Traits3::Iso_cuboid_3(0, 0, 0, 1, 1, 1));
+    if (positions.size() <= few) {
+        for (const auto& position : positions) triangulation.insert(position);
+    } else {
+        triangulation.insert(positions.begin(), positions.end(), true);
+    }
+
+    LargestBall<3> largest;
+    for (auto cell = triangulation.cells_begin(); cell != triangulation.cells_end(); ++cell) {
+        const auto tetrahedron = triangulation.periodic_tetrahedron(cell);
+        Simplex<3> simplex;
+        for (int i = 0; i < 4; ++i) {
+            const auto& [point, image] = tetrahedron[static_cast<std::size_t>(i)];
+            simplex[static_cast<std::size_t>(i)] = {{point.x(), point.y(), point.z()},
+                                                    {image.x(), image.y(), image.z()}};
+        }
+        largest.show(simplex);
+    }
+    return largest.result(points.size());
+}
+
+}
+
+LargestEmptyBall largest_empty_ball(const PointSet& points)
+{
+    if (points.dimension != 2 && points.dimension != 3) {
+        throw InputError("largest empty ball: the dimension must be 2 or 3");
+    }
+    if (points.size() == 0) throw InputError("largest empty ball: the point set must not be empty");
+    return points.dimension == 2 ? largest_empty_circle(points) : largest_empty_sphere(points);
+}
+
+}

@@ -1,0 +1,103 @@
+#include "analysis/measures/lattice_peaks.hpp"
+
+#include "base/errors/errors.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace poissonlab {
+
+namespace {
+
+using Frequency = std::array<int, 3>;
+
+/// Powers around frequencies; power(f) gives that of a frequency.
+template <class Power>
+class Rings
+{
+public:
+    Rings(int dimension, int size, std::size_t points, int tiles, const Power& power)
+        : power_(power), dimension_(dimension), half_(size / 2), width_(std::min(3, tiles - 1)),
+          least_power_(1e-22 * static_cast<double>(points))
+    {}
+
+    bool fits(int along) const { return along - width_ >= -half_ && along + width_ < half_; }
+
+    double ratio(const Frequency& f) const
+    {
+        const int slices = dimension_ == 3 ? width_ : 0;
+        double sum = 0;
+        int samples = 0;
+        for (int z = -slices; z <= slices; ++z) {
+            for (int y = -width_; y <= width_; ++y) {
+                for (int x = -width_; x <= width_; ++x) {
+                    if (x == 0 && y == 0 && z == 0) continue;
+                    sum += power_({f[0] + x, f[1] + y, f[2] + z});
+                    ++samples;
+                }
+            }
+        }
+        return power_(f) / std::max(sum / samples, least_power_);
+    }
+
+private:
+    const Power& power_;
+    int dimension_, half_, width_;
+    double least_power_;
+};
+
+template <class Power>
+LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, const Power& power)
+{
+    if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
+    const Rings<Power> rings(dimension, size, points, tiles, power);
+    std::vector<int> multiples;
+    for (int f = -(size / 2 / tiles) * tiles; f < size / 2; f += tiles) {
+        if (rings.fits(f)) multiples.push_back(f);
+    }
+
+    LatticePeaks result;
+    result.tiles = tiles;
+    for (const int z : dimension == 3 ? multiples : std::vector{0}) {
+        for (const int y : multiples) {
+            for (const int x : multiples) {
+                if (x == 0 && y == 0 && z == 0) continue;
+                const double ratio = rings.ratio({x, y, z});
+                if (result.peaks == 0 || ratio > result.max_ratio) {
+                    result.max_ratio = ratio;
+                    result.frequency = {x, y, z};
+                }
+                result.mean_ratio += ratio;
+                ++result.peaks;
+            }
+        }
+    }
+    if (result.peaks > 0) result.mean_ratio /= static_cast<double>(result.peaks);
+    return result;
+}
+
+}
+
+LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles)
+{
+    const auto m = static_cast<std::size_t>(spectrum.size);
+    const auto index = [&](int along) { return static_cast<std::size_t>(along + spectrum.size / 2); };
+    return peaks_of(spectrum.dimension, spectrum.size, spectrum.points, tiles, [&](const Frequency& f) {
+        const std::size_t slice = spectrum.dimension == 3 ? index(f[2]) : 0;
+        return spectrum.power[(slice * m + index(f[1])) * m + index(f[0])];
+    });
+}
+
+LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles)
+{
+    const auto index = [&](int along) { return static_cast<std::size_t>(along + periodogram.size / 2); };
+    return peaks_of(periodogram.dimension, periodogram.size, points, tiles, [&](const Frequency& f) {
+        const int sign = f[0] < 0 ? -1 : 1; // of f and -f, the one that is stored
+        const auto u = static_cast<std::size_t>(sign * f[0]);
+        const std::size_t y = index(sign * f[1]);
+        if (periodogram.dimension == 2) return periodogram.power[u * periodogram.rows() + y];
+        return periodogram.power[(u * periodogram.lines() + y) * periodogram.rows() + index(sign * f[2])];
+    });
+}
+
+}

@@ -1,0 +1,47 @@
+// The peaks that a tiling leaves in the power spectrum: tiles of side 1/M repeat their points, which puts
+// power at frequencies that are multiples of M along every axis.
+//
+// Lagae and Dutre, A comparison of methods for generating Poisson disk distributions, Computer Graphics Forum
+// 27(1), 2008, see them in the periodograms of Wang and corner tiles; here they are a number. For every
+// multiple f = M (a, b[, c]) but 0:
+//
+//   ratio(f) = P(f) / mean of P over the ring around f,
+//   ring: the samples other than f no more than w = min(3, M - 1) away along each axis
+//
+// As w < M, a ring holds no other multiple, and not f = 0. Multiples whose ring reaches beyond the spectrum
+// are left out. f and -f have the same power and both count. Without peaks, ratios of K periodograms are K
+// exponential variables averaged: their mean is 1 (1 + 1/(24 K) in 2D, for the noise of the ring) and the
+// largest of n (n/2 of them independent) about ln(n / 2) where K = 1.
+#pragma once
+
+#include "analysis/spectra/half_spectrum.hpp"
+#include "analysis/spectra/spectrum.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace poissonlab {
+
+struct LatticePeaks
+{
+    int tiles = 0;                  ///< M
+    double max_ratio = 0;           ///< over all peaks; 0 without any
+    double mean_ratio = 0;          ///< mean of the ratios; 0 without any
+    std::array<int, 3> frequency{}; ///< where the ratio is largest, the first in storage order; 2D: z is 0
+    std::size_t peaks = 0;          ///< multiples that took part
+};
+
+/// `tiles` is M, tiles per unit length, at least 2: with one tile every frequency is a multiple. Throws
+/// InputError otherwise. A ring without power counts as one with (1e-11)^2 N, where the rounding of
+/// exact_periodogram ends. Spectra too small for any ring have no peaks.
+LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles);
+
+/// The same for the periodogram of a set of so many points.
+///
+/// The standard error of mean_ratio over K realizations is taken from the spread of their own mean ratios. That is a
+/// little too large, as a ring of one periodogram is noisier than one of K: for rings of n = 48 samples of chance
+/// alone, a ratio of exponential variables has the variance 2 n^2 / ((n - 1) (n - 2)) - (n / (n - 1))^2 = 1.09 where
+/// that of the linear part, which counts in the mean of many, is 1 + 1/n = 1.02: 3 % in the error.
+LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles);
+
+}

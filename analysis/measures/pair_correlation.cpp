@@ -1,0 +1,225 @@
+#include "analysis/measures/pair_correlation.hpp"
+
+#include "analysis/measures/torus_ball.hpp"
+#include "base/errors/errors.hpp"
+
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+namespace poissonlab {
+
+namespace {
+
+/// Ten times the rounding of a difference of two volumes: less is no volume to divide by.
+constexpr double least_shell = 1e-14;
+
+using Counts = std::vector<std::uint64_t>;
+
+/// Points sorted by the cells of a grid; cells that may hold a pair within reach are at most `span` apart.
+template <int D>
+struct CellGrid
+{
+    int cells = 1;                               ///< along each axis
+    int span = 0;                                ///< 2 span + 1 <= cells: no cell is met twice
+    std::vector<std::size_t> starts;             ///< the first point of each cell, and the end of the last
+    std::array<std::vector<double>, D> position; ///< sorted
+
+    CellGrid(const PointSet& points, double reach)
+    {
+        // Some two points a cell; without a smaller neighbourhood than the whole, one cell.
+        const double per_axis = std::pow(static_cast<double>(points.size()) / 2, 1.0 / D);
+        cells = std::max(1, static_cast<int>(std::min(per_axis, 1024.0)));
+        span = static_cast<int>(reach * cells * (1 + 0x1p-40)) + 1; // cells between and one on: rounding
+        if (2 * span + 1 > cells) cells = 1, span = 0;
+        sort(points);
+    }
+
+    std::size_t count() const { return starts.size() - 1; }
+
+private:
+    std::size_t cell_of(std::span<const double> x) const
+    {
+        std::size_t cell = 0;
+        for (int k = D - 1; k >= 0; --k) {
+            const int along = std::min(static_cast<int>(x[k] * cells), cells - 1);
+            cell = cell * static_cast<std::size_t>(cells) + static_cast<std::size_t>(along);
+        }
+        return cell;
+    }
+
+    void sort(const PointSet& points)
+    {
+        const std::size_t total = D == 2 ? static_cast<std::size_t>(cells) * cells
+                                         : static_cast<std::size_t>(cells) * cells * cells;
+        starts.assign(total + 1, 0);
+        for (std::size_t i = 0; i < points.size(); ++i) ++starts[cell_of(points[i]) + 1];
+        for (std::size_t c = 0; c < total; ++c) starts[c + 1] += starts[c];
+        std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+        for (auto& axis : position) axis.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::size_t to = next[cell_of(points[i])]++;
+            for (int k = 0; k < D; ++k) position[k][to] = points[i][static_cast<std::size_t>(k)];
+        }
+    }
+};
+
+/// Half of the offsets to neighbouring cells, one of each opposite two.
+template <int D>
+std::vector<std::array<int, 3>> half_of_offsets(int span)
+{
+    std::vector<std::array<int, 3>> offsets;
+    const int slices = D == 3 ? span : 0;
+    for (int z = -slices; z <= slices; ++z) {
+        for (int y = -span; y <= span; ++y) {
+            for (int x = -span; x <= span; ++x) {
+                if (std::array{z, y, x} > std::array{0, 0, 0}) offsets.push_back({x, y, z});
+            }
+        }
+    }
+    return offsets;
+}
+
+template <int D>
+class PairCounter
+{
+public:
+    PairCounter(const PointSet& points, double max_distance, std::size_t bins)
+        : grid_(points, max_distance), offsets_(half_of_offsets<D>(grid_.span)), bins_(bins),
+          scale_(static_cast<double>(bins) / max_distance)
+    {}
+
+    /// The number of unordered pairs in each bin. Counts are integers: their order does not matter.
+    Counts count() const
+    {
+        tbb::combinable<Counts> parts([&] { return Counts(bins_); });
+        const std::size_t n = grid_.position[0].size();
+        if (grid_.cells == 1) {
+            tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) { visit(i, i + 1, n, parts.local()); });
+        } else {
+            tbb::parallel_for(std::size_t{0}, grid_.count(),
+                              [&](std::size_t cell) { visit_cell(cell, parts.local()); });
+        }
+        Counts sum(bins_);
+        parts.combine_each([&](const Counts& part) {
+            for (std::size_t k = 0; k < bins_; ++k) sum[k] += part[k];
+        });
+        return sum;
+    }
+
+private:
+    void visit_cell(std::size_t cell, Counts& counts) const
+    {
+        for (std::size_t i = grid_.starts[cell]; i < grid_.starts[cell + 1]; ++i) {
+            visit(i, i + 1, grid_.starts[cell + 1], counts);
+        }
+        for (const auto& offset : offsets_) {
+            const std::size_t other = neighbour(cell, offset);
+            for (std::size_t i = grid_.starts[cell]; i < grid_.starts[cell + 1]; ++i) {
+                visit(i, grid_.starts[other], grid_.starts[other + 1], counts);
+            }
+        }
+    }
+
+    std::size_t neighbour(std::size_t cell, const std::array<int, 3>& offset) const
+    {
+        const auto cells = static_cast<std::size_t>(grid_.cells);
+        std::size_t result = 0;
+        std::size_t stride = 1;
+        for (int k = 0; k < D; ++k, stride *= cells, cell /= cells) {
+            const int along = (static_cast<int>(cell % cells) + offset[k] + grid_.cells) % grid_.cells;
+            result += static_cast<std::size_t>(along) * stride;
+        }
+        return result;
+    }
+
+    /// Counts the pairs of point i with points begin .. end - 1.
+    void visit(std::size_t i, std::size_t begin, std::size_t end, Counts& counts) const
+    {
+        for (std::size_t j = begin; j < end; ++j) {
+            double squared = 0;
+            for (int k = 0; k < D; ++k) {
+                const double direct = std::abs(grid_.position[k][i] - grid_.position[k][j]);
+                const double shortest = std::min(direct, 1 - direct);
+                squared += shortest * shortest;
+            }
+            const double bin = std::sqrt(squared) * scale_;
+            if (bin < static_cast<double>(bins_)) ++counts[static_cast<std::size_t>(bin)];
+        }
+    }
+
+    CellGrid<D> grid_;
+    std::vector<std::array<int, 3>> offsets_;
+    std::size_t bins_;
+    double scale_; ///< bins a unit length
+};
+
+Counts count_pairs(const PointSet& points, double max_distance, std::size_t bins)
+{
+    return points.dimension == 2 ? PairCounter<2>(points, max_distance, bins).count()
+                                 : PairCounter<3>(points, max_distance, bins).count();
+}
+
+}
+
+PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins)
+    : dimension_(dimension), max_distance_(max_distance), bins_(bins), pairs_(bins)
+{
+    if (dimension != 2 && dimension != 3) throw InputError("pair correlation: the dimension must be 2 or 3");
+    if (bins == 0) throw InputError("pair correlation: the number of bins must be at least 1");
+    if (!(max_distance > 0 && max_distance <= largest_toroidal_distance(dimension))) {
+        throw InputError("pair correlation: max_distance = " + std::to_string(max_distance) +
+                         ": must be above 0 and at most sqrt(dimension) / 2, the largest on the torus");
+    }
+}
+
+void PairCorrelationEstimate::add(const PointSet& points)
+{
+    if (points.dimension != dimension_) throw InputError("pair correlation: sets differ in their dimension");
+    if (points.size() < 2) throw InputError("pair correlation: a set must have at least two points");
+    const Counts counts = count_pairs(points, max_distance_, bins_);
+    const auto n = static_cast<double>(points.size());
+    const double width = max_distance_ / static_cast<double>(bins_);
+
+    std::vector<double> values(bins_);
+    double inner = 0;
+    for (std::size_t k = 0; k < bins_; ++k) {
+        const double outer = torus_ball_volume(static_cast<double>(k + 1) * width, dimension_);
+        const auto pairs = static_cast<double>(counts[k]);
+        const double shell = outer - inner;
+        values[k] = shell > least_shell ? 2 * pairs / (n * (n - 1) * shell) : 0;
+        pairs_[k] += pairs;
+        inner = outer;
+    }
+    values_.push_back(std::move(values));
+}
+
+void PairCorrelationEstimate::append(const PairCorrelationEstimate& other)
+{
+    values_.insert(values_.end(), other.values_.begin(), other.values_.end());
+    for (std::size_t k = 0; k < bins_; ++k) pairs_[k] += other.pairs_[k];
+}
+
+std::vector<PairCorrelationBin> PairCorrelationEstimate::mean() const
+{
+    if (values_.empty()) return {};
+    const auto sets = static_cast<double>(values_.size());
+    std::vector<PairCorrelationBin> result(bins_);
+    for (std::size_t k = 0; k < bins_; ++k) {
+        PairCorrelationBin& bin = result[k];
+        bin.distance = (static_cast<double>(k) + 0.5) * max_distance_ / static_cast<double>(bins_);
+        bin.pairs = pairs_[k] / sets;
+        for (const auto& values : values_) bin.value += values[k] / sets;
+        double squares = 0;
+        for (const auto& values : values_) squares += (values[k] - bin.value) * (values[k] - bin.value);
+        bin.standard_error = sets > 1 ? std::sqrt(squares / (sets - 1) / sets) : 0;
+    }
+    return result;
+}
+
+}

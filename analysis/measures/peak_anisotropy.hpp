@@ -1,0 +1,36 @@
+// The largest anisotropy of a ring: how far a spectrum is from being the same in all directions.
+//
+// Anisotropy as in radial_statistics.hpp. Rings of few samples are left out: their anisotropy is mostly chance.
+#pragma once
+
+#include "analysis/spectra/radial_statistics.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// The least number of samples of a ring that takes part.
+inline constexpr std::size_t least_peak_samples = 100;
+
+struct PeakAnisotropy
+{
+    double db = 0;
+    double frequency = 0;    ///< of the ring, in cycles per unit length
+    std::size_t samples = 0; ///< of the ring
+    double standard_error_db = 0; ///< anisotropy_standard_error_db()
+};
+
+/// Of rings one sample wide, over `realizations` K. Nothing where no ring has enough samples.
+std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial, int realizations);
+
+/// The standard error of a ring's anisotropy where all that varies within the ring is chance, in dB.
+///
+/// The ratio of sample variance to squared mean of n independent values has the relative variance
+/// (kappa - 1 + 4 c^2 - 4 gamma c) / n for large n, with their coefficient of variation c, skewness gamma and kurtosis
+/// kappa (delta method). Averages of K exponential variables are Gamma(K): c = 1 / sqrt K, gamma = 2 / sqrt K,
+/// kappa = 3 + 6 / K, which gives (2 + 2 / K) / n. f and -f have the same power: n is half of `samples`.
+double anisotropy_standard_error_db(std::size_t samples, int realizations);
+
+}

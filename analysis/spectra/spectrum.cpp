@@ -1,0 +1,105 @@
+#include "analysis/spectra/spectrum.hpp"
+
+#include "analysis/spectra/fast_periodogram.hpp"
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+
+#include <tbb/parallel_invoke.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace poissonlab {
+
+int spectrum_size(std::size_t points, int dimension)
+{
+    // Twice the principal frequency 1/(2r) on either side of zero: 2 / r samples, r = 0.75 rmax.
+    const double samples = 2.0 / (0.75 * 0.5 * max_min_distance(points, dimension));
+    int size = 2;
+    const int largest = dimension == 2 ? largest_spectrum_2d : largest_spectrum_3d;
+    while (size < samples && size < largest) size *= 2;
+    return size;
+}
+
+SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method,
+                                   double bin_width)
+    : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method), bin_width_(bin_width)
+{
+    if (dimension != 2 && dimension != 3)
+        throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
+    if (size <= 0 || size % 2 != 0)
+        throw std::invalid_argument("SpectrumEstimate: size must be even and positive");
+}
+
+SpectrumEstimate::~SpectrumEstimate() = default;
+SpectrumEstimate::SpectrumEstimate(SpectrumEstimate&&) noexcept = default;
+SpectrumEstimate& SpectrumEstimate::operator=(SpectrumEstimate&&) noexcept = default;
+
+void SpectrumEstimate::add(const PointSet& points)
+{
+    check("realization " + std::to_string(power_.count()), points.dimension, points.size());
+    if (power_.count() == 0) points_ = points.size();
+    compute_periodogram(points);
+    radial_curves_.push_back(radial_means(periodogram_));
+    radial_.add(bin_width_ == 1 ? radial_curves_.back() : radial_means(periodogram_, bin_width_));
+    power_.add(periodogram_.power);
+}
+
+void SpectrumEstimate::check(const std::string& name, int dimension, std::size_t points)
+{
+    if (dimension != dimension_) {
+        throw InputError(name + " has dimension " + std::to_string(dimension) + ", the spectrum " +
+                         std::to_string(dimension_));
+    }
+    if (points == 0) throw InputError(name + " has no points");
+    if (!sizes_vary_ && power_.count() > 0 && points != points_) {
+        throw InputError(name + " has " + std::to_string(points) + " points where the first has " +
+                         std::to_string(points_));
+    }
+}
+
+void SpectrumEstimate::append(const SpectrumEstimate& other)
+{
+    if (other.power_.count() == 0) return;
+    check("realization " + std::to_string(power_.count()), other.dimension_, other.points_);
+    if (power_.count() == 0) points_ = other.points_;
+    power_.append(other.power_);
+    radial_.append(other.radial_);
+    radial_curves_.insert(radial_curves_.end(), other.radial_curves_.begin(), other.radial_curves_.end());
+}
+
+void SpectrumEstimate::compute_periodogram(const PointSet& points)
+{
+    if (method_ == PeriodogramMethod::exact) {
+        periodogram_ = half_of(exact_periodogram(points, size_), dimension_, size_);
+        return;
+    }
+    if (!fast_) fast_ = std::make_unique<FastPeriodogram>(dimension_, size_);
+    fast_->compute(points, periodogram_);
+}
+
+Spectrum SpectrumEstimate::mean() const
+{
+    if (power_.count() == 0) throw std::logic_error("SpectrumEstimate: the mean of no realizations");
+    Spectrum mean{dimension_, size_, points_, power_.count(), {}};
+    tbb::parallel_invoke([&] { mean.power = all_frequencies(power_.mean(), dimension_, size_); },
+                         [&] {
+                             if (power_.count() == 1) return;
+                             mean.variance =
+                                 all_frequencies(power_.squares(), dimension_, size_, 1.0 / (power_.count() - 1));
+                         });
+    if (method_ == PeriodogramMethod::fast) mean.transform_error = FastPeriodogram::default_tolerance;
+    return mean;
+}
+
+std::vector<double> SpectrumEstimate::radial_errors() const
+{
+    if (radial_.count() < 2) return {};
+    std::vector<double> errors;
+    for (const double squares : radial_.squares()) {
+        errors.push_back(std::sqrt(squares / (radial_.count() - 1) / radial_.count()));
+    }
+    return errors;
+}
+
+}

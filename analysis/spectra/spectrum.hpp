@@ -1,0 +1,130 @@
+// The power spectrum of a method, estimated by averaging periodograms (Bartlett).
+//
+// Dissertation, section 6.2.2, equations 6.1, 6.2 and 6.6.
+// Scale, sign and order, fixed here for the whole project:
+// - P(f) = |sum_j exp(-2 pi i f.x_j)|^2 / N on integer frequencies f: a Poisson process has mean power 1.
+// - A spectrum of size M holds f in [-M/2, M/2) along each axis; f = 0 is at index M/2.
+// - Row v holds frequency v - M/2 along y, column u holds u - M/2 along x; 3D: slice, then row, then column.
+#pragma once
+
+#include "analysis/spectra/half_spectrum.hpp"
+#include "analysis/spectra/running_moments.hpp"
+#include "base/geometry/point_set.hpp"
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+class FastPeriodogram;
+
+/// The mean of K periodograms. K = 1, or a deterministic method: a periodogram, not an estimate.
+struct Spectrum
+{
+    int dimension = 2;
+    int size = 0;              ///< M: frequency samples along each axis, even
+    std::size_t points = 0;    ///< N of each realization; of the first one where sizes vary
+    int realizations = 0;      ///< K
+    std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
+    /// Of each power between realizations (divisor K - 1), which estimates the power's own squared error times K. Empty
+    /// for K = 1.
+    std::vector<double> variance = {};
+    double transform_error = 1e-11; ///< bound of the error of transform values, as a share of N
+
+    double at(int fx, int fy) const
+    {
+        return power[static_cast<std::size_t>(fy + size / 2) * static_cast<std::size_t>(size) +
+                     static_cast<std::size_t>(fx + size / 2)];
+    }
+};
+
+/// Sizes beyond which the rule below does not go by itself: 8,192^2 doubles are 512 MiB, 256^3 128 MiB, and there are
+/// several arrays of that size.
+inline constexpr int largest_spectrum_2d = 8192;
+inline constexpr int largest_spectrum_3d = 256;
+
+/// The size rule, equation 6.6 with the factor 2 that its text and numbers have: the frequencies reach twice
+/// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
+/// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
+///
+/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or
+/// 156,000 in 3D, reach less than twice that far.
+int spectrum_size(std::size_t points, int dimension);
+
+/// How periodograms are computed.
+enum class PeriodogramMethod
+{
+    fast, ///< FastPeriodogram: transform values within 1e-8, relative l2 error
+    exact ///< exact_periodogram()
+};
+
+/// Averages periodograms in the order given; sums of floating point numbers depend on it.
+///
+/// Each periodogram is normalised by the number of points of its own set, so that sets whose sizes differ by
+/// the nature of their method, as saturated ones do, can be averaged where `sizes_vary` says so.
+class SpectrumEstimate
+{
+public:
+    /// `size` must be even and positive; `bin_width` as for radial_statistics().
+    SpectrumEstimate(int dimension, int size, bool sizes_vary = false,
+                     PeriodogramMethod method = PeriodogramMethod::fast, double bin_width = 1);
+    ~SpectrumEstimate();
+    SpectrumEstimate(SpectrumEstimate&&) noexcept;
+    SpectrumEstimate& operator=(SpectrumEstimate&&) noexcept;
+
+    int dimension() const { return dimension_; }
+
+    /// Adds the periodogram of one realization. Throws InputError when the number of points
+    /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
+    void add(const PointSet& points);
+
+    /// As if the realizations of `other` had been added after those here, up to rounding. Throws InputError as add()
+    /// does.
+    void append(const SpectrumEstimate& other);
+
+    /// The mean of what was added, at least one realization.
+    Spectrum mean() const;
+
+    /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from
+    /// its spread between realizations. Empty for K = 1.
+    std::vector<double> radial_errors() const;
+
+    /// The radially averaged power of each realization, in the bins of radial_statistics() one sample wide.
+    const std::vector<std::vector<double>>& radial_curves() const { return radial_curves_; }
+
+    /// The periodogram of the last realization.
+    const HalfSpectrum& last_periodogram() const { return periodogram_; }
+
+    /// For cereal: what was added, into an estimate that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(points_, power_, radial_, radial_curves_);
+    }
+
+private:
+    void check(const std::string& name, int dimension, std::size_t points);
+    void compute_periodogram(const PointSet& points);
+
+    int dimension_, size_;
+    bool sizes_vary_;
+    PeriodogramMethod method_;
+    double bin_width_;
+    std::size_t points_ = 0; ///< of the first realization
+    HalfSpectrum periodogram_; ///< of the last realization
+    RunningMoments power_;   ///< of each frequency's power
+    RunningMoments radial_;  ///< of each bin's mean power
+    std::vector<std::vector<double>> radial_curves_;
+    std::unique_ptr<FastPeriodogram> fast_;
+};
+
+/// The periodogram of one set on M x M (x M) integer frequencies, by the exact sum: every transform value is
+/// within 1e-11 N of it (in practice 1e-14 N). Separable phases make it a product of matrices over one
+/// quadrant of frequencies. Coordinates must lie in [0, 1); `size` must be even and positive, the set not
+/// empty (std::invalid_argument). Any number of threads gives the same bytes; OpenBLAS is set to one thread.
+std::vector<double> exact_periodogram(const PointSet& points, int size);
+
+}

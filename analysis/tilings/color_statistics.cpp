@@ -1,0 +1,136 @@
+#include "analysis/tilings/color_statistics.hpp"
+
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <fftw3.h>
+
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <stdexcept>
+
+namespace poissonlab {
+
+namespace {
+
+struct FftwDeleter
+{
+    void operator()(void* pointer) const { fftw_free(pointer); }
+};
+
+struct PlanDeleter
+{
+    void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
+};
+
+using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
+
+/// How many pairs of places at each displacement have the same colour: the sum over colours of the
+/// autocorrelation of each one's indicator, on a grid large enough that displacements do not wrap around.
+class AgreementGrid
+{
+public:
+    AgreementGrid(const ColorField& field, int lags)
+        : width_(field.width + static_cast<std::size_t>(lags)),
+          height_(field.height() + static_cast<std::size_t>(lags)), columns_(width_ / 2 + 1),
+          values_(fftw_alloc_real(height_ * width_)), transform_(fftw_alloc_complex(height_ * columns_)),
+          powers_(height_ * columns_),
+          forward_(fftw_plan_dft_r2c_2d(static_cast<int>(height_), static_cast<int>(width_), values_.get(),
+                                        transform_.get(), FFTW_ESTIMATE)),
+          backward_(fftw_plan_dft_c2r_2d(static_cast<int>(height_), static_cast<int>(width_),
+                                         transform_.get(), values_.get(), FFTW_ESTIMATE))
+    {
+        for (std::uint32_t color = 0; color < field.colors; ++color) add_power_of(field, color);
+        for (std::size_t i = 0; i < powers_.size(); ++i) {
+            transform_.get()[i][0] = powers_[i];
+            transform_.get()[i][1] = 0;
+        }
+        fftw_execute(backward_.get());
+    }
+
+    /// Displacements from (-lags, -lags); counts are whole numbers, the transform's rounding is far below
+    /// 1/2.
+    double pairs(int dx, int dy) const
+    {
+        const auto x = dx < 0 ? width_ - static_cast<std::size_t>(-dx) : static_cast<std::size_t>(dx);
+        const auto y = dy < 0 ? height_ - static_cast<std::size_t>(-dy) : static_cast<std::size_t>(dy);
+        return std::round(values_.get()[y * width_ + x] / static_cast<double>(width_ * height_));
+    }
+
+private:
+    void add_power_of(const ColorField& field, std::uint32_t color)
+    {
+        std::fill_n(values_.get(), height_ * width_, 0.0);
+        for (std::size_t i = 0; i < field.values.size(); ++i)
+            if (field.values[i] == color) values_.get()[i / field.width * width_ + i % field.width] = 1;
+        fftw_execute(forward_.get());
+        for (std::size_t i = 0; i < powers_.size(); ++i) {
+            const double re = transform_.get()[i][0], im = transform_.get()[i][1];
+            powers_[i] += re * re + im * im;
+        }
+    }
+
+    std::size_t width_, height_, columns_;
+    std::unique_ptr<double, FftwDeleter> values_;
+    std::unique_ptr<fftw_complex, FftwDeleter> transform_;
+    std::vector<double> powers_;
+    Plan forward_, backward_;
+};
+
+}
+
+FrequencyTest test_frequencies(std::span<const std::uint64_t> counts)
+{
+    double total = 0;
+    for (const std::uint64_t count : counts) total += static_cast<double>(count);
+    if (counts.size() < 2 || total == 0) return {};
+    const double mean = total / static_cast<double>(counts.size());
+    FrequencyTest test;
+    for (const std::uint64_t count : counts) {
+        const double difference = static_cast<double>(count) - mean;
+        test.chi_square += difference * difference / mean;
+    }
+    test.p_value = boost::math::gamma_q(0.5 * static_cast<double>(counts.size() - 1), 0.5 * test.chi_square);
+    return test;
+}
+
+std::vector<std::uint64_t> color_counts(const ColorField& field)
+{
+    std::vector<std::uint64_t> counts(field.colors);
+    for (const std::uint8_t color : field.values) ++counts.at(color);
+    return counts;
+}
+
+ColorAutocorrelation color_autocorrelation(const ColorField& field, int lags)
+{
+    const auto reach = static_cast<std::size_t>(lags);
+    if (lags < 0 || reach >= field.width || reach >= field.height())
+        throw std::invalid_argument("color_autocorrelation: lags must be below width and height");
+    const AgreementGrid agreement(field, lags);
+    const double share = 1.0 / field.colors;
+    ColorAutocorrelation result;
+    result.lags = lags;
+    result.largest_at = {0, 0};
+    for (int dy = -lags; dy <= lags; ++dy)
+        for (int dx = -lags; dx <= lags; ++dx) {
+            const double n = static_cast<double>(field.width - static_cast<std::size_t>(std::abs(dx))) *
+                             static_cast<double>(field.height() - static_cast<std::size_t>(std::abs(dy)));
+            const bool middle = dx == 0 && dy == 0;
+            const double z =
+                middle ? 0 : (agreement.pairs(dx, dy) - n * share) / std::sqrt(n * share * (1 - share));
+            result.z.push_back(z);
+            if (dy >= 0 && std::abs(z) > result.largest) {
+                result.largest = std::abs(z);
+                result.largest_at = {dx, dy};
+            }
+        }
+    // Opposite displacements have the same value.
+    const double displacements = 0.5 * (static_cast<double>(result.z.size()) - 1);
+    if (displacements > 0) {
+        const double p = -std::expm1(std::log1p(-0.01) / displacements);
+        result.bound = boost::math::quantile(boost::math::complement(boost::math::normal(), p / 2));
+    }
+    return result;
+}
+
+}

@@ -1,0 +1,69 @@
+// poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
+#include "base/errors/errors.hpp"
+#include "app/commands/commands.hpp"
+#include "base/programs/interrupt.hpp"
+#include "base/points/point_file.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+#include "host/tile_points/tile_points.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension)
+{
+    const std::string option = fmt::format("tiles points: --window {}", fmt::join(numbers, " "));
+    const auto axes = static_cast<std::size_t>(dimension);
+    if (numbers.size() != 2 * axes)
+        throw InputError(fmt::format("{}: must be {}", option, dimension == 3 ? "X Y Z W H D" : "X Y W H"));
+    TileBlock block;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        const std::int64_t size = numbers[axes + axis];
+        if (numbers[axis] < INT32_MIN || numbers[axis] > INT32_MAX || size < 1 || size > UINT32_MAX)
+            throw InputError(option + ": places have 32 bits, and sizes are at least 1");
+        block.lowest[axis] = static_cast<std::int32_t>(numbers[axis]);
+        block.size[axis] = static_cast<std::uint32_t>(size);
+    }
+    check(block, dimension);
+    return block;
+}
+
+/// What the file says of itself; the domain is the square (cube) that the window fits into.
+std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
+{
+    return fmt::format(
+        "domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
+        "lowest corner of the window",
+        std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
+        options.seed);
+}
+
+}
+
+void tiles_points_command(const TilesPointsOptions& options)
+{
+    const PoissonTileSet tiles = read_tile_set(options.file);
+    const PoissonTileParameters& p = tiles.parameters;
+    const TileBlock block = checked_window(options.window, p.dimension);
+    const Device device = Device::open(options.device);
+    check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
+    TilePointGenerator generator(device, tiles);
+    std::vector<double> coordinates;
+    write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile,
+                           comment_of(options, block), [&](const PointSink& sink) {
+                               generator.stream({options.seed, 0}, block,
+                                                [&](std::span<const std::uint32_t> units) {
+                                                    stop_if_interrupted();
+                                                    coordinates.clear();
+                                                    for (const std::uint32_t unit : units)
+                                                        coordinates.push_back(unit / 65536.0);
+                                                    sink(coordinates);
+                                                });
+                           });
+}
+
+}

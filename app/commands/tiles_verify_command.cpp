@@ -1,0 +1,143 @@
+// poissonlab tiles verify: what a tile set file holds, and what is proven of its tilings.
+//
+// The densities in the regions are those of Lagae, Tile-Based Methods in Computer Graphics, 2007,
+// figure 6.24.
+#include "base/errors/errors.hpp"
+#include "app/commands/commands.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace poissonlab {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What a file says, without its points, and what is proven.
+struct Verification
+{
+    std::string file;
+    PoissonTileParameters parameters;
+    std::uint64_t stored_squared_distance = 0;
+    TileCertificate certificate;
+};
+
+Verification verify(const std::filesystem::path& file)
+{
+    const PoissonTileSet set = read_tile_set(file);
+    try {
+        return {file.string(), set.parameters, set.squared_min_distance, certify(set)};
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+/// In tiles.
+double distance_of(std::uint64_t squared_distance)
+{
+    return std::sqrt(static_cast<double>(squared_distance)) / tile_units;
+}
+
+/// What the regions of cells of a dimension are called.
+std::string region_name(int cell_dimension, int dimension)
+{
+    if (cell_dimension == dimension) return "interior";
+    constexpr std::array names{"corners", "edges", "faces"};
+    return names[static_cast<std::size_t>(cell_dimension)];
+}
+
+std::string described_guarantee(const Verification& v)
+{
+    const std::uint64_t proven = v.certificate.squared_min_distance;
+    if (v.stored_squared_distance == 0) return "none";
+    return fmt::format("{:.6f}: {}", relative_radius_of(v.stored_squared_distance, v.parameters),
+                       v.stored_squared_distance == proven  ? "what is proven"
+                       : v.stored_squared_distance < proven ? "less than is proven"
+                                                            : "MORE than is proven");
+}
+
+void print_summary(const Verification& v)
+{
+    const PoissonTileParameters& p = v.parameters;
+    const TileCertificate& c = v.certificate;
+    const auto line = [](const std::string& name, const std::string& value) {
+        fmt::print("{:<22}{}\n", name, value);
+    };
+    line("kind", kind_name(p));
+    if (p.kind != PoissonTileKind::frame) line("colours", std::to_string(p.colors));
+    line("tiles", std::to_string(c.tiles));
+    line("points per tile", std::to_string(c.points_per_tile));
+    line("relative radius",
+         fmt::format("{:.6f} proven, {:.6f} asked for", c.relative_radius, p.relative_radius));
+    line("minimum distance", fmt::format("{:.6f} tiles", distance_of(c.squared_min_distance)));
+    line("stored guarantee", described_guarantee(v));
+    line(p.dimension == 2 ? "largest empty circle" : "largest empty sphere",
+         fmt::format("radius at most {:.6f} tiles, {:.4f} minimum distances", c.largest_empty_radius,
+                     c.largest_empty_radius_in_min_distances));
+    fmt::print("\n{:<22}{:>8}{:>10}{:>8}{:>10}\n", "points of a tile near", "min", "mean", "max", "density");
+    for (int i = 0; i <= p.dimension; ++i) {
+        const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
+        fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{:>10.4f}\n", region_name(i, p.dimension), r.min, r.mean, r.max,
+                   r.density);
+    }
+}
+
+void print_json(const Verification& v)
+{
+    const PoissonTileParameters& p = v.parameters;
+    const TileCertificate& c = v.certificate;
+    Json json{{"file", v.file},
+              {"kind", kind_name(p)},
+              {"dimension", p.dimension},
+              {"colors", p.colors},
+              {"tiles", c.tiles},
+              {"points_per_tile", c.points_per_tile},
+              {"relative_radius", c.relative_radius},
+              {"asked_relative_radius", p.relative_radius},
+              {"min_distance", distance_of(c.squared_min_distance)},
+              {"squared_min_distance", c.squared_min_distance},
+              {"stored_squared_min_distance", v.stored_squared_distance},
+              {"largest_empty_radius", c.largest_empty_radius},
+              {"largest_empty_radius_in_min_distances", c.largest_empty_radius_in_min_distances}};
+    for (int i = 0; i <= p.dimension; ++i) {
+        const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
+        json["regions"][region_name(i, p.dimension)] = {
+            {"min", r.min}, {"mean", r.mean}, {"max", r.max}, {"density", r.density}};
+    }
+    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+/// Throws InputError where the file promises more than is proven.
+void check_promises(const Verification& v)
+{
+    const std::uint64_t proven = v.certificate.squared_min_distance;
+    if (v.stored_squared_distance > proven)
+        throw InputError(
+            fmt::format("{}: guarantees a squared minimum distance of {}: must be at most {}, which is "
+                        "proven",
+                        v.file, v.stored_squared_distance, proven));
+    if (proven < asked_squared_distance(v.parameters))
+        throw InputError(fmt::format("{}: relative_radius = {}: must be at most {:.6f}, which is proven",
+                                     v.file, v.parameters.relative_radius,
+                                     std::floor(v.certificate.relative_radius * 1e6) / 1e6));
+}
+
+}
+
+void tiles_verify_command(const TilesVerifyOptions& options)
+{
+    const Verification verification = verify(options.file);
+    if (options.json)
+        print_json(verification);
+    else
+        print_summary(verification);
+    check_promises(verification);
+}
+
+}

@@ -1,0 +1,58 @@
+#include "base/files/json_file.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+constexpr int deepest = 64;
+
+/// The line of a byte, both counted from 1.
+int line_of(std::string_view text, std::size_t byte)
+{
+    const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+    return static_cast<int>(std::ranges::count(before, '\n')) + 1;
+}
+
+/// What the library says without its own names: "[json.exception.parse_error.101] parse error at line 1, column 2:
+/// syntax error while parsing value - unexpected ...".
+std::string reason(std::string_view what)
+{
+    for (const std::string_view before : {" - ", "] "})
+        if (const std::size_t at = what.find(before); at != what.npos) {
+            what.remove_prefix(at + before.size());
+            break;
+        }
+    return shortened(what, 200);
+}
+
+}
+
+nlohmann::json read_json_file(const std::filesystem::path& file)
+{
+    return parsed_json(read_whole_file(file), file.string());
+}
+
+nlohmann::json parsed_json(std::string_view text, const std::string& name)
+{
+    const auto not_too_deep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+        if (depth > deepest)
+            throw InputError(fmt::format("{}: lists and objects lie more than {} deep in one another", name, deepest));
+        return true;
+    };
+    try {
+        return nlohmann::json::parse(text, not_too_deep);
+    } catch (const nlohmann::json::parse_error& error) {
+        throw InputError(fmt::format("{}:{}: is not JSON: {}", name, line_of(text, error.byte), reason(error.what())));
+    } catch (const nlohmann::json::out_of_range& error) { // a number that no double holds
+        throw InputError(fmt::format("{}: is not JSON: {}", name, reason(error.what())));
+    }
+}
+
+}

@@ -1,0 +1,217 @@
+#include "base/files/whole_file.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/leftovers.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace poissonlab {
+
+namespace {
+
+using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+std::string last_system_error() { return std::generic_category().message(errno); }
+
+constexpr std::string_view temporary_mark = ".tmp";
+
+/// A name beside `path` that no other thread or process uses, hidden, with the same extension.
+std::filesystem::path temporary_beside(const std::filesystem::path& path)
+{
+    static std::atomic<unsigned> counter = 0;
+    const std::string name = fmt::format(".{}.{}-{}{}{}", path.stem().string(), ::getpid(), ++counter,
+                                         temporary_mark, path.extension().string());
+    return path.parent_path() / name;
+}
+
+/// The process that has made up this name in temporary_beside(); 0: it is no such name.
+pid_t maker_of(const std::filesystem::path& file)
+{
+    const std::string whole = file.filename().string();
+    std::string_view name = whole;
+    const std::size_t mark = name.rfind(temporary_mark);
+    if (!name.starts_with('.') || mark == std::string_view::npos) return 0;
+    const std::string_view extension = name.substr(mark + temporary_mark.size());
+    if (!extension.empty() && (extension[0] != '.' || extension.find('.', 1) != std::string_view::npos)) return 0;
+    name = name.substr(0, mark);
+    name.remove_prefix(name.rfind('.') + 1); // there is a dot: the first character
+
+    pid_t process = 0;
+    unsigned count = 0;
+    const char* const end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data(), end, process);
+    if (error != std::errc() || process <= 0 || stop == end || *stop != '-') return 0;
+    const auto [last, count_error] = std::from_chars(stop + 1, end, count);
+    return count_error == std::errc() && last == end ? process : 0;
+}
+
+/// On this machine, whoever runs it.
+bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
+
+bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::file_time_type oldest)
+{
+    std::error_code unknown;
+    const pid_t maker = maker_of(entry.path());
+    return maker != 0 && entry.symlink_status(unknown).type() == std::filesystem::file_type::regular &&
+           entry.last_write_time(unknown) <= oldest && !unknown && !is_running(maker);
+}
+
+/// Removes the temporary file at the end of the scope, unless it was renamed by then.
+class TemporaryFile
+{
+public:
+    explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
+    {
+        Leftovers::instance().add(path_);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() { Leftovers::instance().remove(path_); }
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Throws StorageError. Names `target`, the file that the user knows of, not `file`.
+void write_content(const std::filesystem::path& file, const std::filesystem::path& target,
+                   const std::function<void(const FileSink& sink)>& write)
+{
+    const auto fail = [&target] {
+        throw StorageError(fmt::format("{}: cannot be written: {}", target.string(), last_system_error()));
+    };
+    FileHandle handle(std::fopen(file.c_str(), "wb"), &std::fclose);
+    if (!handle) fail();
+    write([&](std::string_view bytes) {
+        if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) fail();
+    });
+    // What is still buffered is written here, so a full disk may show up only now.
+    if (std::fclose(handle.release()) != 0) fail();
+}
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why)
+{
+    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), why));
+}
+
+/// Devices such as /dev/zero never end; what is typed in a terminal does.
+void check_that_it_ends(const std::filesystem::path& path, const struct stat& info, std::FILE* handle)
+{
+    const bool is_device = S_ISBLK(info.st_mode) || (S_ISCHR(info.st_mode) && ::isatty(::fileno(handle)) == 0);
+    if (is_device) throw InputError(fmt::format("{}: is a device, not a file", path.string()));
+}
+
+/// The rest of an open file. The size is a hint only: pipes have none, and a file may grow while it is read; but not
+/// without end.
+std::string content_of(const std::filesystem::path& path, const struct stat& info, std::FILE* handle)
+{
+    constexpr std::size_t chunk = 1 << 16;
+    constexpr std::size_t most_growth = std::size_t{4} << 30;
+    const auto size = S_ISREG(info.st_mode) ? static_cast<std::size_t>(info.st_size) : 0;
+    std::string content;
+    content.reserve(size + chunk);
+    for (bool more = true; more;) {
+        const std::size_t end = content.size();
+        if (end > size && end - size > most_growth)
+            throw InputError(fmt::format("{}: gives more than {} GiB, and no end: only a file may have more",
+                                         path.string(), most_growth >> 30));
+        content.resize(end + chunk);
+        const std::size_t got = std::fread(content.data() + end, 1, chunk, handle);
+        content.resize(end + got);
+        more = got == chunk;
+    }
+    if (std::ferror(handle) != 0) fail_to_read(path, last_system_error());
+    return content;
+}
+
+}
+
+void write_whole_file(const std::filesystem::path& path, std::string_view content)
+{
+    write_whole_file_in_pieces(path, [&](const FileSink& sink) { sink(content); });
+}
+
+void write_whole_file_in_pieces(const std::filesystem::path& path,
+                                const std::function<void(const FileSink& sink)>& write)
+{
+    write_whole_file(path,
+                     [&](const std::filesystem::path& temporary) { write_content(temporary, path, write); });
+}
+
+void write_whole_file(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& write)
+{
+    const TemporaryFile temporary(path);
+    write(temporary.path());
+
+    std::error_code error;
+    std::filesystem::rename(temporary.path(), path, error);
+    if (error) throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+}
+
+void remove_temporary_files() noexcept
+{
+    try {
+        Leftovers::instance().clear();
+    } catch (const std::exception&) {
+        // What stays is removed by the next run.
+    }
+}
+
+void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,
+                                  const std::filesystem::path& except) noexcept
+{
+    namespace fs = std::filesystem;
+    try {
+        const auto oldest = fs::file_time_type::clock::now() - age;
+        std::error_code error;
+        constexpr auto options = fs::directory_options::skip_permission_denied; // links to folders are not followed
+        for (fs::recursive_directory_iterator entry(folder, options, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (entry->path().filename() == except) entry.disable_recursion_pending();
+            std::error_code ignored;
+            if (is_stale(*entry, oldest)) fs::remove(entry->path(), ignored);
+        }
+    } catch (const std::exception&) {
+        // They cost space only.
+    }
+}
+
+std::string read_whole_file(const std::filesystem::path& path)
+{
+    const FileHandle handle(std::fopen(path.c_str(), "rb"), &std::fclose);
+    struct stat info{};
+    if (!handle || ::fstat(::fileno(handle.get()), &info) != 0) fail_to_read(path, last_system_error());
+    check_that_it_ends(path, info, handle.get());
+    try {
+        return content_of(path, info, handle.get());
+    } catch (const std::bad_alloc&) {
+        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
+    } catch (const std::length_error&) { // of a size that no text can have
+        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
+    }
+}
+
+bool is_no_lasting_file(const std::filesystem::path& path)
+{
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    return !error && std::filesystem::is_other(status);
+}
+
+}

@@ -1,0 +1,122 @@
+#include "base/points/point_file.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/points/point_file_formats.hpp"
+#include "base/files/text_lines.hpp"
+#include "base/files/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+bool is_printable(char c) { return c >= ' ' && c <= '~'; }
+
+/// `text` fit for one line of an error message: printable and not too long.
+std::string shown(std::string_view text)
+{
+    constexpr std::size_t longest = 40;
+    std::string result(text.substr(0, longest));
+    for (char& c : result) {
+        if (!is_printable(c)) c = '?';
+    }
+    if (text.size() > longest) result += "...";
+    return result;
+}
+
+/// What a coordinate that is none should have been.
+std::string allowed_coordinate(double value, const CoordinateRange& range)
+{
+    const std::string allowed = fmt::format("must be a number in [{}, {})", range.low, range.high);
+    if (value == range.high)
+        return allowed + fmt::format(", without {0} itself (on the torus, {0} is {1})", range.high, range.low);
+    return allowed;
+}
+
+bool is_number(std::string_view word)
+{
+    double value = 0;
+    return parse_number(word, value);
+}
+
+/// The range that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
+CoordinateRange declared_range(const PointFileContent& file)
+{
+    for (LineReader lines(file.bytes); lines.next();) {
+        WordReader words(lines.line());
+        const bool has_word = words.next();
+        const std::string_view first = has_word ? words.word() : std::string_view{};
+        if (first == "end_header" || (has_word && is_number(first))) break;
+        if ((first != "#" && first != "comment") || !words.next() || words.word() != "domain") continue;
+        const std::string_view text = words.next() ? words.word() : std::string_view{};
+        if (const auto range = parse_range(text)) return *range;
+        fail_in_point_file(file, lines.number(), text, "a domain is LOW:HIGH, two numbers, the first smaller");
+    }
+    return {};
+}
+
+}
+
+std::optional<CoordinateRange> parse_range(std::string_view text)
+{
+    CoordinateRange range;
+    const std::size_t colon = text.find(':');
+    if (colon != std::string_view::npos && !parse_number(text.substr(0, colon), range.low)) return {};
+    if (!parse_number(colon == std::string_view::npos ? text : text.substr(colon + 1), range.high)) return {};
+    // Their difference must be a number, too.
+    if (!(range.low < range.high) || !std::isfinite(range.high - range.low)) return {};
+    return range;
+}
+
+double to_unit(double value, const CoordinateRange& range)
+{
+    // The quotient can round to 1.
+    return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
+}
+
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range)
+{
+    const std::string content = read_whole_file(path);
+    PointFileContent file{path.string(), content};
+    const bool is_npy = file.bytes.starts_with(npy_magic);
+    file.range = range ? *range : is_npy ? CoordinateRange{} : declared_range(file);
+    if (is_npy) return read_npy_points(file);
+    LineReader lines(file.bytes);
+    if (lines.next() && trimmed(lines.line()) == ply_magic) return read_ply_points(file);
+    return read_text_points(file);
+}
+
+void append_coordinate(const PointFileContent& file, int line, std::string_view word,
+                       std::vector<double>& coordinates)
+{
+    double value = 0;
+    if (!parse_number(word, value)) {
+        if (!std::ranges::all_of(word, is_printable)) {
+            fail_in_point_file(file, line, word, "not text; a point file is text, PLY or NumPy (.npy)");
+        }
+        fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
+                           allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +
+                               "; a line that is not a point starts with `# `");
+    }
+    if (!is_coordinate(value, file.range)) fail_in_point_file(file, line, word, allowed_coordinate(value, file.range));
+    coordinates.push_back(to_unit(value, file.range));
+}
+
+void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value)
+{
+    throw InputError(
+        fmt::format("{}: byte {}: {}: {}", file.name, offset, value, allowed_coordinate(value, file.range)));
+}
+
+void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,
+                        std::string_view allowed)
+{
+    throw InputError(
+        fmt::format("{}: {}: {}", to_string(SourceLocation{file.name, line}), shown(value), allowed));
+}
+
+}

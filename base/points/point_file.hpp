@@ -1,0 +1,56 @@
+// Point sets as files: text, PLY and NumPy, told apart by their first bytes, not by their names.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poissonlab {
+
+/// A square or cubic domain: the same half-open range [low, high) of coordinates along every axis.
+struct CoordinateRange
+{
+    double low = 0;
+    double high = 1;
+};
+
+/// The range that `LOW:HIGH` says, or `HIGH` for 0:HIGH, such as "512" or "-1:1". Nothing for any other text, and where
+/// LOW is not below HIGH.
+std::optional<CoordinateRange> parse_range(std::string_view text);
+
+/// Reads the point sets of a file, one a realization. Coordinates are in `range`; when that is not given, in the range
+/// that the file declares by a comment `domain LOW:HIGH` before its points, or else in [0, 1). They are mapped
+/// to [0, 1).
+///
+/// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
+/// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
+/// the number of points alone (as for psa), which must be right then.
+/// PLY: ascii and binary (either byte order), vertex properties x, y and, where not all zero, z.
+/// NPY: float32 or float64 (either byte order), shape (N, 2), (N, 3), (K, N, 2) or (K, N, 3), C or Fortran
+/// order.
+///
+/// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
+/// number in its range, lines of unequal length, truncated files.
+std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
+
+/// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
+/// dimension), anything else text with 17 significant digits, so that reading back gives the same doubles.
+/// `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws StorageError.
+void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment = {});
+
+/// Takes whole points, coordinate after coordinate.
+using PointSink = std::function<void(std::span<const double> coordinates)>;
+
+/// The same for points that need not be in memory together, in any range of coordinates: calls `write` with what takes
+/// them, `points` points in all. `comment` may declare the range, as for read_points().
+void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
+                            const std::string& comment, const std::function<void(const PointSink& sink)>& write);
+
+}

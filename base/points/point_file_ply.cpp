@@ -1,0 +1,176 @@
+// Reads a point set from a PLY file, ascii or binary: the properties x, y and z of the element `vertex`.
+#include "base/points/ply_header.hpp"
+#include "base/points/point_file_formats.hpp"
+#include "base/files/text_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace poissonlab {
+
+namespace {
+
+/// The element `vertex`, and the columns of its coordinates.
+struct Vertices
+{
+    std::size_t element = 0; ///< index in the header
+    const PlyElement* table = nullptr;
+    std::vector<std::size_t> columns; ///< of x, y and, where there is one, z
+};
+
+Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
+{
+    const auto fail = [&file](std::string_view value, std::string_view allowed) {
+        fail_in_point_file(file, 0, value, allowed);
+    };
+    Vertices vertices;
+    const auto table = std::ranges::find(header.elements, "vertex", &PlyElement::name);
+    if (table == header.elements.end()) fail("PLY header", "must have an `element vertex`");
+    vertices.element = static_cast<std::size_t>(table - header.elements.begin());
+    vertices.table = &*table;
+
+    for (const char* axis : {"x", "y", "z"}) {
+        const auto property = std::ranges::find(table->properties, axis, &PlyProperty::name);
+        if (property != table->properties.end()) {
+            vertices.columns.push_back(static_cast<std::size_t>(property - table->properties.begin()));
+        } else if (*axis != 'z') {
+            fail("PLY header", "the element `vertex` must have the properties x and y");
+        }
+    }
+    if (table->has_lists) fail("PLY header", "the element `vertex` must not have lists");
+    if (table->count == 0) fail("no points", "the element `vertex` must have at least one row");
+    return vertices;
+}
+
+[[noreturn]] void fail_truncated(const PointFileContent& file, const PlyElement& table)
+{
+    fail_in_point_file(file, 0, fmt::format("element {} {}", table.name, table.count),
+                       "the file ends before it has that many rows");
+}
+
+/// Throws when a file of `bytes` cannot have the rows of a table, each `row_bytes` at least.
+/// Nothing is allocated for a count before it went through here.
+void check_room(const PointFileContent& file, const PlyElement& table, std::size_t bytes,
+                std::size_t row_bytes)
+{
+    if (row_bytes > 0 && table.count > bytes / row_bytes) fail_truncated(file, table);
+}
+
+/// Coordinates from the lines of an ascii body.
+std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& header,
+                               const Vertices& vertices)
+{
+    LineReader lines(header.body, header.lines);
+    const auto next_row = [&](const PlyElement& table) {
+        do {
+            if (!lines.next()) fail_truncated(file, table);
+        } while (trimmed(lines.line()).empty());
+    };
+
+    // Skip the tables before.
+    for (std::size_t e = 0; e < vertices.element; ++e) {
+        check_room(file, header.elements[e], header.body.size() + 1, 2);
+        for (std::size_t row = 0; row < header.elements[e].count; ++row) next_row(header.elements[e]);
+    }
+
+    // Each number takes two bytes at least, but for the last of a file without an end of line.
+    const std::size_t width = vertices.table->properties.size();
+    check_room(file, *vertices.table, lines.rest().size() + 1, 2 * width);
+    std::vector<double> coordinates;
+    coordinates.reserve(vertices.table->count * vertices.columns.size());
+    std::vector<std::string_view> row;
+    for (std::size_t i = 0; i < vertices.table->count; ++i) {
+        next_row(*vertices.table);
+        row.clear();
+        for (WordReader words(lines.line()); words.next();) row.push_back(words.word());
+        if (row.size() != width) {
+            fail_in_point_file(file, lines.number(), fmt::format("{} numbers", row.size()),
+                               fmt::format("must be {}, as the header says", width));
+        }
+        for (const std::size_t column : vertices.columns) {
+            append_coordinate(file, lines.number(), row[column], coordinates);
+        }
+    }
+
+    // Points that the header does not count would be lost without a word.
+    const bool last = vertices.element + 1 == header.elements.size();
+    while (last && lines.next()) {
+        if (!trimmed(lines.line()).empty()) {
+            fail_in_point_file(
+                file, lines.number(), lines.line(),
+                fmt::format("the header says that there are {} vertices", vertices.table->count));
+        }
+    }
+    return coordinates;
+}
+
+/// Coordinates from a binary body.
+std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& header,
+                                const Vertices& vertices)
+{
+    // Skip the tables before.
+    std::string_view body = header.body;
+    for (std::size_t e = 0; e < vertices.element; ++e) {
+        const PlyElement& table = header.elements[e];
+        if (table.has_lists) {
+            fail_in_point_file(file, 0, fmt::format("element {}", table.name),
+                               "an element with lists must come after the vertices in a binary file");
+        }
+        check_room(file, table, body.size(), table.row_bytes);
+        body.remove_prefix(table.count * table.row_bytes);
+    }
+
+    const std::size_t row_bytes = vertices.table->row_bytes;
+    check_room(file, *vertices.table, body.size(), row_bytes);
+    std::vector<double> coordinates;
+    coordinates.reserve(vertices.table->count * vertices.columns.size());
+    for (std::size_t i = 0; i < vertices.table->count; ++i) {
+        for (const std::size_t column : vertices.columns) {
+            const PlyProperty& property = vertices.table->properties[column];
+            const std::string_view bytes = body.substr(i * row_bytes + property.offset);
+            const double value = load_ply_value(bytes, property.type, header.byte_order);
+            if (!is_coordinate(value, file.range)) {
+                fail_coordinate_at_byte(file, file.bytes.size() - bytes.size(), value);
+            }
+            coordinates.push_back(to_unit(value, file.range));
+        }
+    }
+
+    const std::size_t left = body.size() - vertices.table->count * row_bytes;
+    if (vertices.element + 1 == header.elements.size() && left > 0) {
+        fail_in_point_file(file, 0, fmt::format("{} bytes after the vertices", left),
+                           fmt::format("the header says that there are {} vertices", vertices.table->count));
+    }
+    return coordinates;
+}
+
+/// Points in the plane often have a z, which is 0.
+/// `zero`: what 0 became.
+PointSet without_zero_z(std::vector<double> xyz, double zero)
+{
+    for (std::size_t i = 2; i < xyz.size(); i += 3) {
+        if (xyz[i] != zero) return {3, std::move(xyz)};
+    }
+    PointSet plane{2, {}};
+    plane.coordinates.reserve(xyz.size() / 3 * 2);
+    for (std::size_t i = 0; i < xyz.size(); i += 3) {
+        plane.coordinates.insert(plane.coordinates.end(), {xyz[i], xyz[i + 1]});
+    }
+    return plane;
+}
+
+}
+
+std::vector<PointSet> read_ply_points(const PointFileContent& file)
+{
+    const PlyHeader header = read_ply_header(file);
+    const Vertices vertices = find_vertices(file, header);
+    std::vector<double> coordinates =
+        header.ascii ? read_ascii(file, header, vertices) : read_binary(file, header, vertices);
+    if (vertices.columns.size() == 3) return {without_zero_z(std::move(coordinates), to_unit(0, file.range))};
+    return {PointSet{2, std::move(coordinates)}};
+}
+
+}

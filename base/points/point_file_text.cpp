@@ -1,0 +1,117 @@
+// Reads point sets from text: one point a line, realizations separated by a line with `#` alone.
+#include "base/points/point_file_formats.hpp"
+#include "base/files/text_lines.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+namespace {
+
+/// Collects the points of a text file, and sees that they fit together.
+class TextPoints
+{
+public:
+    explicit TextPoints(const PointFileContent& file) : file_(file) {}
+
+    void add_line(std::string_view line, int number)
+    {
+        const std::string_view text = trimmed(line);
+        if (text.empty()) return;
+        if (text == "#") {
+            end_realization(number);
+        } else if (text.front() != '#') {
+            add_point(text, number);
+        }
+    }
+
+    std::vector<PointSet> finish()
+    {
+        if (!current_.empty()) store();
+        check_announced_number();
+        if (sets_.empty()) {
+            fail_in_point_file(file_, 0, "no points",
+                               fmt::format("must have one point a line, 2 or 3 coordinates in [{}, {})",
+                                           file_.range.low, file_.range.high));
+        }
+        return std::move(sets_);
+    }
+
+private:
+    void add_point(std::string_view text, int line)
+    {
+        if (is_announced_number(text)) {
+            announced_line_ = line;
+            announced_ = text;
+            return;
+        }
+        const std::size_t before = current_.size();
+        for (WordReader words(text); words.next();) append_coordinate(file_, line, words.word(), current_);
+        const auto count = static_cast<int>(current_.size() - before);
+
+        if (count != 2 && count != 3) {
+            fail_in_point_file(file_, line, fmt::format("{} coordinate{}", count, count == 1 ? "" : "s"),
+                               "a point has 2 or 3; a line that is not a point starts with `# `");
+        }
+        if (dimension_ == 0) dimension_ = count;
+        if (count != dimension_) {
+            fail_in_point_file(file_, line, fmt::format("{} coordinates", count),
+                               fmt::format("must be {}, as on the lines before", dimension_));
+        }
+    }
+
+    /// The number of points alone, before all of them.
+    bool is_announced_number(std::string_view text) const
+    {
+        return current_.empty() && sets_.empty() && announced_.empty() &&
+               text.find_first_not_of("0123456789") == text.npos;
+    }
+
+    void check_announced_number() const
+    {
+        if (announced_.empty()) return;
+        const std::size_t points = sets_.empty() ? 0 : sets_.front().size();
+        if (sets_.size() < 2 && announced_ == std::to_string(points)) return;
+        fail_in_point_file(file_, announced_line_, announced_,
+                           sets_.size() < 2 ? fmt::format("is not the number of points, which is {}", points)
+                                            : "the number of points can only be in a file of one set");
+    }
+
+    /// A separator is allowed before the first and after the last realization, too.
+    void end_realization(int line)
+    {
+        if (current_.empty() && !sets_.empty()) {
+            fail_in_point_file(file_, line, "#", "there must be points between two lines with `#` alone");
+        }
+        if (!current_.empty()) store();
+    }
+
+    void store()
+    {
+        sets_.push_back({dimension_, std::move(current_)});
+        current_ = {};
+    }
+
+    const PointFileContent& file_;
+    std::vector<PointSet> sets_;
+    std::vector<double> current_;
+    int dimension_ = 0;
+    std::string_view announced_; ///< the number of points, as the file says
+    int announced_line_ = 0;
+};
+
+}
+
+std::vector<PointSet> read_text_points(const PointFileContent& file)
+{
+    // Editors of some systems put a byte order mark in front.
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    std::string_view text = file.bytes;
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+
+    TextPoints points(file);
+    for (LineReader lines(text); lines.next();) points.add_line(lines.line(), lines.number());
+    return points.finish();
+}
+
+}

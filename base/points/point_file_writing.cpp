@@ -1,0 +1,115 @@
+// Writes point sets as text, PLY or NumPy.
+#include "base/points/point_file.hpp"
+#include "base/points/point_file_formats.hpp"
+#include "base/files/text_lines.hpp"
+#include "base/files/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <iterator>
+
+namespace poissonlab {
+
+namespace {
+
+/// The lines of `comment`, each with `prefix` in front. Empty lines are left out: in text, `#` alone
+/// separates.
+void append_comment(fmt::memory_buffer& out, std::string_view prefix, std::string_view comment)
+{
+    for (LineReader lines(comment); lines.next();) {
+        if (trimmed(lines.line()).empty()) continue;
+        fmt::format_to(std::back_inserter(out), "{} {}\n", prefix, lines.line());
+    }
+}
+
+/// One point a line, `line_end` after each. 17 significant digits tell every double from its neighbours.
+void append_points(fmt::memory_buffer& out, std::span<const double> coordinates, std::size_t dimension,
+                   std::string_view line_end)
+{
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        std::array<char, 32> text{};
+        const char* const end =
+            std::to_chars(text.data(), text.data() + text.size(), coordinates[i], std::chars_format::general, 17).ptr;
+        out.append(text.data(), end);
+        out.append((i + 1) % dimension == 0 ? line_end : " ");
+    }
+}
+
+/// Points as lines, in pieces: text takes more room than numbers.
+void write_lines(const FileSink& file, std::span<const double> coordinates, int dimension, std::string_view line_end)
+{
+    constexpr std::size_t points_per_piece = 4096;
+    const std::size_t axes = static_cast<std::size_t>(dimension);
+    fmt::memory_buffer out;
+    while (!coordinates.empty()) {
+        const auto piece = coordinates.first(std::min(coordinates.size(), points_per_piece * axes));
+        coordinates = coordinates.subspan(piece.size());
+        out.clear();
+        append_points(out, piece, axes, line_end);
+        file({out.data(), out.size()});
+    }
+}
+
+/// In 2D with a z that will be 0, because programs that show PLY files expect one.
+void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_view comment)
+{
+    out.append(std::string_view("ply\nformat ascii 1.0\n"));
+    append_comment(out, "comment", comment);
+    fmt::format_to(std::back_inserter(out),
+                   "element vertex {}\nproperty double x\nproperty double y\nproperty double z\nend_header\n",
+                   points);
+}
+
+void append_npy_header(fmt::memory_buffer& out, std::size_t points, int dimension)
+{
+    // The numbers start at a multiple of 64 bytes; blanks and an end of line fill the header up to there.
+    constexpr std::size_t alignment = 64;
+    constexpr std::size_t before_header = npy_magic.size() + 2 + 2;
+    std::string header =
+        fmt::format("{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}, {}), }}",
+                    std::endian::native == std::endian::little ? '<' : '>', points, dimension);
+    const std::size_t unpadded = before_header + header.size() + 1;
+    header.append((alignment - unpadded % alignment) % alignment, ' ');
+    header += '\n';
+
+    out.append(npy_magic);
+    const auto version = std::string_view("\x01\x00", 2);
+    out.append(version);
+    out.push_back(static_cast<char>(header.size() % 256));
+    out.push_back(static_cast<char>(header.size() / 256));
+    out.append(header);
+}
+
+}
+
+void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment)
+{
+    write_points_in_pieces(path, points.dimension, points.size(), comment,
+                           [&](const PointSink& sink) { sink(points.coordinates); });
+}
+
+void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
+                            const std::string& comment, const std::function<void(const PointSink& sink)>& write)
+{
+    const bool is_ply = path.extension() == ".ply";
+    const bool is_npy = path.extension() == ".npy";
+    fmt::memory_buffer header;
+    if (is_ply) append_ply_header(header, points, comment);
+    if (is_npy) append_npy_header(header, points, dimension);
+    if (!is_ply && !is_npy) append_comment(header, "#", comment);
+
+    const std::string_view line_end = is_ply && dimension == 2 ? " 0\n" : "\n";
+    write_whole_file_in_pieces(path, [&](const FileSink& file) {
+        file({header.data(), header.size()});
+        write([&](std::span<const double> coordinates) {
+            if (is_npy) file({reinterpret_cast<const char*>(coordinates.data()), coordinates.size_bytes()});
+            if (!is_npy) write_lines(file, coordinates, dimension, line_end);
+        });
+    });
+}
+
+}

@@ -1,0 +1,94 @@
+#include "host/config/config.hpp"
+
+#include "host/config/config_values.hpp"
+#include "host/config/overrides.hpp"
+#include "host/config/toml_reader.hpp"
+#include "base/files/whole_file.hpp"
+
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+void read_analysis(const ConfigTable& top, Config& config)
+{
+    const ConfigNode* node = find(top, "analysis");
+    if (!node) return;
+    const auto* table = node->get_if<ConfigTable>();
+    if (!table) throw invalid_node("analysis", *node, "must be a table, written [analysis]");
+    std::vector<std::string> keys = {"points", "realizations", "dimension", "timing_runs"};
+    keys.insert(keys.end(), analysis_option_keys().begin(), analysis_option_keys().end());
+    check_keys(*table, keys);
+    config.points = static_cast<std::size_t>(
+        read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
+    config.realizations =
+        static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
+    config.timing_runs =
+        static_cast<int>(read_integer(*table, "timing_runs", 1, max_timing_runs, config.timing_runs));
+    config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
+    config.analysis = read_analysis_options(*table, config.dimension);
+}
+
+MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
+{
+    const auto* table = node.get_if<ConfigTable>();
+    if (!table) throw invalid_node("method", node, "must be a table, written [[method]]");
+    MethodConfig method;
+    method.where = node.location;
+    method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
+    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points"}, registry, 0);
+    if (const ConfigNode* points = find(*table, "points"))
+        method.settings.insert(method.settings.begin(),
+                               {&points_parameter(), parameter_choices(points_parameter(), *points)});
+    method.label = read_text(*table, "label", "");
+    return method;
+}
+
+void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
+{
+    const ConfigNode* node = find(top, "method");
+    if (!node && config.tilings.empty() && config.constructions.empty())
+        throw InputError(config.file + ": no [[method]] table: a config needs at least one");
+    if (!node) return;
+    const auto* list = node->get_if<ConfigList>();
+    if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
+    if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
+    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method, registry));
+}
+
+}
+
+Config parse_config(const std::string& text, const std::string& file,
+                    const std::vector<std::string>& overrides, const SamplerRegistry& registry)
+{
+    ConfigTable top = read_toml(text, file);
+    apply_overrides(top, overrides, registry);
+    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
+                     "include"});
+    if (const ConfigNode* include = find(top, "include"))
+        throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
+
+    Config config;
+    config.file = file;
+    config.text = text;
+    config.overrides = overrides;
+    config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
+    config.seed =
+        static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
+    if (is_second_word(top, "engine", {"opencl", "reference"})) config.engine = Engine::reference;
+    config.device = read_text(top, "device", "");
+    read_analysis(top, config);
+    config.tilings = read_tilings(top, config.seed);
+    config.constructions = read_constructions(top, config.seed);
+    read_methods(top, registry, config);
+    return config;
+}
+
+Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    if (std::filesystem::is_directory(file))
+        throw InputError(file.string() + ": is a folder; a config file (.toml) is needed");
+    return parse_config(read_whole_file(file), file.string(), overrides);
+}
+
+}

@@ -1,0 +1,66 @@
+// A config as a tree of values that know where they were written. No key has a meaning here yet.
+#pragma once
+
+#include "base/errors/errors.hpp"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace poissonlab {
+
+struct ConfigNode;
+struct ConfigEntry;
+
+/// Keys and values in the order of the file, so that the first mistake is reported first.
+using ConfigTable = std::vector<ConfigEntry>;
+using ConfigList = std::vector<ConfigNode>;
+
+/// Kinds of values that no key takes, such as dates; only their text matters, for messages.
+struct OtherValue
+{
+};
+
+struct ConfigNode
+{
+    std::variant<OtherValue, bool, std::int64_t, double, std::string, ConfigList, ConfigTable> value;
+    SourceLocation location; ///< file and line, or the --set argument
+    std::string text;        ///< single values: as typed (strings in quotes)
+
+    template <typename T>
+    const T* get_if() const
+    {
+        return std::get_if<T>(&value);
+    }
+    template <typename T>
+    T* get_if()
+    {
+        return std::get_if<T>(&value);
+    }
+};
+
+/// A key of a table with its value.
+struct ConfigEntry
+{
+    std::string key;
+    ConfigNode node;
+};
+
+/// The value of a key, or null.
+const ConfigNode* find(const ConfigTable& table, const std::string& key);
+ConfigNode* find(ConfigTable& table, const std::string& key);
+
+/// The value in a message: as typed, lists in brackets, tables as {...}; long ones are cut.
+std::string shown(const ConfigNode& node);
+
+/// The InputError for a key whose value is not allowed, at the value's own line.
+InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed);
+
+/// The InputError for a key that means nothing, with the nearest known key and the list of known keys.
+InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known);
+
+/// Refuses keys that mean nothing. Throws unknown_key for the first one.
+void check_keys(const ConfigTable& table, const std::vector<std::string>& known);
+
+}

@@ -1,0 +1,23 @@
+// Whether the device has memory for a plan: asked before work starts.
+#pragma once
+
+#include "host/device/device.hpp"
+#include "host/config/construction_table.hpp"
+#include "host/config/plan.hpp"
+
+#include <vector>
+
+namespace poissonlab {
+
+/// Throws InputError for the first series that does not fit on the device: which one, what it needs, what the device
+/// has, and how many points would fit. Point sets that come from files and programs may turn out larger than was asked
+/// for: their size is checked when they are there.
+void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& device);
+
+/// The same for constructions, which are made one batch of the same tiles after another.
+void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device);
+
+/// What each of several processes on a machine may take of a device, if all take the same.
+DeviceInfo share_of(DeviceInfo device, int processes);
+
+}

@@ -1,0 +1,53 @@
+// A stochastic tiling or a tile set as users ask for it, by names: what the command `tiling` and the tables
+// [[tiling]] and [[tile_set]] of a config have in common.
+#pragma once
+
+#include "tiles/tilings/cube_tiling.hpp"
+#include "tiles/tilings/tiling.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// "corner", "wang", "cube": TileKind of each.
+const std::vector<std::string>& tile_kind_names();
+TileKind tile_kind(std::size_t name);
+
+/// The tiling algorithms of a kind, the default first.
+const std::vector<std::string>& tiling_algorithms(TileKind kind);
+
+/// The tile sets of a kind, the default first: "complete"; "compact" (for scanlines); of Wang tiles also
+/// "one-hash", the compact set of that algorithm, and "corner", the set that is equivalent to the complete
+/// corner tile set.
+const std::vector<std::string>& tile_set_names(TileKind kind);
+
+struct TilingRequest
+{
+    TileKind kind = TileKind::corner;
+    Color colors = 2;
+    std::string algorithm = "direct"; ///< one of tiling_algorithms(kind)
+    HashKind hash = HashKind::long_period;
+    std::uint64_t seed = 1;
+    Period period;
+
+    bool is_scanline() const { return algorithm.starts_with("scanline"); }
+};
+
+/// A set of tile_set_names(kind). Throws InputError for numbers of colours that it cannot have.
+TileSet make_tile_set(TileKind kind, Color colors, const std::string& name);
+
+/// The set that the tiling takes its tiles from.
+TileSet tile_set_of(const TilingRequest& request);
+
+/// Wang and corner tiles. Throws InputError for what the tiling cannot have.
+Tiling make_direct_tiling(const TilingRequest& request);
+
+/// Hands the tiles of a window to `sink`, rows from north to south, west to east, long rows in pieces; of
+/// cubes, layers from the bottom to the top. Of a scanline tiling the window must be at (0, 0). Depth and z
+/// are those of cubes only. Throws InputError.
+void stream_tiles(const TilingRequest& request, const CubeWindow& window, const CubeSink& sink);
+
+}

@@ -1,0 +1,153 @@
+#include "host/config/tiling_table.hpp"
+
+#include "host/config/config_values.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+constexpr double largest_regions_2d = 0.2071; // octagons of neighbouring corners meet at (1 + sqrt 2) r = 1/2
+constexpr double largest_regions_3d = 0.1306; // and at (1 + 2 sqrt 2) r = 1/2
+constexpr std::int64_t max_paired_colors = 16;
+constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
+
+/// Whole numbers in a list of one of two lengths.
+std::vector<std::int64_t> read_integers(const ConfigTable& table, const std::string& key, std::size_t fewest,
+                                        std::size_t most, std::int64_t minimum, const char* allowed)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return {};
+    const auto* list = node->get_if<ConfigList>();
+    std::vector<std::int64_t> values;
+    if (list)
+        for (const ConfigNode& item : *list)
+            if (const auto* value = item.get_if<std::int64_t>(); value && *value >= minimum)
+                values.push_back(*value);
+    if (!list || values.size() != list->size() || values.size() < fewest || values.size() > most)
+        throw invalid_node(key, *node, std::string("must be ") + allowed);
+    return values;
+}
+
+CubeWindow read_window(const ConfigTable& table, TileKind kind)
+{
+    const bool cube = kind == TileKind::cube;
+    const auto w = read_integers(table, "window", cube ? 6 : 4, cube ? 6 : 4, -any - 1,
+                                 cube ? "[X, Y, Z, width, height, depth]" : "[X, Y, width, height]");
+    if (w.empty()) return cube ? CubeWindow{0, 0, 0, 4, 4, 4} : CubeWindow{0, 0, 0, 16, 16, 1};
+    const std::size_t axes = w.size() / 2;
+    std::uint64_t tiles = 1;
+    for (std::size_t i = axes; i < w.size(); ++i) {
+        const bool fits = w[i] >= 1 && static_cast<std::uint64_t>(w[i]) <= max_shown_tiles / tiles;
+        if (!fits)
+            throw invalid_node("window", *find(table, "window"),
+                               fmt::format("must have at least 1 tile along each axis, and at most {} in all",
+                                           max_shown_tiles));
+        tiles *= static_cast<std::uint64_t>(w[i]);
+    }
+    const auto size = [&](std::size_t axis) { return static_cast<std::uint64_t>(w[axes + axis]); };
+    return {w[0], w[1], cube ? w[2] : 0, size(0), size(1), cube ? size(2) : 1};
+}
+
+Period read_period(const ConfigTable& table, TileKind kind)
+{
+    const auto p = read_integers(table, "period", 1, kind == TileKind::cube ? 3 : 2, 0,
+                                 "a list of tiles along x, y (cubes: z), 0 for none");
+    Period period;
+    for (std::size_t i = 0; i < p.size(); ++i) (i == 0 ? period.x : i == 1 ? period.y : period.z) = p[i];
+    return period;
+}
+
+std::string default_label(const TilingConfig& config)
+{
+    const char* kind = config.request.kind == TileKind::wang     ? "Wang tiles"
+                       : config.request.kind == TileKind::corner ? "corner tiles"
+                                                                 : "corner cubes";
+    const Color colors = config.request.colors;
+    if (config.set == "corner")
+        return fmt::format("Wang tiles equivalent to corner tiles, {} colours", colors);
+    std::string label =
+        config.is_set() ? fmt::format("{} set of {}, {} colours", config.set, kind, colors)
+                        : fmt::format("{} tiling of {}, {} colours", config.request.algorithm, kind, colors);
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t seed)
+{
+    TilingConfig config;
+    TilingRequest& request = config.request;
+    request.kind = tile_kind(read_word(table, "kind", tile_kind_names()));
+    const bool cube = request.kind == TileKind::cube;
+    request.colors =
+        static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
+    request.seed = seed;
+    config.regions = read_number(table, "regions", 0, cube ? largest_regions_3d : largest_regions_2d, 0);
+    if (is_set) {
+        check_keys(table, {"kind", "colors", "tiles", "regions", "label"});
+        const auto& names = tile_set_names(request.kind);
+        config.set = names[read_word(table, "tiles", names)];
+        // Pairs of their colours are the colours of the edges.
+        if (config.set == "corner") read_integer(table, "colors", 2, max_paired_colors, 2);
+    } else {
+        check_keys(table, {"kind", "colors", "algorithm", "hash", "period", "window", "regions", "label"});
+        const auto& names = tiling_algorithms(request.kind);
+        request.algorithm = names[read_word(table, "algorithm", names)];
+        // The first word is the default; that of hash functions is another.
+        if (find(table, "hash")) request.hash = static_cast<HashKind>(read_word(table, "hash", hash_names()));
+        request.period = read_period(table, request.kind);
+        config.window = read_window(table, request.kind);
+    }
+    config.label = read_text(table, "label", default_label(config));
+    return config;
+}
+
+/// What the tiles library refuses, said with the table's place.
+void check_tiles(const TilingConfig& config)
+{
+    try {
+        if (config.is_set()) {
+            if (make_tile_set(config.request.kind, config.request.colors, config.set).size() >
+                max_shown_tiles)
+                throw InputError(fmt::format("more than {} tiles cannot be drawn", max_shown_tiles));
+        } else {
+            CubeWindow one = config.window;
+            one.width = one.height = one.depth = 1;
+            stream_tiles(config.request, one, [](auto, auto, auto, auto) {});
+        }
+    } catch (const InputError& error) {
+        throw InputError(to_string(config.where) + ": " + error.what());
+    }
+}
+
+void read_list(const ConfigTable& config, const std::string& key, std::uint64_t seed,
+               std::vector<TilingConfig>& into)
+{
+    const ConfigNode* node = find(config, key);
+    if (!node) return;
+    const auto* list = node->get_if<ConfigList>();
+    if (!list || list->empty())
+        throw invalid_node(key, *node, "must be a list of tables, each written [[" + key + "]]");
+    for (const ConfigNode& item : *list) {
+        const auto* table = item.get_if<ConfigTable>();
+        if (!table) throw invalid_node(key, item, "must be a table, written [[" + key + "]]");
+        into.push_back(read_table(*table, key == "tile_set", seed));
+        into.back().where = item.location;
+        check_tiles(into.back());
+    }
+}
+
+}
+
+std::vector<TilingConfig> read_tilings(const ConfigTable& config, std::uint64_t seed)
+{
+    std::vector<TilingConfig> tilings;
+    read_list(config, "tile_set", seed, tilings);
+    read_list(config, "tiling", seed, tilings);
+    return tilings;
+}
+
+}

@@ -1,0 +1,106 @@
+// What is measured on the realizations of a series, one after the other, or on parts of it that are put together.
+#pragma once
+
+#include "analysis/measures/integration_error.hpp"
+#include "analysis/measures/pair_correlation.hpp"
+#include "analysis/spectra/radial_statistics.hpp"
+#include "analysis/spectra/spectrum.hpp"
+#include "host/config/analysis_options.hpp"
+#include "results/series_result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
+/// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
+///
+/// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
+/// packing, the largest empty ball and Voronoi cells.
+class SeriesAnalysis
+{
+public:
+    /// Where a part of a series begins: at realization 0, or at another one when the size of that is known.
+    struct Begin
+    {
+        std::uint32_t realization = 0;
+        std::size_t points = 0; ///< of realization 0; 0: it will be added
+    };
+
+    /// `label` is for messages; `sizes_vary` as the sampler says it.
+    SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options, const Begin& begin)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), begin_(begin)
+    {}
+    SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options)
+        : SeriesAnalysis(std::move(label), sizes_vary, options, Begin{})
+    {}
+
+    /// Throws InputError for sets that are empty, of another dimension, or of another size where sizes must
+    /// not vary.
+    void add(const PointSet& points);
+
+    /// As if the realizations of `next`, which begins after the last one here, had been added here, up to rounding:
+    /// parts of the same sizes give the same bytes. Throws as add() does.
+    void append(const SeriesAnalysis& next);
+
+    /// Whether the options ask for spectra.
+    bool has_spectrum() const { return options_.spectrum.has_value(); }
+
+    /// The mean of the periodograms; at least one set must have been added, and there must be spectra.
+    Spectrum mean_spectrum() const;
+
+    /// radial_statistics() of a mean spectrum of this series, with errors.
+    std::vector<RadialBin> radial_curve(const Spectrum& mean) const;
+
+    /// The mean pair correlation, up to four of the largest possible minimum distances in steps of a fiftieth of
+    /// it; empty where a set has one point only.
+    std::vector<PairCorrelationBin> pair_correlation() const;
+
+    /// Adds the measures of the mean spectrum to the result.
+    void measure_spectrum(const Spectrum& mean);
+
+    /// Adds those of the first set alone, which take triangulations, and forgets the set. Touches nothing that the
+    /// other functions do, and may run beside them once all sets were added.
+    void measure_first();
+
+    /// Sizes, distances and seconds so far, and the spectrum's size.
+    const SeriesResult& result() const { return result_; }
+
+    /// For cereal: everything but the first set, into an analysis that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(begin_.points, dimension_, result_, peak_ratios_);
+        if (dimension_ > 0 && !has_started_) start();
+        if (estimate_) archive(*estimate_);
+        if (pairs_) archive(*pairs_);
+        if (integration_) archive(*integration_);
+    }
+
+private:
+    void check(int dimension, std::size_t points, std::size_t realization) const;
+    void start();
+    void start_spectrum();
+    void start_pairs();
+    void leave_out_pairs();
+    void measure_errors(std::vector<RadialBin> radial, int dimension);
+
+    std::string label_;
+    bool sizes_vary_;
+    AnalysisOptions options_;
+    Begin begin_;
+    bool has_started_ = false;
+    SeriesResult result_;
+    int dimension_ = 0; ///< of the first set; 0: there is none
+    std::optional<SpectrumEstimate> estimate_;
+    std::vector<double> peak_ratios_; ///< mean lattice peak of each realization
+    PointSet first_;                  ///< for measures of the first set alone
+    std::optional<PairCorrelationEstimate> pairs_;
+    std::optional<IntegrationErrorEstimate> integration_;
+};
+
+}

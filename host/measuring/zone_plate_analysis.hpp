@@ -1,0 +1,46 @@
+// The sampling test on the realizations of a series, one after the other.
+#pragma once
+
+#include "analysis/zone_plate/zone_plate_error.hpp"
+#include "results/series_result.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Samples the zone plate with each realization, keeps the first picture, and compares all with the
+/// reference.
+class ZonePlateAnalysis
+{
+public:
+    /// `points` must be 2D and not empty, as SeriesAnalysis demands it.
+    void add(const PointSet& points);
+
+    /// As if the realizations of `other` had been added after those here.
+    void append(const ZonePlateAnalysis& other);
+
+    /// The picture of the first realization.
+    const SquareImage& first_image() const { return first_; }
+
+    /// The text of zone-plate.csv: distance,frequency,rms_error,pixels; numbers in their shortest exact form.
+    std::string csv() const;
+
+    const ZonePlateResult& result() const { return result_; }
+    double seconds() const { return seconds_; }
+
+    /// For cereal.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(first_, error_, result_, seconds_);
+    }
+
+private:
+    SquareImage first_;
+    ZonePlateError error_;
+    ZonePlateResult result_;
+    double seconds_ = 0;
+};
+
+}

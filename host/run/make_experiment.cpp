@@ -1,0 +1,221 @@
+#include "host/run/make_experiment.hpp"
+
+#include "host/device/device.hpp"
+#include "host/crew/crew.hpp"
+#include "host/config/plan.hpp"
+#include "host/config/plan_memory.hpp"
+#include "host/crew/thread_limit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+/// The device of a run, opened when it is first needed.
+class LazyDevice
+{
+public:
+    LazyDevice(std::string selector, unsigned threads, Engine engine)
+        : selector_(std::move(selector)), threads_(threads), engine_(engine)
+    {}
+
+    bool is_open() const { return device_.has_value(); }
+
+    Device& get()
+    {
+        if (!device_) device_ = Device::open(selector_, threads_);
+        return *device_;
+    }
+
+    std::string identity()
+    {
+        const auto info = described();
+        return info ? info->identity() : "none";
+    }
+
+    std::string name()
+    {
+        const auto info = described();
+        return info ? info->platform + ", " + info->name : "none";
+    }
+
+private:
+    /// Nothing where no device is needed or none is there.
+    const std::optional<DeviceInfo>& described()
+    {
+        if (is_described_ || engine_ != Engine::opencl) return info_;
+        is_described_ = true;
+        try {
+            info_ = Device::find(selector_);
+        } catch (const DeviceError&) {
+            // Who needs the device will say so.
+        }
+        return info_;
+    }
+
+    std::string selector_;
+    unsigned threads_;
+    Engine engine_;
+    std::optional<Device> device_;
+    std::optional<DeviceInfo> info_;
+    bool is_described_ = false;
+};
+
+Machine machine_of(LazyDevice& lazy, bool with_device)
+{
+    Machine machine;
+    machine.threads = ThreadLimit::current();
+    if (!with_device) return machine;
+    const DeviceInfo& info = lazy.get().info();
+    machine.device = info.name;
+    machine.platform = info.platform;
+    machine.driver = info.driver_version;
+    machine.device_version = info.device_version;
+    machine.compute_units = info.compute_units;
+    return machine;
+}
+
+/// What files and programs decide about the sets of a method, and of those that it starts from.
+void add_outside_input(UnitKey& key, const SamplerSpec& sampler, const Parameters& parameters)
+{
+    if (sampler.outside_input) key.add("input", sampler.outside_input(parameters));
+    using Start = std::shared_ptr<const SamplerChoice>;
+    for (const auto& [name, entry] : parameters.entries())
+        if (const auto* start = std::get_if<Start>(&entry.value))
+            add_outside_input(key, *(*start)->spec, (*start)->parameters);
+}
+
+UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
+{
+    UnitKey key("sets");
+    key.add("sampler", series.sampler->name);
+    for (const auto& [name, entry] : series.parameters.entries()) key.add(name, to_string(entry.value));
+    add_outside_input(key, *series.sampler, series.parameters);
+    return key.add("points", series.request.points)
+        .add("dimension", series.request.dimension)
+        .add("seed", series.request.seed)
+        .add("engine", engine == Engine::opencl ? "opencl" : "reference")
+        .add("device", device.identity());
+}
+
+SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_ptr<LazyDevice>& device,
+                     const std::shared_ptr<Workplace>& workplace)
+{
+    SeriesTask task;
+    task.name = series.name;
+    task.label = series.label;
+    task.sampler = series.sampler->name;
+    task.parameters = series.parameters;
+    task.deterministic = series.deterministic;
+    task.realizations = series.realizations;
+    task.is_timed = !series.sampler->has_own_points;
+    task.points = series.request.points;
+    task.place = series.place;
+    task.identity = [series, engine, device] { return identity_of(series, engine, *device); };
+    task.create = [series, engine, device, workplace = std::weak_ptr(workplace)] {
+        SampleRequest request = series.request;
+        request.on_step = [workplace](const std::string& what) {
+            const auto there = workplace.lock();
+            if (there && there->on_step) there->on_step(what);
+        };
+        return series.sampler->create(series.parameters, request, engine,
+                                      [device]() -> Device& { return device->get(); });
+    };
+    return task;
+}
+
+/// Where there is no usable device that is left to whoever needs one: everything may be stored already.
+void check_memory_of_device(const std::vector<SeriesPlan>& plan, const Config& config, const std::string& selector)
+{
+    const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
+        return static_cast<bool>(series.sampler->device_memory);
+    });
+    if (!needs_device && config.constructions.empty()) return;
+    const std::vector<DeviceInfo> devices = list_devices();
+    if (devices.empty()) return;
+    const DeviceInfo device = share_of(devices[choose_device(devices, selector)], crew_processes_here());
+    if (!device.unusable.empty()) return;
+    check_device_memory(plan, device);
+    check_device_memory(config.constructions, device);
+}
+
+/// The name of a folder that no other has.
+std::string unused_name(const std::string& base, std::set<std::string>& names)
+{
+    std::string name = base;
+    for (int number = 2; !names.insert(name).second; ++number) name = fmt::format("{}-{}", base, number);
+    return name;
+}
+
+std::vector<TilingTask> tiling_tasks(const Config& config, std::set<std::string>& names)
+{
+    std::vector<TilingTask> tasks;
+    for (const TilingConfig& tiling : config.tilings) {
+        const std::string kind = tiling.request.kind == TileKind::wang     ? "wang"
+                                 : tiling.request.kind == TileKind::corner ? "corner"
+                                                                           : "cube";
+        const std::string base = fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
+                                             tiling.is_set() ? tiling.set : tiling.request.algorithm,
+                                             tiling.request.colors);
+        tasks.push_back({unused_name(base, names), tiling});
+    }
+    return tasks;
+}
+
+std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<std::string>& names)
+{
+    std::vector<ConstructionTask> tasks;
+    for (const ConstructionConfig& construction : config.constructions) {
+        const std::string base =
+            fmt::format("construction-{}-{}", kind_name(construction.parameters), construction.show);
+        tasks.push_back({unused_name(base, names), construction});
+    }
+    return tasks;
+}
+
+}
+
+Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
+{
+    const auto lazy = std::make_shared<LazyDevice>(device, threads, config.engine);
+
+    Experiment experiment;
+    experiment.title = config.title;
+    experiment.config = config.text;
+    experiment.overrides = config.overrides;
+    experiment.seed = config.seed;
+    experiment.engine = config.engine == Engine::opencl ? "opencl" : "reference";
+    experiment.dimension = config.dimension;
+    experiment.analysis = config.analysis;
+    experiment.realizations = static_cast<std::uint32_t>(config.realizations);
+    experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
+    experiment.methods = method_grids(config);
+    const std::vector<SeriesPlan> plan = make_plan(config);
+    if (config.engine == Engine::opencl) check_memory_of_device(plan, config, device);
+    for (const SeriesPlan& series : plan)
+        experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
+    std::set<std::string> names; // folders of the series come first
+    for (const SeriesTask& task : experiment.series) names.insert(task.name);
+    experiment.tilings = tiling_tasks(config, names);
+    experiment.constructions = construction_tasks(config, names);
+    experiment.make_filler = [lazy, engine = config.engine](const FillSettings& settings) {
+        return engine == Engine::opencl ? make_tile_filler(settings, lazy->get())
+                                        : reference::make_tile_filler(settings);
+    };
+    Workplace& workplace = *experiment.workplace;
+    workplace.identity = [lazy] { return lazy->identity(); };
+    workplace.machine_conditions = [lazy] {
+        return fmt::format("device: {}; threads: {}", lazy->name(), ThreadLimit::current());
+    };
+    workplace.is_device_open = [lazy] { return lazy->is_open(); };
+    workplace.machine = [lazy](bool with_device) { return machine_of(*lazy, with_device); };
+    if (config.engine == Engine::opencl && !device.empty()) lazy->get();
+    return experiment;
+}
+
+}

@@ -1,0 +1,283 @@
+#include "host/sampling/command_sampler.hpp"
+
+#include "base/programs/interrupt.hpp"
+#include "base/points/point_file.hpp"
+#include "base/programs/program_run.hpp"
+#include "base/files/scratch_folder.hpp"
+#include "base/programs/shell_words.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/files/xxh64_bytes.hpp"
+#include "base/random/random.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* command_key = "command";
+constexpr const char* limit_key = "time_limit";
+constexpr double default_limit = 60;
+constexpr std::size_t lines_shown = 8; ///< of what a program said
+
+constexpr const char* known_fields = "{points}, {dimension}, {seed}, {realization} and {out}";
+
+/// The length of the word in braces that `text` begins with, "{word}"; 0: it does not.
+std::size_t field_length(std::string_view text)
+{
+    if (text.empty() || text[0] != '{') return 0;
+    std::size_t end = 1;
+    while (end < text.size() && (std::islower(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    return end > 1 && end < text.size() && text[end] == '}' ? end + 1 : 0;
+}
+
+std::string value_of(std::string_view field, const CommandValues& values)
+{
+    if (field == "{points}") return fmt::format("{}", values.points);
+    if (field == "{dimension}") return fmt::format("{}", values.dimension);
+    if (field == "{seed}") return fmt::format("{}", values.seed);
+    if (field == "{realization}") return fmt::format("{}", values.realization);
+    if (field == "{out}") return values.out;
+    const std::string shown = shortened(field);
+    throw InputError(fmt::format("{} is none of {}; {{{}}} stands for itself", shown, known_fields, shown));
+}
+
+/// A word with its fields replaced; `has_out` becomes true where {out} is one of them.
+std::string replaced(std::string_view word, const CommandValues& values, bool& has_out)
+{
+    std::string result;
+    while (!word.empty()) {
+        const std::size_t escaped = word[0] == '{' ? field_length(word.substr(1)) : 0;
+        const std::size_t length = field_length(word);
+        if (escaped > 0 && word.size() > escaped + 1 && word[escaped + 1] == '}') {
+            result += word.substr(1, escaped);
+            word.remove_prefix(escaped + 2);
+        } else if (length > 0) {
+            result += value_of(word.substr(0, length), values);
+            has_out = has_out || word.starts_with("{out}");
+            word.remove_prefix(length);
+        } else {
+            result += word[0];
+            word.remove_prefix(1);
+        }
+    }
+    return result;
+}
+
+/// The folder that a command runs in: that of the config.
+fs::path folder_of(const Parameters& parameters)
+{
+    return fs::absolute(parameters.location(command_key).file).parent_path();
+}
+
+/// A folder that goes with all that is in it.
+class OutputFolder
+{
+public:
+    /// What {out} stands for. Programs may add an extension.
+    std::string out() const { return (folder_.path() / "points").string(); }
+
+    /// The one file that is there. Throws InputError.
+    fs::path file() const
+    {
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(folder_.path())) files.push_back(entry.path());
+        if (files.empty()) throw InputError("it wrote no file {out}");
+        if (files.size() > 1) throw InputError("it wrote several files that begin with {out}; one is needed");
+        return files.front();
+    }
+
+    /// The one point set of the file. Throws InputError, in words without the file's own name.
+    PointSet read() const
+    {
+        const fs::path written = file();
+        try {
+            std::vector<PointSet> sets = read_points(written);
+            if (sets.size() != 1)
+                throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
+            return std::move(sets.front());
+        } catch (const InputError& error) {
+            std::string message = error.what();
+            const std::size_t at = message.find(written.string());
+            if (at != std::string::npos) message.replace(at, written.string().size(), "{out}");
+            throw InputError(message);
+        }
+    }
+
+private:
+    ScratchFolder folder_;
+};
+
+/// The last lines that a program said, each on a line of its own.
+std::string said(const std::string& output)
+{
+    std::string text = output;
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+    if (text.empty()) return "";
+    std::size_t begin = text.size();
+    for (std::size_t lines = 0; lines < lines_shown && begin != std::string::npos && begin > 0; ++lines)
+        begin = text.rfind('\n', begin - 1);
+    if (begin != std::string::npos && begin > 0 && begin < text.size()) text.erase(0, begin + 1);
+    // A program's colours and cursor movements are not for this terminal.
+    std::string result = "; it said:\n    ";
+    for (const char c : text) {
+        const bool harmless = static_cast<unsigned char>(c) >= 0x20 && c != 0x7f;
+        result += c == '\n' ? std::string("\n    ") : harmless || c == '\t' ? std::string(1, c) : std::string("?");
+    }
+    return result;
+}
+
+std::string failure_of(const ProgramOutcome& outcome, double limit)
+{
+    if (!outcome.is_in_time) return fmt::format("it did not end within time_limit = {} seconds", limit);
+    if (outcome.signal != 0) return fmt::format("a signal ended it: {}", ::strsignal(outcome.signal));
+    return fmt::format("it ended with exit status {}", outcome.status);
+}
+
+class CommandSampler final : public Sampler
+{
+public:
+    CommandSampler(const Parameters& parameters, const SampleRequest& request)
+        : parameters_(parameters), request_(request),
+          limit_(parameters.has(limit_key) ? parameters.number(limit_key) : default_limit)
+    {}
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const OutputFolder folder;
+        const auto words = command_words(
+            parameters_.text(command_key), {request_.points, request_.dimension,
+                                            command_seed(request_.seed, realization), realization, folder.out()});
+        ProgramOutcome outcome;
+        try {
+            outcome = run_program(words, folder_of(parameters_), limit_, stop_if_interrupted);
+            if (!outcome.succeeded()) throw InputError(failure_of(outcome, limit_));
+            PointSet points = folder.read();
+            if (points.dimension != request_.dimension)
+                throw InputError(fmt::format("it wrote {}D points; the experiment has dimension = {}",
+                                             points.dimension, request_.dimension));
+            return points;
+        } catch (const InputError& error) {
+            const InputError what =
+                parameters_.error(command_key, fmt::format("realization {}: {}", realization, error.what()));
+            throw InputError(what.what(), said(outcome.output));
+        }
+    }
+
+    // How many points there are is the program's business.
+    bool sizes_vary() const override { return true; }
+
+private:
+    Parameters parameters_;
+    SampleRequest request_;
+    double limit_;
+};
+
+/// Appends the size and the bytes of a file, which may be larger than memory. What cannot be read counts as empty.
+void add_content(Xxh64& hash, const fs::path& file)
+{
+    std::error_code error;
+    hash.add(fmt::format("{} ", fs::file_size(file, error)));
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<char> chunk(1 << 20);
+    while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0)
+        hash.add({chunk.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
+/// A hash of the program and of all files that the command names: a script that was changed makes other points. What
+/// these read themselves is not seen, but that it may lie in the folder that the command runs in, which counts as well.
+std::uint64_t program_hash(const Parameters& parameters)
+{
+    const fs::path folder = folder_of(parameters);
+    const std::vector<std::string> words = command_words(parameters.text(command_key), {});
+    std::vector<fs::path> files;
+    if (const auto program = find_program(words[0], folder)) files.push_back(*program);
+    for (std::size_t i = 1; i < words.size(); ++i) files.push_back(folder / words[i]);
+    Xxh64 hash;
+    hash.add(folder.lexically_normal().string());
+    for (const fs::path& file : files) {
+        std::error_code error;
+        if (fs::is_regular_file(file, error)) add_content(hash, file);
+    }
+    return hash.value();
+}
+
+void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
+{
+    if (!parameters.has(command_key))
+        throw InputError(to_string(where) + ": sampler = \"command\": needs command, such as "
+                                            "\"mysampler {points} {seed} {out}\"");
+    try {
+        const auto words = command_words(parameters.text(command_key), {});
+        if (!find_program(words[0], folder_of(parameters)))
+            throw InputError(fmt::format("there is no program {}{}", words[0],
+                                         words[0].find('/') != std::string::npos
+                                             ? " (paths are relative to the folder of the config)"
+                                             : " in the folders of PATH"));
+    } catch (const InputError& error) {
+        throw parameters.error(command_key, error.what());
+    }
+}
+
+}
+
+std::vector<std::string> command_words(const std::string& command, const CommandValues& values)
+{
+    auto words = split_shell_words(command);
+    if (!words) throw InputError("a quote or backslash at the end is left open");
+    if (words->empty()) throw InputError("must name a program");
+    bool has_out = false;
+    for (std::string& word : *words) word = replaced(word, values, has_out);
+    if (!has_out)
+        throw InputError(fmt::format("must have {{out}}, the file that the program writes; it may have {}",
+                                     known_fields));
+    return *std::move(words);
+}
+
+std::uint32_t command_seed(std::uint64_t seed, std::uint32_t realization)
+{
+    return std::max(1U, stream_key(seed, Purpose::other_program, realization)[0] >> 1);
+}
+
+std::string program_name(const std::string& command)
+{
+    const auto words = split_shell_words(command);
+    return words && !words->empty() ? fs::path(words->front()).stem().string() : "";
+}
+
+SamplerSpec command_sampler()
+{
+    ParameterSpec command;
+    command.key = command_key;
+    command.kind = ParameterSpec::Kind::command;
+    command.help =
+        fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields);
+
+    ParameterSpec limit;
+    limit.key = limit_key;
+    limit.help = "seconds after which the program is ended; default 60";
+    limit.maximum = 1e6;
+    limit.exclusive_minimum = true;
+
+    SamplerSpec spec;
+    spec.name = "command";
+    spec.title = "Command";
+    spec.summary = "point sets from any program that writes them to a file";
+    spec.dimensions = {2, 3};
+    spec.parameters = {command, limit};
+    spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
+    spec.check = check;
+    spec.outside_input = program_hash;
+    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<CommandSampler>(parameters, request);
+    };
+    return spec;
+}
+
+}

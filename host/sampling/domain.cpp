@@ -1,0 +1,157 @@
+#include "host/sampling/domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// Contacts of one movement with boundaries; what is left after so many is given up. As in common/domain.clh.
+constexpr int max_contacts = 4;
+
+/// A point that is no deeper than this in a region is on its boundary, so that rounding, of coordinates and
+/// at the region's corners, decides nothing. As in common/domain.clh.
+constexpr double boundary_depth = 0x1p-46;
+
+/// Sliding leads away from the boundary by these: a part of the movement, and a distance. More than rounding,
+/// which thus neither leads back into the region nor, over many movements, deeper. As in common/domain.clh.
+constexpr double lift_part = 0x1p-48;
+constexpr double lift_distance = 0x1p-51;
+
+struct Contact
+{
+    double part = 1; ///< of the movement, until it is stopped
+    Vector normal{};
+};
+
+double inner_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Moves the contact to where a movement from `start` (relative to the region's centre) enters the region, if
+/// that is earlier. Deep inside, the nearest boundary counts as the one that is being entered.
+void enter_region(const ConvexRegion& region, const Vector& start, const Vector& movement, Contact& contact)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double entry = -infinity;
+    double exit = infinity;
+    double nearest = -infinity;
+    double nearest_rise = 0;
+    const HalfSpace* entered = nullptr;
+    const HalfSpace* nearest_boundary = nullptr;
+    for (const HalfSpace& half_space : region.half_spaces) {
+        const double height = inner_product(half_space.normal, start) - half_space.offset;
+        const double rise = inner_product(half_space.normal, movement);
+        if (height >= -boundary_depth && rise >= 0) return; // on it or above it, and not going down
+        if (height > nearest) {
+            nearest = height;
+            nearest_rise = rise;
+            nearest_boundary = &half_space;
+        }
+        if (rise < 0) {
+            if (-height / rise > entry) {
+                entry = -height / rise;
+                entered = &half_space;
+            }
+        } else if (rise > 0) {
+            exit = std::min(exit, -height / rise);
+        }
+    }
+    if (nearest_boundary == nullptr) return; // no half-spaces
+    if (nearest < -boundary_depth) {         // may leave by the nearest boundary, or stay as deep as it is
+        entered = nearest_boundary;
+        entry = 0;
+        if (nearest_rise >= 0) return;
+    } else if (!(entry < exit)) {
+        return;
+    }
+    entry = std::max(entry, 0.0);
+    if (entry < contact.part) contact = {entry, entered->normal};
+}
+
+/// The same for all images of the region on the torus that the movement can meet.
+void enter_images(const ConvexRegion& region, const Vector& position, const Vector& movement,
+                  Contact& contact)
+{
+    // The movement may leave the half torus around the centre and enter the region from its other side.
+    Vector start;
+    Vector image_shift;
+    for (int k = 0; k < 3; ++k) {
+        const double difference = position[k] - region.centre[k];
+        start[k] = difference - std::rint(difference);
+        const double end = start[k] + movement[k];
+        image_shift[k] = end > 0.5 ? -1 : end < -0.5 ? 1 : 0;
+    }
+    for (int image = 0; image < 8; ++image) {
+        Vector image_start = start;
+        bool is_needed = true;
+        for (int k = 0; k < 3; ++k) {
+            if (!(image >> k & 1)) continue;
+            is_needed = is_needed && image_shift[k] != 0;
+            image_start[k] += image_shift[k];
+        }
+        if (is_needed) enter_region(region, image_start, movement, contact);
+    }
+}
+
+}
+
+ConvexRegion box_region(const Vector& centre, const Vector& half_widths, int dimension)
+{
+    ConvexRegion region{centre, {}};
+    for (int k = 0; k < dimension; ++k) {
+        if (half_widths[k] >= 0.5) continue;
+        for (const double sign : {1.0, -1.0}) {
+            HalfSpace half_space{{}, half_widths[k]};
+            half_space.normal[k] = sign;
+            region.half_spaces.push_back(half_space);
+        }
+    }
+    return region;
+}
+
+ConvexRegion polygon_region(const Vector& centre, std::span<const std::array<double, 2>> vertices, int axis,
+                            double half_height)
+{
+    ConvexRegion region{centre, {}};
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const auto& a = vertices[i];
+        const auto& b = vertices[(i + 1) % vertices.size()];
+        const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        const double u = (b[1] - a[1]) / length;
+        const double v = (a[0] - b[0]) / length;
+        HalfSpace half_space{{}, u * a[0] + v * a[1]};
+        half_space.normal[(axis + 1) % 3] = u;
+        half_space.normal[(axis + 2) % 3] = v;
+        region.half_spaces.push_back(half_space);
+    }
+    if (half_height >= 0.5) return region;
+    for (const double sign : {1.0, -1.0}) {
+        HalfSpace half_space{{}, half_height};
+        half_space.normal[axis] = sign;
+        region.half_spaces.push_back(half_space);
+    }
+    return region;
+}
+
+Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement,
+                            bool slides)
+{
+    Vector movement = displacement;
+    Vector done{};
+    for (int number = 0; number < max_contacts; ++number) {
+        Contact contact;
+        Vector here;
+        for (int k = 0; k < 3; ++k) here[k] = position[k] + done[k];
+        for (const ConvexRegion& region : domain.forbidden) enter_images(region, here, movement, contact);
+        for (int k = 0; k < 3; ++k) done[k] += contact.part * movement[k];
+        if (contact.part == 1 || !slides) break;
+        for (double& m : movement) m *= 1 - contact.part;
+        double size = 0;
+        for (const double m : movement) size += std::abs(m);
+        const double into = inner_product(movement, contact.normal) - (lift_part * size + lift_distance);
+        for (int k = 0; k < 3; ++k) movement[k] -= into * contact.normal[k];
+    }
+    return done;
+}
+
+}

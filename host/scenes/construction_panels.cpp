@@ -1,0 +1,159 @@
+// Panels of several pieces or tiles, and of tilings.
+#include "host/scenes/construction_parts.hpp"
+
+#include "host/scenes/construction_tiling.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
+#include "host/tile_construction/piece_store.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+class TileScene : PanelParts
+{
+public:
+    using PanelParts::PanelParts;
+
+    Scene make()
+    {
+        if (config_.is_tiling())
+            add_tiling();
+        else
+            add_list();
+        return std::move(scene_);
+    }
+
+private:
+    // Several pieces or tiles.
+
+    void add_list()
+    {
+        for (const auto& [axes, variant] : wanted_pieces(config_))
+            scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant)
+                                                         : listed_piece(axes, variant));
+        scene_.columns = list_columns(scene_.panels.size());
+    }
+
+    /// Nearly square, a few in one row; narrow pieces ten in a row, wide ones four at most.
+    std::size_t list_columns(std::size_t count) const
+    {
+        const bool is_wide = d_ == 2 && config_.axes == 1, is_narrow = d_ == 2 && config_.axes == 2;
+        const auto root = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+        const std::size_t most = is_narrow ? 10
+                                 : is_wide ? std::min<std::size_t>(4, root)
+                                           : std::max<std::size_t>(4, root);
+        const std::size_t rows = (count + most - 1) / most;
+        return (count + rows - 1) / rows;
+    }
+
+    ScenePanel listed_piece(std::uint8_t axes, std::uint32_t variant) const
+    {
+        const MadePiece& made = made_piece(axes, variant);
+        ScenePanel panel = new_panel();
+        const RegionExtent extent = extent_of(axes);
+        for (int k = 0; k < d_; ++k) {
+            const bool is_own = axes >> k & 1;
+            panel.window.low[k] = (is_own ? extent.end : -extent.reach) - panel_margin;
+            panel.window.size[k] =
+                (is_own ? tile_units - 2 * extent.end : 2 * extent.reach) + 2 * panel_margin;
+        }
+        panel.part = panel.window;
+        panel.pieces.push_back(piece_at(axes, {}, variant));
+        panel.pieces.back().is_made = true;
+        panel.of(PointClass::inner) = cut_out(made.filled.active, regions_, axes, made.base, false);
+        return panel;
+    }
+
+    /// How far a region reaches across its cell, and how far from the cell's ends it begins.
+    struct RegionExtent
+    {
+        std::int32_t reach = 0;
+        std::int32_t end = 0;
+    };
+
+    RegionExtent extent_of(std::uint8_t axes) const
+    {
+        const std::array<std::int32_t, 4> reaches{0, regions_.width, regions_.pair_one, regions_.corner_one};
+        const auto across = static_cast<std::size_t>(d_ - std::popcount(axes));
+        return {reaches[across], across < 3 ? reaches[across + 1] : 0};
+    }
+
+    ScenePanel listed_tile(std::uint32_t tile) const
+    {
+        const MadePiece& made = made_piece(all_axes(d_), tile);
+        ScenePanel panel = tile_panel("");
+        panel.pieces = pieces_of_a_tile(tile);
+        panel.of(PointClass::held) = shown(made.problem.held, {}, panel.part);
+        for (const TilePosition& point : made.filled.active)
+            panel.of(cell_of(point).axes == all_axes(d_) ? PointClass::inner : PointClass::held)
+                .push_back(point);
+        return panel;
+    }
+
+    // Tilings.
+
+    void add_tiling()
+    {
+        const bool with_regions = config_.show == "tiling";
+        const ConstructionTiling tiling(p_);
+        const auto [x0, y0, width, height] = config_.window;
+        ScenePanel panel = new_panel();
+        panel.window.size = {static_cast<std::int32_t>(width) * tile_units,
+                             static_cast<std::int32_t>(height) * tile_units, 0};
+        panel.part = panel.window;
+        std::set<std::pair<std::uint8_t, std::array<std::int32_t, 3>>> added;
+        for (std::int32_t y = 0; y < static_cast<std::int32_t>(height); ++y)
+            for (std::int32_t x = 0; x < static_cast<std::int32_t>(width); ++x) {
+                const std::uint32_t tile = tiling.tile(x0 + x, y0 + y);
+                add_points(panel, tile, {x, y, 0});
+                if (!with_regions) continue;
+                panel.tiles.push_back({x, y, 0});
+                // The tiles of a template have their own colours.
+                if (p_.kind == PoissonTileKind::frame)
+                    panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
+                for (ScenePiece piece : pieces_of_a_tile(tile)) {
+                    piece.base[0] += x;
+                    piece.base[1] += y;
+                    if (added.emplace(piece.axes, piece.base).second) panel.pieces.push_back(piece);
+                }
+            }
+        scene_.panels.push_back(std::move(panel));
+    }
+
+    /// The points of a tile at a place.
+    void add_points(ScenePanel& panel, std::uint32_t tile, const std::array<std::int32_t, 3>& place) const
+    {
+        const std::span<const std::uint16_t> points = made_.set.tile(tile);
+        for (std::size_t i = 0; i < points.size(); i += 2)
+            panel.of(PointClass::held)
+                .push_back({place[0] * tile_units + points[i], place[1] * tile_units + points[i + 1], 0});
+    }
+};
+
+}
+
+std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config)
+{
+    if (config.show == "master" || config.show == "template") return {{config.axes, 0}};
+    if (config.is_stage()) return {{config.axes, config.variant}};
+    std::vector<PieceKey> keys;
+    if (!config.is_list()) return keys;
+    // Of many, some that are far from one another.
+    const std::uint64_t all = piece_count(config.parameters, config.axes);
+    for (std::uint64_t i = 0; i < config.count; ++i)
+        keys.emplace_back(config.axes, static_cast<std::uint32_t>(i * all / config.count));
+    return keys;
+}
+
+Scene make_scene(const ConstructionConfig& config, const MadeTiles& made)
+{
+    if (config.show == "regions" || config.show == "kinds") return region_scene(config, made);
+    if (config.is_stage()) return stage_scene(config, made);
+    return TileScene(config, made).make();
+}
+
+}

@@ -1,0 +1,41 @@
+// The panels of a picture of the construction: which regions and points each shows.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.
+#pragma once
+
+#include "results/pictures/construction_scene.hpp"
+#include "host/config/construction_table.hpp"
+#include "host/tile_construction/tile_construction.hpp"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace poissonlab {
+
+/// Axes and variant of a piece, or of a tile.
+using PieceKey = std::pair<std::uint8_t, std::uint32_t>;
+
+/// A torus that a piece was taken from, or that the interior of a tile was made on.
+struct MadePiece
+{
+    std::array<std::int8_t, 3> base{}; ///< of its cell on the torus
+    std::vector<PlacedPiece> held;
+    FillProblem problem;
+    FilledTorus filled;
+};
+
+/// What pictures need of a tile set that was constructed.
+struct MadeTiles
+{
+    std::map<PieceKey, MadePiece> pieces;
+    PoissonTileSet set; ///< for tilings only
+};
+
+/// The pieces and tiles that a picture shows. Tilings need the whole set instead.
+std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config);
+
+Scene make_scene(const ConstructionConfig& config, const MadeTiles& made);
+
+}

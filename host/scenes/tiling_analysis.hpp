@@ -1,0 +1,22 @@
+// Tile sets and tilings of an experiment: their tiles as text, and how random the colours of a tiling are.
+#pragma once
+
+#include "host/config/tiling_table.hpp"
+#include "results/pictures/tiling_statistics.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+inline constexpr int statistics_lags = 320; ///< beyond the 256 after which the shortest hash function repeats
+
+/// The text of tiles.txt: indices separated by blanks, a row a line, north first; of cubes, layers from the
+/// bottom, an empty line between them; of a set, all tiles in one line.
+std::string tiles_text(const TilingConfig& config);
+
+/// Of a tiling that does not close after a period; tilings that do repeat because they are asked to.
+TilingStatistics tiling_statistics(const TilingConfig& config);
+
+}

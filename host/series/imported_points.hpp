@@ -1,0 +1,20 @@
+// Point sets made elsewhere as an experiment of one series, analysed exactly like sets made here.
+#pragma once
+
+#include "host/series/experiment.hpp"
+#include "base/points/point_file.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Reads every file, one or more realizations each, in the order given. All sets must have the same number of
+/// points. `label` is for the report; empty: the first file's stem. `domain`: see read_points().
+/// Throws InputError that names the file: unreadable, of another size than the first, not 2D.
+Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
+                         std::optional<CoordinateRange> domain = {});
+
+}

@@ -1,0 +1,81 @@
+#include "host/series/sample_unit.hpp"
+
+#include "results/records/archive.hpp"
+#include "base/points/point_file.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* points_file = "points.dat";
+
+}
+
+Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, const Workplace& workplace)
+{
+    if (task_ != &task) {
+        clear();
+        sampler_ = task.create();
+        task_ = &task;
+    }
+    const double built_before = sampler_->build_seconds();
+    const auto begin = std::chrono::steady_clock::now();
+    Sample sample;
+    sample.points = sampler_->sample(realization);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+    SampleRecord& record = sample.record;
+    const double built = sampler_->build_seconds();
+    const double prepared = sampler_->preparation_seconds();
+    record.points = sample.points.size();
+    record.seconds = std::max(0.0, seconds - (built - built_before));
+    record.conditions = workplace.conditions();
+    record.on_device = workplace.is_device_open && workplace.is_device_open();
+    record.sizes_vary = sampler_->sizes_vary();
+    record.tiles_along_axis = sampler_->tiles_along_axis();
+    record.iterations = sampler_->iterations();
+    record.tile_set = sampler_->tile_set();
+    record.build_seconds = built - build_seconds_;
+    record.preparation_seconds = prepared - preparation_seconds_;
+    build_seconds_ = built;
+    preparation_seconds_ = prepared;
+    return sample;
+}
+
+void SamplerSlot::clear()
+{
+    sampler_.reset();
+    task_ = nullptr;
+    build_seconds_ = preparation_seconds_ = 0;
+}
+
+void store_sample(UnitStore& store, const UnitKey& key, const Sample& sample, bool with_points,
+                  const std::string& comment)
+{
+    std::vector<std::string> files;
+    if (with_points) {
+        write_points(store.file(key, points_file), sample.points, comment);
+        files.emplace_back(points_file);
+    }
+    store.store(key, to_bytes(sample.record), files);
+}
+
+std::optional<SampleRecord> stored_sample(const UnitStore& store, const UnitKey& key)
+{
+    const auto unit = store.find(key);
+    if (!unit) return std::nullopt;
+    SampleRecord record;
+    from_bytes(unit->record, record);
+    return record;
+}
+
+std::optional<std::filesystem::path> stored_points(const UnitStore& store, const UnitKey& key)
+{
+    const auto unit = store.find(key);
+    if (!unit || !unit->files.contains(points_file)) return std::nullopt;
+    return unit->files.at(points_file);
+}
+
+}

@@ -1,0 +1,73 @@
+// A realization as a unit of work: its points, the time they took, and what the sampler said of them.
+#pragma once
+
+#include "host/series/experiment.hpp"
+#include "host/sampling/sampler.hpp"
+#include "host/store/unit_store.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// What is stored of a realization beside its points.
+struct SampleRecord
+{
+    std::size_t points = 0;
+    double seconds = 0;     ///< of sampling, without building kernels
+    std::string conditions; ///< Workplace::conditions() then
+    bool on_device = false; ///< whether a device was open
+    bool sizes_vary = false;
+    std::uint32_t tiles_along_axis = 0;
+    std::vector<IterationRecord> iterations;
+    std::optional<TileSetRecord> tile_set;
+    double build_seconds = 0;       ///< spent on building kernels since the realization before
+    double preparation_seconds = 0; ///< since the realization before
+
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(points, seconds, conditions, on_device, sizes_vary, tiles_along_axis, iterations, tile_set,
+                build_seconds, preparation_seconds);
+    }
+};
+
+/// A realization that was just made.
+struct Sample
+{
+    PointSet points;
+    SampleRecord record;
+};
+
+/// The sampler at hand: of one series at a time, as samplers hold large buffers on devices.
+class SamplerSlot
+{
+public:
+    /// Makes a realization of a series, with the sampler at hand if it is that of the same series.
+    Sample make(const SeriesTask& task, std::uint32_t realization, const Workplace& workplace);
+
+    /// Releases the sampler.
+    void clear();
+
+private:
+    const SeriesTask* task_ = nullptr;
+    std::unique_ptr<Sampler> sampler_;
+    double build_seconds_ = 0; ///< of the sampler, as far as they are in a record
+    double preparation_seconds_ = 0;
+};
+
+/// Stores a realization, with or without its points. Throws StorageError.
+void store_sample(UnitStore& store, const UnitKey& key, const Sample& sample, bool with_points,
+                  const std::string& comment);
+
+/// The record of a stored realization; nothing where it is not there.
+std::optional<SampleRecord> stored_sample(const UnitStore& store, const UnitKey& key);
+
+/// The file of its points; nothing where it is not there or without points.
+std::optional<std::filesystem::path> stored_points(const UnitStore& store, const UnitKey& key);
+
+}

@@ -1,0 +1,96 @@
+// Does the work on one series, unit by unit, each stored as soon as it is done.
+#pragma once
+
+#include "base/errors/errors.hpp"
+#include "host/series/experiment.hpp"
+#include "host/series/sample_unit.hpp"
+#include "host/series/series_units.hpp"
+#include "host/series/work_listener.hpp"
+#include "host/store/unit_store.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace poissonlab {
+
+class AnalysisUnit;
+struct StoredAnalysis;
+
+/// What is there already is never made again; units may be made in any order, by any process that shares the store.
+class SeriesWork
+{
+public:
+    /// All arguments must outlive it. `slot` is shared by the series of a process.
+    SeriesWork(const Experiment& experiment, const SeriesTask& task, const CodeVersions& versions, UnitStore& store,
+               SamplerSlot& slot);
+
+    const SeriesUnits& units() const { return units_; }
+    const SeriesTask& task() const { return task_; }
+
+    /// Whether points of every realization are kept, not only of the first.
+    bool keeps_points() const { return !experiment_.analysis.first_points_only; }
+
+    bool is_sampled(std::uint32_t realization) const;
+    bool is_analysed(std::uint32_t part) const;
+
+    /// Whether everything is stored that the output folder needs, times under the conditions of this process included.
+    bool is_finished() const;
+
+    /// Whether everything is stored that the output folder needs, times apart.
+    bool has_results() const;
+
+    /// Makes the realizations of a range.
+    void sample(const RealizationRange& range, const WorkListener& listener);
+
+    /// Analyses the realizations of a part, making those that are missing.
+    void analyse(std::uint32_t part, const WorkListener& listener);
+
+    /// Does what is left: missing realizations and parts, the analysis of the whole series, and times.
+    void finish(const WorkListener& listener);
+
+    /// Takes times under the conditions of this process until there are enough: other machines may have made what is
+    /// stored.
+    void time_more();
+
+    /// Removes the stored parts of an analysis that is whole.
+    void remove_parts();
+
+    /// Everything about a finished series.
+    SeriesResult result() const;
+
+    /// Files of a finished series for the output folder: where they are, by their names there.
+    std::map<std::string, std::filesystem::path> files() const;
+
+    /// Whether a device took part in making a finished series.
+    bool used_device() const;
+
+private:
+    bool has_points_to_keep(std::uint32_t realization) const;
+    Sample make(std::uint32_t realization, const WorkListener& listener);
+    void store(std::uint32_t realization, const Sample& sample);
+    SampleRecord record(std::uint32_t realization) const;
+    SampleRecord first_record(const WorkListener& listener);
+    AnalysisUnit begin_unit(std::uint32_t part, const WorkListener& listener);
+    void add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener);
+    void measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
+    bool take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
+    std::optional<AnalysisUnit> whole_analysis(const WorkListener& listener);
+    void analyse_all(const WorkListener& listener);
+    std::vector<double> seconds_so_far() const;
+    StoredAnalysis finished_analysis() const;
+    StorageError is_gone(const std::string& what) const;
+    std::string comment(std::uint32_t realization) const;
+    std::map<std::string, std::string> image_metadata() const;
+
+    const Experiment& experiment_;
+    const SeriesTask& task_;
+    UnitStore& store_;
+    SamplerSlot& slot_;
+    SeriesUnits units_;
+    PointSet first_; ///< realization 0, made and not analysed yet; else empty
+};
+
+}

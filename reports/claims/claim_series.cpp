@@ -1,0 +1,209 @@
+#include "reports/claims/claim_series.hpp"
+
+#include "analysis/zone_plate/false_rings.hpp"
+#include "base/images/square_image_file.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr std::size_t enough_samples = 100; ///< of a ring, for anisotropy that chance does not dominate
+
+// Parameters that samplers take when a config says nothing (README, "Poisson disk tiles").
+std::optional<double> default_of(const std::string& sampler, const std::string& key)
+{
+    if (!sampler.ends_with("-tiles")) return std::nullopt;
+    if (key == "relative_radius") return 0.75;
+    if (key == "points_per_tile") return 64;
+    return std::nullopt;
+}
+
+bool fits(const ReportSeries& series, SeriesQuery::Needs needs)
+{
+    switch (needs) {
+    case SeriesQuery::Needs::spectrum:
+        return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
+    case SeriesQuery::Needs::plate:
+        return series.stored->zone_plate.has_value();
+    case SeriesQuery::Needs::iterations:
+        return series.stored->iterations.has_value();
+    case SeriesQuery::Needs::anything:
+        break;
+    }
+    return true;
+}
+
+bool fits(const ReportSeries& series, const SeriesQuery& query)
+{
+    if (series.stored->sampler != query.sampler || series.run->dimension != query.dimension) return false;
+    if (query.points) {
+        const auto n = static_cast<double>(series.stored->points), asked = static_cast<double>(*query.points);
+        if (std::abs(n - asked) > 0.1 * asked) return false;
+    }
+    const bool parameters = std::ranges::all_of(query.numbers, [&](const auto& parameter) {
+        const auto value = number_parameter(series, parameter.first);
+        return value && std::abs(*value - parameter.second) < 1e-9;
+    });
+    return parameters && fits(series, query.needs);
+}
+
+// N^(1/d): frequencies over it are in cycles per mean spacing.
+double frequency_unit(const ReportSeries& series)
+{
+    return std::pow(static_cast<double>(series.stored->points), 1.0 / series.run->dimension);
+}
+
+}
+
+ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std::move(series))
+{
+    std::vector<const ReportSeries*> plates;
+    std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {
+        return s->stored->zone_plate && s->stored->zone_plate->size >= smallest_false_rings_picture;
+    });
+    std::map<int, SquareImage> references;
+    for (const auto* plate : plates) references.try_emplace(plate->stored->zone_plate->size);
+    for (auto& [size, reference] : references) reference = zone_plate_reference(size);
+    std::vector<Rings> found(plates.size());
+    tbb::parallel_for(std::size_t{0}, plates.size(), [&](std::size_t i) {
+        const auto file = plates[i]->run->folder / plates[i]->stored->zone_plate->file;
+        const auto picture = read_square_image(file);
+        const auto reference = references.find(picture.size);
+        if (reference == references.end())
+            throw InputError(fmt::format("{}: must have {} pixels along each axis, as results.json says", file.string(),
+                                         plates[i]->stored->zone_plate->size));
+        const auto rings = strongest_false_rings(picture, reference->second);
+        found[i] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
+    });
+    for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];
+}
+
+std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) const
+{
+    std::vector<const ReportSeries*> found;
+    std::ranges::copy_if(series_, std::back_inserter(found), [&](const auto* series) { return fits(*series, query); });
+    return found;
+}
+
+const ReportSeries* ClaimSeries::one(const SeriesQuery& query) const
+{
+    const auto found = std::ranges::find_if(series_, [&](const auto* series) { return fits(*series, query); });
+    return found == series_.end() ? nullptr : *found;
+}
+
+std::optional<ClaimSeries::Rings> ClaimSeries::false_rings(const ReportSeries& series) const
+{
+    const auto found = rings_.find(&series);
+    return found == rings_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> number_parameter(const ReportSeries& series, const std::string& key)
+{
+    for (const auto& [name, text] : series.stored->parameters) {
+        if (name != key) continue;
+        double value = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+        return value;
+    }
+    return default_of(series.stored->sampler, key);
+}
+
+std::optional<double> tiles_of_set(const ReportSeries& series)
+{
+    const auto& sampler = series.stored->sampler;
+    if (sampler == "template-tiles") return number_parameter(series, "tiles");
+    const auto colors = number_parameter(series, "colors");
+    if (!colors) return std::nullopt;
+    if (sampler == "corner-tiles") return std::pow(*colors, 4);
+    if (sampler == "edge-tiles") return std::pow(*colors, 12);
+    if (sampler == "sphere-tiles") return std::pow(*colors, 8);
+    return std::nullopt;
+}
+
+double mean_excess_anisotropy(const ReportSeries& series)
+{
+    double sum = 0;
+    int rings = 0;
+    for (const auto& bin : series.curve.bins) {
+        if (bin.samples < enough_samples) continue;
+        sum += bin.anisotropy_db;
+        ++rings;
+    }
+    return rings > 0 ? sum / rings - series.curve.background_db : 0;
+}
+
+double peak_anisotropy(const ReportSeries& series)
+{
+    double largest = -1000;
+    for (const auto& bin : series.curve.bins)
+        if (bin.samples >= enough_samples) largest = std::max(largest, bin.anisotropy_db);
+    return largest;
+}
+
+RadialBin power_peak(const ReportSeries& series)
+{
+    return *std::ranges::max_element(series.curve.bins, {}, &RadialBin::power);
+}
+
+std::optional<double> rise_width(const ReportSeries& series)
+{
+    const auto& bins = series.curve.bins;
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(bins, {}, &RadialBin::power) - bins.begin());
+    // Down from the peak: the first rings hold few samples, and their noise is no rise.
+    const auto crossing = [&](double power) -> std::optional<double> {
+        for (std::size_t i = peak; i > 0; --i)
+            if (bins[i - 1].power < power && bins[i].power >= power)
+                return bins[i - 1].frequency + (power - bins[i - 1].power) / (bins[i].power - bins[i - 1].power) *
+                                                   (bins[i].frequency - bins[i - 1].frequency);
+        return std::nullopt;
+    };
+    const auto low = crossing(0.25), high = crossing(0.75);
+    if (!low || !high) return std::nullopt;
+    return (*high - *low) / frequency_unit(series);
+}
+
+std::optional<double> mean_power(const ReportSeries& series, double low, double high)
+{
+    const auto principal = series.curve.principal_frequency;
+    if (!principal) return std::nullopt;
+    double sum = 0, samples = 0;
+    for (const auto& bin : series.curve.bins) {
+        const double f = bin.frequency / *principal;
+        if (f < low || f > high) continue;
+        sum += bin.power * static_cast<double>(bin.samples);
+        samples += static_cast<double>(bin.samples);
+    }
+    return samples > 0 ? std::optional(sum / samples) : std::nullopt;
+}
+
+std::optional<double> lattice_share(const ReportSeries& series)
+{
+    const auto& peaks = series.stored->measures.lattice_peaks;
+    if (!peaks) return std::nullopt;
+    const double q = std::pow(static_cast<double>(peaks->tiles), -series.run->dimension);
+    return peaks->mean_ratio * q / (peaks->mean_ratio * q + 1 - q);
+}
+
+double plate_error(const ReportSeries& series, double low, double high)
+{
+    double squares = 0, pixels = 0;
+    for (const auto& bin : series.zone_plate) {
+        if (bin.frequency < low || bin.frequency >= high) continue;
+        squares += bin.rms_error * bin.rms_error * static_cast<double>(bin.pixels);
+        pixels += static_cast<double>(bin.pixels);
+    }
+    return pixels > 0 ? std::sqrt(squares / pixels) : 0;
+}
+
+}

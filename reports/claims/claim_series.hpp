@@ -1,0 +1,84 @@
+// The series of a report as the paper's claims ask for them, and what these say of a series.
+#pragma once
+
+#include "reports/layout/report_layout.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// What a claim is about. Parameters that a series does not store have their defaults.
+struct SeriesQuery
+{
+    enum class Needs
+    {
+        anything,
+        spectrum, ///< an estimate of several realizations, or the periodogram of a deterministic method
+        plate,    ///< the zone plate
+        iterations,
+    };
+
+    std::string sampler;
+    std::map<std::string, double> numbers = {}; ///< parameters with their values
+    std::optional<std::size_t> points = {};     ///< within a tenth: tilings hit the number of points nearly
+    int dimension = 2;
+    Needs needs = Needs::anything;
+};
+
+/// All series of a report.
+class ClaimSeries
+{
+public:
+    /// Looks for false rings in all pictures of the zone plate. Throws InputError for those that cannot be read.
+    explicit ClaimSeries(std::vector<const ReportSeries*> series);
+
+    std::vector<const ReportSeries*> all(const SeriesQuery& query) const;
+
+    /// The first one, or nullptr.
+    const ReportSeries* one(const SeriesQuery& query) const;
+
+    /// The strength of the false rings in the zone plate of a series; empty where there is no plate of enough pixels.
+    struct Rings
+    {
+        double strength = 0, at_the_plate = 0, bound = 0;
+    };
+    std::optional<Rings> false_rings(const ReportSeries& series) const;
+
+private:
+    std::vector<const ReportSeries*> series_;
+    std::map<const ReportSeries*, Rings> rings_;
+};
+
+/// A parameter as a number: what is stored, or its default where that is known.
+std::optional<double> number_parameter(const ReportSeries& series, const std::string& key);
+
+/// Tiles in the set: C^4, C^12, T, or C^8 (3D).
+std::optional<double> tiles_of_set(const ReportSeries& series);
+
+/// The mean anisotropy in dB of rings with at least 100 samples, above that of chance; and the largest.
+double mean_excess_anisotropy(const ReportSeries& series);
+double peak_anisotropy(const ReportSeries& series);
+
+/// The highest radially averaged power, and its standard error.
+RadialBin power_peak(const ReportSeries& series);
+
+/// How steeply the power rises to its peak: the width of the rise from 0.25 to 0.75, in cycles per mean spacing of the
+/// points. Empty for curves that do not rise so.
+std::optional<double> rise_width(const ReportSeries& series);
+
+/// The mean radial power between two frequencies in units of the principal frequency; empty where there are no rings.
+std::optional<double> mean_power(const ReportSeries& series, double low, double high);
+
+/// The share of the power that lies on the lattice of a tiling's frequencies: with a mean peak m over the power around
+/// it and a share q of frequencies on the lattice, m q / (m q + 1 - q). Without tiles it is q. Empty for series without
+/// tiles.
+std::optional<double> lattice_share(const ReportSeries& series);
+
+/// The root mean square error of the zone plate where it has between `low` and `high` cycles per pixel.
+double plate_error(const ReportSeries& series, double low, double high);
+
+}

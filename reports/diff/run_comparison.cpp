@@ -1,0 +1,134 @@
+#include "reports/diff/run_comparison.hpp"
+
+#include "results/collection_file.hpp"
+
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <map>
+
+namespace poissonlab {
+
+namespace {
+
+std::string joined(const std::string& run, const std::string& series)
+{
+    return run.empty() ? series : run + "/" + series;
+}
+
+std::vector<StoredRun> read_runs(const std::filesystem::path& folder)
+{
+    std::vector<StoredRun> runs;
+    for (const auto& run : output_folders(folder)) runs.push_back(read_stored_run(run));
+    return runs;
+}
+
+// The runs by name: the folder's in a collection. One run on either side is matched whatever its folder is called.
+std::map<std::string, const StoredRun*> by_name(const std::vector<StoredRun>& runs)
+{
+    std::map<std::string, const StoredRun*> named;
+    for (const auto& run : runs) named[runs.size() == 1 ? "" : run.folder.filename().string()] = &run;
+    return named;
+}
+
+const StoredSeries* find_series(const StoredRun& run, const std::string& name)
+{
+    const auto found = std::ranges::find(run.series, name, &StoredSeries::name);
+    return found == run.series.end() ? nullptr : &*found;
+}
+
+// What a reader must know of two runs before their numbers.
+void add_remarks(const std::string& name, const StoredRun& before, const StoredRun& after,
+                 std::vector<std::string>& remarks)
+{
+    const auto add = [&](const std::string& what, const std::string& a, const std::string& b) {
+        if (a == b) return;
+        const auto shown = [](const std::string& text) { return text.empty() ? "none" : text; };
+        const auto remark = what + ": " + shown(a) + " → " + shown(b);
+        // The same of every run of a collection is said once.
+        if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
+    };
+    add("version", before.version, after.version);
+    add("device", before.machine_member("device"), after.machine_member("device"));
+    add("threads", before.machine_member("threads"), after.machine_member("threads"));
+    add("engine", before.engine, after.engine);
+    add("seed", before.seed, after.seed);
+    // The seed has been said.
+    const auto overrides = [](std::vector<std::string> texts) {
+        std::erase_if(texts, [](const std::string& text) { return text.starts_with("seed="); });
+        return texts;
+    };
+    if (before.config != after.config || overrides(before.overrides) != overrides(after.overrides))
+        remarks.push_back((name.empty() ? "the configs" : name + ": the configs") + " differ");
+}
+
+void match_series(const std::string& name, const StoredRun& before, const StoredRun& after, RunComparison& comparison)
+{
+    for (const auto& series : before.series) {
+        const auto* other = find_series(after, series.name);
+        if (other == nullptr) {
+            comparison.missing.push_back(joined(name, series.name));
+            continue;
+        }
+        comparison.series.push_back({name, &before, &after, &series, other, {}});
+    }
+    for (const auto& series : after.series)
+        if (find_series(before, series.name) == nullptr) comparison.added.push_back(joined(name, series.name));
+}
+
+void match_runs(RunComparison& comparison)
+{
+    const auto before = by_name(comparison.before);
+    const auto after = by_name(comparison.after);
+    for (const auto& [name, run] : before) {
+        const auto other = after.find(name);
+        if (other == after.end()) {
+            comparison.missing.push_back(joined(name, "(all of it)"));
+            continue;
+        }
+        add_remarks(name, *run, *other->second, comparison.remarks);
+        match_series(name, *run, *other->second, comparison);
+    }
+    for (const auto& [name, run] : after)
+        if (!before.contains(name)) comparison.added.push_back(joined(name, "(all of it)"));
+}
+
+}
+
+std::string SeriesComparison::name() const { return joined(run, before->name); }
+
+bool SeriesComparison::changed() const
+{
+    return std::ranges::any_of(numbers, [](const auto& number) { return number.verdict == Verdict::changed; });
+}
+
+bool RunComparison::changed() const
+{
+    return !missing.empty() || !added.empty() ||
+           std::ranges::any_of(series, [](const auto& entry) { return entry.changed(); });
+}
+
+std::size_t RunComparison::count(Verdict verdict) const
+{
+    std::size_t count = 0;
+    for (const auto& entry : series)
+        count += static_cast<std::size_t>(
+            std::ranges::count(entry.numbers, verdict, [](const auto& number) { return number.verdict; }));
+    return count;
+}
+
+RunComparison compare_results(const std::filesystem::path& before, const std::filesystem::path& after)
+{
+    RunComparison comparison;
+    comparison.before = read_runs(before);
+    comparison.after = read_runs(after);
+    match_runs(comparison);
+    tbb::parallel_for_each(comparison.series, [](SeriesComparison& pair) { pair.numbers = compare_series(pair); });
+    std::vector<NumberComparison*> numbers;
+    for (auto& pair : comparison.series)
+        for (auto& number : pair.numbers) numbers.push_back(&number);
+    settle_verdicts(numbers);
+    return comparison;
+}
+
+}

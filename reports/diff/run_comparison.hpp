@@ -1,0 +1,51 @@
+// Two results of the same experiment, number by number: what changed beyond its error, and what is new or missing.
+//
+// Series are matched by the name of their run's folder and their own. Numbers with a spread over realizations go
+// through Welch's test, curves point by point, all corrected for how many tests there are; numbers without chance are
+// compared exactly. See number_comparison.hpp.
+#pragma once
+
+#include "reports/diff/number_comparison.hpp"
+#include "results/stored_results.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A series that both have. The runs outlive it.
+struct SeriesComparison
+{
+    std::string run; ///< the folder of its run in a collection; empty: there is one run
+    const StoredRun* run_before = nullptr;
+    const StoredRun* run_after = nullptr;
+    const StoredSeries* before = nullptr;
+    const StoredSeries* after = nullptr;
+    std::vector<NumberComparison> numbers;
+
+    /// "run/series", or the series alone where there is one run.
+    std::string name() const;
+    bool changed() const;
+};
+
+struct RunComparison
+{
+    std::vector<StoredRun> before, after; ///< what was compared; the rest points into these
+    std::vector<SeriesComparison> series;
+    std::vector<std::string> missing; ///< series (or whole runs) of before only
+    std::vector<std::string> added;   ///< of after only
+    std::vector<std::string> remarks; ///< what differs about the runs themselves: version, device, seed, config
+
+    bool changed() const;
+    std::size_t count(Verdict verdict) const;
+};
+
+/// Compares two output folders or collections. Throws InputError for folders without readable results.
+RunComparison compare_results(const std::filesystem::path& before, const std::filesystem::path& after);
+
+/// The numbers of one series in both runs, not yet settled. Reads the tables of curves. Throws InputError.
+std::vector<NumberComparison> compare_series(const SeriesComparison& pair);
+
+}

@@ -1,0 +1,35 @@
+// The picture of a point set: a window of the torus, small enough that every dot is seen.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "base/images/grey_image.hpp"
+
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// What a picture shows: points with x and y in [0, window), and in 3D z in [0, depth).
+struct PointsView
+{
+    double window = 1;
+    double depth = 1;            ///< 3D only
+    double dot_diameter = 0;     ///< in units of the window
+    std::size_t total = 0;       ///< points in the set
+    std::vector<double> visible; ///< x0 y0 x1 y1 ..., in units of the window
+    std::size_t shown() const { return visible.size() / 2; }
+};
+
+/// Sets of at most 2,000 points are shown whole, larger ones in a window that holds about 1,500.
+/// 3D sets are shown as a slab as thick as the largest possible minimum distance, seen along z.
+/// Dots have a third of the diameter of the largest disks that so many points could carry, whatever the
+/// method, so that pictures of different methods compare.
+PointsView choose_points_view(const PointSet& points);
+
+/// Black dots on white, antialiased. The origin is at the lower left.
+GreyImage draw_points(const PointsView& view);
+
+/// The same as SVG.
+std::string points_svg(const PointsView& view);
+
+}

@@ -1,0 +1,73 @@
+// The modified Poisson disk tile regions of a unit square, wherever it lies in a drawing: a quarter of an
+// octagon in each corner, a strip along each edge, and the interior.
+//
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 and 4.31: the octagon around a
+// corner has its vertices at (+-reach, +-width) and (+-width, +-reach), strips go from `reach` to 1 -
+// `reach`. Corners are numbered counterclockwise from the lower left (south-west), edge i goes from corner i
+// to the next: south, east, north, west.
+#pragma once
+
+#include "reports/drawings/drawing.hpp"
+#include "tiles/tilings/tile_index.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace poissonlab {
+
+/// A unit square in a drawing, as a parallelogram.
+struct DrawnSquare
+{
+    DrawingPoint corner; ///< the lower left
+    DrawingPoint right;  ///< from there to the lower right
+    DrawingPoint up;     ///< from there to the upper left
+
+    DrawingPoint at(double x, double y) const
+    {
+        return {corner[0] + x * right[0] + y * up[0], corner[1] + x * right[1] + y * up[1]};
+    }
+
+    /// The place `along` an edge from its first corner and `inwards` from it.
+    DrawingPoint beside_edge(std::size_t edge, double along, double inwards) const;
+
+    std::vector<DrawingPoint> outline() const { return {at(0, 0), at(1, 0), at(1, 1), at(0, 1)}; }
+};
+
+/// In units of the square's side, width <= reach <= 1/2.
+struct RegionSizes
+{
+    double reach = 0; ///< of octagons along the edges
+    double width = 0; ///< of strips, on each side of the edge
+};
+
+/// A tile's colours in the order of the corners.
+constexpr std::array<Color, 4> corner_colors(const CornerTile& tile)
+{
+    return {tile.south_west, tile.south_east, tile.north_east, tile.north_west};
+}
+
+/// A tile's colours in the order of the edges.
+constexpr std::array<Color, 4> edge_colors(const WangTile& tile)
+{
+    return {tile.south, tile.east, tile.north, tile.west};
+}
+
+Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner,
+                    const std::string& color);
+Shape edge_region(const DrawnSquare& square, RegionSizes sizes, std::size_t edge, const std::string& color);
+
+/// The half of an edge region on the side of the edge's first or second corner.
+Shape half_edge_region(const DrawnSquare& square, RegionSizes sizes, std::size_t edge, bool second,
+                       const std::string& color);
+
+/// The colour of a corner's half of an edge region: the corner's, but paler.
+std::string edge_tint(const std::string& color);
+
+/// Appends thin grey lines around the interior and the edge regions, all there are apart from the square's
+/// own outline, which they touch.
+void add_region_outlines(std::vector<Shape>& shapes, const DrawnSquare& square, RegionSizes sizes);
+
+/// Sorts shapes by their fills, so that shapes that do not overlap take few paths of an SVG.
+void group_by_fill(std::vector<Shape>& shapes);
+
+}

@@ -1,0 +1,62 @@
+// Pictures of tile sets and tilings, in the papers' colours.
+//
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 2.3 to 2.7 and 3.1 to 3.8: Wang tiles
+// are four triangles in the colours of their edges, corner tiles have a quarter of a disk in the colour of
+// each corner.
+#pragma once
+
+#include "reports/drawings/drawing.hpp"
+#include "reports/drawings/square_regions.hpp"
+#include "tiles/tilings/tile_set.hpp"
+#include "tiles/tilings/tiling.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Wang or corner tiles in rows, the first row at the top.
+struct TileGrid
+{
+    TileKind kind = TileKind::corner;
+    WangColors colors;
+    std::size_t columns = 1;
+    std::vector<TileIndex> tiles; ///< row after row; the last row may be shorter
+    bool has_gaps = false;        ///< between tiles: a set, not a tiling
+};
+
+/// The most tiles of a picture.
+constexpr std::uint64_t max_drawn_tiles = 100'000;
+
+/// Throws InputError for more than max_drawn_tiles.
+void check_drawn_count(std::uint64_t tiles);
+
+/// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
+/// grey, and from 8 on shades all around the colour circle.
+std::string tile_color(Color color);
+
+/// All tiles of a set in order of their indices; with columns = 0, as many as make the picture nearly square.
+/// Throws InputError for more than max_drawn_tiles.
+TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns = 0);
+
+/// A window of a tiling. Throws InputError for more than max_drawn_tiles.
+TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window);
+
+/// Wang or corner tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
+/// std::logic_error for other tiles.
+Drawing draw_tiles(const TileGrid& grid);
+
+// For other pictures of the same tiles at the same places:
+
+/// With the size of the grid's picture and no shapes. Throws std::logic_error as above.
+Drawing empty_tile_drawing(const TileGrid& grid);
+
+/// Where a tile of the grid lies.
+DrawnSquare tile_square(const TileGrid& grid, std::size_t tile);
+
+/// Appends black lines around the tiles, `width` units wide.
+void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double width);
+
+}

@@ -1,0 +1,45 @@
+#include "reports/images/spectrum_image.hpp"
+
+namespace poissonlab {
+
+namespace {
+
+constexpr int largest_page_picture = 512;
+
+// The mean power of the block whose lowest frequencies are (fx, fy), without DC.
+double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
+{
+    double sum = 0;
+    int count = 0;
+    for (int y = fy; y < fy + block; ++y)
+        for (int x = fx; x < fx + block; ++x)
+            if (x != 0 || y != 0) {
+                sum += spectrum.at(x, y);
+                ++count;
+            }
+    return count > 0 ? sum / count : 0;
+}
+
+}
+
+GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mapping, int block)
+{
+    const int lowest = -spectrum.size / 2;
+    const int size = spectrum.size / block;
+    GreyImage image(size, size, 0);
+    const GreyScale grey(tone_mapping);
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column)
+            image.at(column, size - 1 - row) =
+                grey(mean_power(spectrum, lowest + column * block, lowest + row * block, block));
+    return image;
+}
+
+int page_block(int spectrum_size)
+{
+    int block = 1;
+    while (spectrum_size / block > largest_page_picture && spectrum_size % (2 * block) == 0) block *= 2;
+    return block;
+}
+
+}

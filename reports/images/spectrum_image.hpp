@@ -1,0 +1,25 @@
+// The picture of a spectrum: one pixel a frequency, zero in the middle.
+#pragma once
+
+#include "analysis/spectra/spectrum.hpp"
+#include "base/images/grey_image.hpp"
+#include "reports/images/tone_mapping.hpp"
+
+namespace poissonlab {
+
+/// A 2D spectrum as grey values. Frequencies along y grow upwards, as in the picture of the points. A pixel
+/// shows the mean power of `block` x `block` frequencies, so that a small picture keeps the spikes that
+/// thinning out grey values would lose; `block` divides the size. Frequency zero (DC, always N) is left out:
+/// black where a pixel would show nothing else.
+GreyImage draw_spectrum(const Spectrum& spectrum, const ToneMapping& tone_mapping, int block = 1);
+
+/// The block for a picture on the page: the smallest power of two that makes it at most 512 pixels wide.
+int page_block(int spectrum_size);
+
+/// The same for either dimension: two planes of a 3D spectrum stand side by side.
+inline int spectrum_page_block(int spectrum_size, int dimension)
+{
+    return page_block(dimension == 3 ? 2 * spectrum_size : spectrum_size);
+}
+
+}

@@ -1,0 +1,55 @@
+// A report as a small site: which pages there are, and what all of them share.
+#pragma once
+
+#include "reports/layout/report_layout.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A page that the navigation of every page leads to.
+struct SitePage
+{
+    std::string file; ///< in the report's folder
+    std::string text;
+};
+
+/// Everything that pages are made of. Series have been read and drawn before pages are rendered.
+struct Site
+{
+    std::filesystem::path out; ///< the report's folder
+    std::string title;
+    std::vector<ReportRun> runs;
+    std::vector<SitePage> pages; ///< in the order of the navigation
+
+    bool has_several_runs() const { return runs.size() > 1; }
+    std::vector<const ReportSeries*> series() const;
+
+    /// Whether there is a compare page: at least two series have curves.
+    bool has_curves_to_compare() const;
+};
+
+/// Files of the site, in the report's folder.
+inline constexpr auto overview_page = "index.html";
+inline constexpr auto compare_page = "compare.html";
+inline constexpr auto claims_page = "claims.html";
+
+/// The folder of style sheet and scripts, in the report's folder.
+inline constexpr auto asset_folder = "site";
+
+/// The page of a series or a run.
+std::filesystem::path page_of(const ReportSeries& series);
+std::filesystem::path page_of(const ReportRun& run);
+
+/// The runs laid out, with their curves read. `title` may be empty: it is made of the runs'. Throws InputError.
+Site make_site(const std::vector<StoredRun>& runs, const std::filesystem::path& out, const std::string& title);
+
+/// Copies of the series of all runs, with labels that tell them apart.
+std::vector<ReportSeries> all_series_with_full_labels(const Site& site);
+
+/// Writes the style sheet and the scripts.
+void write_assets(const Site& site);
+
+}

@@ -1,0 +1,89 @@
+#include "reports/layout/tiling_pictures.hpp"
+
+#include "base/images/square_image_file.hpp"
+#include "base/errors/errors.hpp"
+#include "reports/drawings/cube_tile_image.hpp"
+#include "reports/drawings/drawing_pictures.hpp"
+#include "base/images/grey_image.hpp"
+#include "reports/drawings/tile_image.hpp"
+#include "reports/drawings/tile_regions_image.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr double pixels_a_unit = 2;
+
+/// Stored layers begin at the bottom, stored rows in the north.
+CubeGrid cube_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    if (!tiling.set.empty()) {
+        const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
+        std::vector<TileIndex> cubes = tiles;
+        return {tiling.colors, {side, (tiles.size() + side - 1) / side, 1}, cubes, true};
+    }
+    CubeGrid grid{tiling.colors, tiling.size, {}, false};
+    const auto [width, height, depth] = tiling.size;
+    for (std::size_t z = 0; z < depth; ++z)
+        for (std::size_t y = 0; y < height; ++y)
+            for (std::size_t x = 0; x < width; ++x)
+                grid.cubes.push_back(tiles[(z * height + height - 1 - y) * width + x]);
+    return grid;
+}
+
+TileGrid square_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    const WangColors colors{tiling.colors, tiling.colors};
+    if (tiling.set.empty()) return {tiling.kind, colors, tiling.size[0], tiles, false};
+    const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
+    return {tiling.kind, colors, columns, tiles, true};
+}
+
+Drawing drawing_of(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+{
+    const bool regions = tiling.regions > 0;
+    if (tiling.kind == TileKind::cube) {
+        const CubeGrid grid = cube_grid(tiling, tiles);
+        return regions ? draw_cube_regions(grid, tiling.regions) : draw_cubes(grid);
+    }
+    const TileGrid grid = square_grid(tiling, tiles);
+    return regions ? draw_tile_regions(grid, tiling.regions) : draw_tiles(grid);
+}
+
+void draw_autocorrelation(const ReportTiling& tiling, const StoredColors& colors)
+{
+    const auto file = tiling.run->folder / colors.autocorrelation_file;
+    const SquareImage z = read_square_image(file);
+    if (z.size != 2 * colors.lags + 1)
+        throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
+                                     2 * colors.lags + 1, 2 * colors.lags + 1));
+    GreyImage image(z.size, z.size, 0);
+    for (int row = 0; row < z.size; ++row)
+        for (int column = 0; column < z.size; ++column) {
+            const double share = std::clamp(0.5 + z.at(column, row) / (2 * shown_z), 0.0, 1.0);
+            image.at(column, z.size - 1 - row) = static_cast<std::uint8_t>(std::lround(255 * share));
+        }
+    write_png(tiling.pictures / autocorrelation_picture(colors), image);
+}
+
+}
+
+std::string autocorrelation_picture(const StoredColors& colors)
+{
+    return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
+}
+
+void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store)
+{
+    const Drawing drawing = drawing_of(*tiling.stored, read_tiles(tiling.run->folder, *tiling.stored));
+    write_drawing(tiling.pictures / "tiles", drawing, pixels_a_unit * drawing.width, store);
+    if (!tiling.stored->statistics) return;
+    for (const StoredColors& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
+}
+
+}

@@ -1,0 +1,31 @@
+// The pictures of a tile set or tiling: its tiles or their regions, and the autocorrelation of its colours.
+#pragma once
+
+#include "reports/images/picture_store.hpp"
+#include "results/stored_results.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// One tile set or tiling of the report.
+struct ReportTiling
+{
+    const StoredRun* run = nullptr; ///< the runs outlive this
+    const StoredTiling* stored = nullptr;
+    std::filesystem::path pictures; ///< folder of its pictures
+};
+
+/// What autocorrelation pictures show in black and white: z from -6 to 6.
+inline constexpr double shown_z = 6;
+
+/// The picture of an autocorrelation, for example "corners-autocorrelation.png".
+std::string autocorrelation_picture(const StoredColors& colors);
+
+/// Writes tiles.svg, tiles.png and a picture of each autocorrelation. Throws InputError when stored files are
+/// not what results.json says.
+void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store);
+
+}

@@ -1,0 +1,74 @@
+// The page that holds the paper's claims against what was measured.
+#include "reports/pages/page.hpp"
+#include "reports/pages/page_frame.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/claims/paper_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+struct AgreementWords
+{
+    const char* name; ///< of the CSS class
+    const char* text;
+    const char* mark; ///< for those who do not see colours
+};
+
+AgreementWords words_of(Agreement agreement)
+{
+    switch (agreement) {
+    case Agreement::agrees:
+        return {"agrees", "agrees", "✓"};
+    case Agreement::partly:
+        return {"partly", "partly", "◐"};
+    case Agreement::disagrees:
+        return {"disagrees", "disagrees", "✗"};
+    case Agreement::not_judged:
+        break;
+    }
+    return {"unjudged", "not judged", "–"};
+}
+
+PageData row(const JudgedClaim& judged)
+{
+    const auto words = words_of(judged.outcome.agreement);
+    PageData data;
+    data.set("id", "claim-" + judged.claim->id);
+    data.set("section", judged.claim->section);
+    data.set("says", judged.claim->says);
+    data.set("criterion", judged.claim->criterion);
+    data.set("measured", judged.outcome.measured);
+    data.set("agreement", words.text);
+    data.set("class", words.name);
+    data.set("mark", words.mark);
+    return data;
+}
+
+std::string summary(const std::vector<JudgedClaim>& claims)
+{
+    const auto count = [&](Agreement agreement) {
+        return std::ranges::count(claims, agreement, [](const auto& judged) { return judged.outcome.agreement; });
+    };
+    return fmt::format("{} claims: {} agree, {} in part, {} disagree; {} are times, shown side by side.", claims.size(),
+                       count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
+                       count(Agreement::not_judged));
+}
+
+}
+
+std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>& claims)
+{
+    PageData page;
+    PageData rows{PageData::type::list};
+    for (const auto& judged : claims) rows << row(judged);
+    page.set("rows", rows);
+    page.set("summary", summary(claims));
+    return render_in_frame(site, {site.out / claims_page, "The paper's claims · " + site.title, {}}, "claims", page);
+}
+
+}

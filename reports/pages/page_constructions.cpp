@@ -1,0 +1,105 @@
+// The page's section on the construction of Poisson tile sets.
+#include "reports/drawings/construction_image.hpp"
+#include "reports/pages/embedding.hpp"
+#include "reports/words/number_format.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/drawings/panel_label.hpp"
+#include "reports/drawings/region_colors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+const std::array<const char*, stored_point_classes.size()> class_meanings{
+    "points around the tile, which are held while others move", "points elsewhere on the torus",
+    "points that are there already", "points of what is made here"};
+
+/// "Black: points that are there already. Red: ...", what there is.
+std::string legend(const ReportConstruction& construction)
+{
+    std::string text;
+    for (std::size_t kind = construction.stored->points.size(); kind-- > 0;) {
+        if (construction.stored->points[kind] == 0) continue;
+        std::string color = point_color(kind).name;
+        color[0] = static_cast<char>(color[0] - 'a' + 'A');
+        text += fmt::format(" {}: {}.", color, class_meanings[kind]);
+    }
+    return text;
+}
+
+bool shows_disks(const StoredScene& scene)
+{
+    return std::ranges::any_of(scene.panels, [](const StoredPanel& panel) {
+        return panel.has_points() && !(panel.pieces.empty() && panel.tiles.empty());
+    });
+}
+
+std::string caption_of(const ReportConstruction& construction)
+{
+    const StoredScene& scene = construction.scene;
+    std::string text;
+    for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+        if (scene.panels[i].caption.empty()) continue;
+        const std::string letter = scene.panels.size() > 1 && i < most_panel_letters
+                                       ? fmt::format("({}) ", static_cast<char>('a' + i))
+                                       : "";
+        text += (text.empty() ? "" : " ") + letter + scene.panels[i].caption;
+    }
+    if (text.empty() && scene.panels.size() > 1) text = fmt::format("{} of them.", scene.panels.size());
+    if (construction.stored->show == "points" || construction.stored->show == "tiling") return text;
+    text += legend(construction);
+    if (shows_disks(scene))
+        text += scene.dimension == 2 ? " Circles have the Poisson disk radius."
+                                     : " Spheres are drawn smaller than they are, and paler farther away.";
+    return text;
+}
+
+PageData facts_of(const StoredConstruction& stored)
+{
+    PageData facts{PageData::type::list};
+    const bool is_template = stored.kind == "template";
+    facts << PageData(stored.kind == "edge"     ? "edge-based Poisson disk tiles"
+                      : stored.kind == "sphere" ? "corner-based Poisson sphere tiles"
+                      : is_template             ? "template Poisson disk tiles"
+                                                : "corner-based Poisson disk tiles");
+    facts << PageData(is_template
+                          ? fmt::format("{} tiles", format_count(stored.tiles))
+                          : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
+    facts << PageData(fmt::format("{} points per tile", format_count(stored.points_per_tile)));
+    facts << PageData(fmt::format("relative radius {}", format_exact(stored.relative_radius)));
+    if (stored.show == "regions" || stored.show == "kinds") return facts;
+    facts << PageData(fmt::format("{}, {} Lloyd iterations{}", stored.filling, stored.lloyd_iterations,
+                                  stored.repulsion ? ", repulsion" : ""));
+    return facts;
+}
+
+}
+
+PageData construction_section(const ReportConstruction& construction, std::size_t index,
+                              const std::filesystem::path& page_folder)
+{
+    const StoredConstruction& stored = *construction.stored;
+    const std::string caption = caption_of(construction);
+    PageData data;
+    data.set("label", stored.label);
+    data.set("anchor", fmt::format("construction-{}", index + 1));
+    data.set("facts", facts_of(stored));
+    // Small pictures stay small.
+    DrawingPoint size{};
+    panel_places(construction.scene, size);
+    data.set("width", fmt::format("{:.0f}", size[0]));
+    data.set("caption", caption);
+    data.set("alt", fmt::format("{}. {}", stored.label, caption));
+    data.set("source", relative_link(page_folder, construction.pictures / "construction.svg"));
+    data.set("svg", relative_link(page_folder, construction.pictures / "construction.svg"));
+    data.set("png", relative_link(page_folder, construction.pictures / "construction.png"));
+    data.set("json", relative_link(page_folder, construction.run->folder / stored.file));
+    return data;
+}
+
+}

@@ -1,0 +1,56 @@
+#include "reports/pages/page_frame.hpp"
+
+#include "reports/pages/embedding.hpp"
+#include "reports/layout/page_template.hpp"
+
+namespace poissonlab {
+
+namespace {
+
+std::string template_text(const std::string& name)
+{
+    return std::string(page_template_file("templates/" + name + ".mustache"));
+}
+
+void add_partials(PageData& data)
+{
+    for (const std::string name : {"panel", "guide", "provenance"})
+        data.set(name, PageData(kainjow::mustache::partial([name] { return template_text(name); })));
+}
+
+PageData navigation(const Site& site, const PageFrame& frame)
+{
+    PageData list{PageData::type::list};
+    for (const auto& page : site.pages) {
+        PageData item;
+        item.set("text", page.text);
+        item.set("link", relative_link(frame.file.parent_path(), site.out / page.file));
+        item.set("current", site.out / page.file == frame.file);
+        list << item;
+    }
+    return list;
+}
+
+}
+
+std::string render_template(const std::string& name, PageData& data)
+{
+    add_partials(data);
+    kainjow::mustache::mustache text{template_text(name)};
+    return text.render(data);
+}
+
+std::string render_in_frame(const Site& site, const PageFrame& frame, const std::string& name, PageData& data)
+{
+    PageData page;
+    page.set("title", frame.title);
+    page.set("assets", relative_link(frame.file.parent_path(), site.out / asset_folder));
+    page.set("pages", navigation(site, frame));
+    PageData scripts{PageData::type::list};
+    for (const auto& script : frame.scripts) scripts << PageData(script);
+    page.set("scripts", scripts);
+    page.set("content", render_template(name, data));
+    return render_template("frame", page);
+}
+
+}

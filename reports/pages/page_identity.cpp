@@ -1,0 +1,63 @@
+// What identifies a series wherever it is mentioned, and how quantities over its realizations are shown.
+#include "reports/words/number_format.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/plots/plot_style.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+std::string parameters_text(const NamedTexts& parameters)
+{
+    std::string text;
+    for (const auto& [name, value] : parameters)
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+    return text;
+}
+
+// "1,708 to 1,754" where realizations differ in size.
+std::string points_range(const StoredSeries& series)
+{
+    if (series.points_each.empty()) return {};
+    const auto [fewest, most] = std::ranges::minmax_element(series.points_each);
+    return fmt::format("{} to {}", format_count(*fewest), format_count(*most));
+}
+
+}
+
+PageData optional_text(const std::string& text) { return text.empty() ? PageData(false) : PageData(text); }
+
+PageData series_identity(const ReportSeries& series, std::size_t index)
+{
+    PageData data;
+    data.set("label", series.label);
+    data.set("color", curve_color(index));
+    data.set("sampler", series.stored->sampler);
+    data.set("parameters", optional_text(parameters_text(series.stored->parameters)));
+    data.set("points", format_count(series.stored->points));
+    data.set("points_range", optional_text(points_range(*series.stored)));
+    data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
+    return data;
+}
+
+PageData shown_mean(const std::optional<StoredStatistic>& value, int digits)
+{
+    if (!value) return false;
+    PageData data;
+    data.set("exact", format_exact(value->mean));
+    data.set("mean", format_significant(value->mean, digits));
+    return data;
+}
+
+std::string shown_range(const StoredStatistic& value, int digits)
+{
+    const auto low = format_significant(value.min, digits);
+    const auto high = format_significant(value.max, digits);
+    return low == high ? std::string() : low + " to " + high;
+}
+
+}

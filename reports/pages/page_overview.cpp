@@ -1,0 +1,84 @@
+// The overview: the ranking of all series, and the runs.
+#include "reports/pages/embedding.hpp"
+#include "reports/words/number_format.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/pages/page_frame.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/layout/thumbnails.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+namespace {
+
+// "63 series, 2 tilings".
+std::string contents_of(const ReportRun& run)
+{
+    std::string text;
+    const auto add = [&](std::size_t count, const char* one, const char* many) {
+        if (count > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", format_count(count), count == 1 ? one : many);
+    };
+    add(run.series.size(), "series", "series");
+    add(run.tilings.size(), "tiling", "tilings");
+    add(run.constructions.size(), "construction", "constructions");
+    return text;
+}
+
+PageData figure(const Site& site, const ReportRun& run)
+{
+    PageData data;
+    data.set("title", run.stored->title);
+    data.set("what", contents_of(run));
+    data.set("link", relative_link(site.out, page_of(run)));
+    data.set("source", relative_link(site.out, run.root / run_thumbnail));
+    data.set("image_class", "framed");
+    data.set("alt", "A picture of " + run.stored->title);
+    return data;
+}
+
+PageData figures(const Site& site)
+{
+    PageData list{PageData::type::list};
+    for (const auto& run : site.runs) list << figure(site, run);
+    return list;
+}
+
+// What a page over several runs has not got of its own.
+void clear_run_parts(PageData& page)
+{
+    for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions"})
+        page.set(part, false);
+    page.set("content", "");
+}
+
+}
+
+std::string render_overview_page(const Site& site)
+{
+    PageData page;
+    std::vector<const ReportRun*> runs;
+    for (const auto& run : site.runs) runs.push_back(&run);
+    page.set("title", site.title);
+    page.set("summary", summary_of(runs));
+    page.set("has_figures", site.has_several_runs());
+    if (site.has_several_runs()) {
+        clear_run_parts(page);
+        page.set("figures", figures(site));
+    } else {
+        auto content = render_run(site, site.runs.front(), site.out, page);
+        page.set("content", content);
+    }
+    set_ranking(page, site);
+    PageData provenances{PageData::type::list};
+    for (const auto& run : site.runs) {
+        PageData from;
+        set_provenance(from, *run.stored);
+        provenances << from;
+    }
+    page.set("provenances", provenances);
+    return render_in_frame(site, {site.out / overview_page, site.title, {"ranking.js", "matrix.js"}}, "overview", page);
+}
+
+}

@@ -1,0 +1,144 @@
+// The page's section on tile sets and tilings.
+#include "reports/pages/embedding.hpp"
+#include "reports/words/number_format.hpp"
+#include "reports/pages/page_parts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path& page_folder,
+                        const std::string& shown, const std::string& linked, const std::string& title,
+                        const std::string& caption)
+{
+    PageData data;
+    data.set("title", title);
+    data.set("caption", caption);
+    data.set("alt", fmt::format("{}: {}. {}", tiling.stored->label, title, caption));
+    data.set("source", relative_link(page_folder, tiling.pictures / shown));
+    data.set("link", relative_link(page_folder, tiling.pictures / linked));
+    return data;
+}
+
+std::string shown_tiles(const StoredTiling& stored)
+{
+    if (!stored.set.empty())
+        return fmt::format("All {} tiles in order of their indices.", format_count(stored.tiles));
+    const std::size_t axes = stored.kind == TileKind::cube ? 3 : 2;
+    const std::vector<std::size_t> sizes(stored.size.begin(),
+                                         stored.size.begin() + static_cast<std::ptrdiff_t>(axes));
+    const std::vector<std::int64_t> origin(stored.origin.begin(),
+                                           stored.origin.begin() + static_cast<std::ptrdiff_t>(axes));
+    return fmt::format("{} tiles from ({}) on.", fmt::join(sizes, " × "), fmt::join(origin, ", "));
+}
+
+std::string picture_caption(const StoredTiling& stored)
+{
+    if (stored.regions == 0) return shown_tiles(stored);
+    return fmt::format("{} Regions of Poisson {} of radius {}.", shown_tiles(stored),
+                       stored.kind == TileKind::cube ? "spheres" : "disks",
+                       format_significant(stored.regions, 3));
+}
+
+std::string period_text(const std::vector<double>& period, const char* never)
+{
+    std::vector<std::string> texts;
+    for (const double p : period)
+        texts.push_back(p > 0 ? format_count(static_cast<std::uint64_t>(p)) : std::string(never));
+    return fmt::format("{}", fmt::join(texts, " × "));
+}
+
+PageData facts_of(const StoredTiling& stored)
+{
+    PageData facts{PageData::type::list};
+    const char* kind = stored.kind == TileKind::wang   ? "Wang tiles"
+                       : stored.kind == TileKind::cube ? "corner cubes"
+                                                       : "corner tiles";
+    facts << PageData(std::string(kind));
+    facts << PageData(fmt::format("{} colours", stored.colors));
+    facts << PageData(fmt::format("{} tiles in the set", format_count(stored.tiles)));
+    if (!stored.algorithm.empty()) facts << PageData("algorithm " + stored.algorithm);
+    if (!stored.hash.empty())
+        facts << PageData(fmt::format("hash {}, repeats after {} tiles", stored.hash,
+                                      period_text(stored.hash_period, "infinitely many")));
+    if (std::ranges::any_of(stored.period, [](double p) { return p > 0; }))
+        facts << PageData("closes after " + period_text(stored.period, "–") + " tiles");
+    return facts;
+}
+
+PageData measure(const std::string& name, const std::string& value, const std::string& meaning)
+{
+    PageData data;
+    data.set("name", name);
+    data.set("value", value);
+    data.set("meaning", meaning);
+    return data;
+}
+
+std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + format_significant(p, 2); }
+
+PageData measures_of(const StoredTiling& stored)
+{
+    PageData list{PageData::type::list};
+    if (!stored.statistics) return list;
+    const auto& statistics = *stored.statistics;
+    if (statistics.tiles)
+        list << measure(
+            "Frequencies of tiles", p_text(statistics.tiles->p_value),
+            fmt::format("chi-square {} for {} tiles of the set in {} of the tiling: a small p says that some "
+                        "come too often",
+                        format_significant(statistics.tiles->chi_square, 4), format_count(stored.tiles),
+                        format_count(statistics.samples)));
+    for (const StoredColors& colors : statistics.colors) {
+        list << measure(fmt::format("Frequencies of colours, {}", colors.name),
+                        p_text(colors.frequencies.p_value),
+                        fmt::format("chi-square {} for {} colours",
+                                    format_significant(colors.frequencies.chi_square, 3), colors.count));
+        const bool repeats = colors.largest > colors.bound;
+        list << measure(fmt::format("Largest correlation, {}", colors.name),
+                        fmt::format("{} standard deviations", format_significant(colors.largest, 3)),
+                        fmt::format("at ({}, {}); chance passes {} once in a hundred tilings: {}",
+                                    format_exact(colors.largest_at[0]), format_exact(colors.largest_at[1]),
+                                    format_fixed(colors.bound, 2),
+                                    repeats ? "these colours repeat" : "no trace of repetition"));
+    }
+    return list;
+}
+
+}
+
+PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder)
+{
+    const auto& stored = *tiling.stored;
+    PageData data;
+    data.set("label", stored.label);
+    data.set("anchor", fmt::format("tiles-{}", index + 1));
+    data.set("facts", facts_of(stored));
+    data.set("picture", tiling_picture(tiling, page_folder, "tiles.svg", "tiles.svg",
+                                       stored.set.empty() ? "Tiling" : "Tile set", picture_caption(stored)));
+    PageData pictures{PageData::type::list};
+    if (stored.statistics)
+        for (const StoredColors& colors : stored.statistics->colors) {
+            const auto name = autocorrelation_picture(colors);
+            pictures << tiling_picture(
+                tiling, page_folder, name, name, "Autocorrelation of " + colors.name,
+                fmt::format(
+                    "Displacements up to {0} along each axis, over {1} × {1} tiles; black −{2}, white {2} "
+                    "standard deviations.",
+                    colors.lags, format_count(stored.statistics->size), format_exact(shown_z)));
+        }
+    data.set("autocorrelations", pictures);
+    data.set("measures", measures_of(stored));
+    data.set("png", relative_link(page_folder, tiling.pictures / "tiles.png"));
+    data.set("svg", relative_link(page_folder, tiling.pictures / "tiles.svg"));
+    data.set("text", relative_link(page_folder, tiling.run->folder / stored.file));
+    return data;
+}
+
+}

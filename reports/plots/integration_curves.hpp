@@ -1,0 +1,39 @@
+// The curves of the error of integrals over the number of points, for methods whose sets come in several
+// sizes.
+#pragma once
+
+#include "reports/plots/gnuplot.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The error of one integrand, with sets of N points.
+struct IntegrationSample
+{
+    double points = 0;
+    double rms_error = 0;
+    double standard_error = 0;
+};
+
+/// One method with one integrand.
+struct IntegrationCurve
+{
+    std::size_t index = 0; ///< number of the method among those with curves, for the colour
+    std::string label;     ///< without numbers of points
+    std::string integrand;
+    std::vector<IntegrationSample> samples; ///< N grows
+};
+
+/// The integrands of the curves, each once, in their order.
+std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curves);
+
+/// All curves of an integrand in one plot with logarithmic axes, bars of one standard error and a key. Errors
+/// of 0 are left out.
+GnuplotPicture plot_integration_error(const std::vector<IntegrationCurve>& curves,
+                                      const std::string& integrand, const std::filesystem::path& stem);
+
+}

@@ -1,0 +1,140 @@
+#include "reports/site/report.hpp"
+
+#include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "base/errors/errors.hpp"
+#include "results/collection_file.hpp"
+#include "base/files/whole_file.hpp"
+#include "reports/pages/page.hpp"
+#include "reports/images/picture_store.hpp"
+#include "reports/claims/paper_claims.hpp"
+#include "reports/layout/plots.hpp"
+#include "reports/layout/series_pictures.hpp"
+#include "reports/layout/site.hpp"
+#include "results/stored_results.hpp"
+#include "reports/layout/thumbnails.hpp"
+#include "reports/images/zone_plate_image.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace poissonlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void create_folders(const Site& site)
+{
+    try {
+        fs::create_directories(site.out / asset_folder);
+        for (const auto& run : site.runs) {
+            fs::create_directories(run.root);
+            for (const auto& entry : run.series) fs::create_directories(entry.pictures);
+            for (const auto& entry : run.tilings) fs::create_directories(entry.pictures);
+            for (const auto& entry : run.constructions) fs::create_directories(entry.pictures);
+        }
+    } catch (const fs::filesystem_error& error) {
+        throw StorageError(error.what());
+    }
+}
+
+// The file of keys of pictures, among the assets.
+constexpr auto picture_keys = "pictures.txt";
+
+// What perfect sampling makes of the plate, in the size of the run's first picture.
+void draw_zone_plate_reference(const ReportRun& run)
+{
+    const auto curves = zone_plate_curves(run.series);
+    if (curves.empty()) return;
+    write_png(run.root / zone_plate_reference_picture, draw_zone_plate(zone_plate_reference(curves.front().size)));
+}
+
+std::vector<GnuplotPicture> all_plots(const Site& site)
+{
+    std::vector<GnuplotPicture> pictures;
+    const auto add = [&](std::vector<GnuplotPicture> more) {
+        std::ranges::move(more, std::back_inserter(pictures));
+    };
+    for (const auto& run : site.runs) {
+        add(series_plots(run.series));
+        add(overlay_plots(run.series, run.root));
+    }
+    if (site.has_several_runs()) add(overlay_plots(all_series_with_full_labels(site), site.out));
+    return pictures;
+}
+
+void draw_images(ReportRun& run, PictureStore& store)
+{
+    const auto scales = common_scales(frequency_curves(run.series));
+    tbb::parallel_for_each(run.series, [&](ReportSeries& series) {
+        draw_points_pictures(series, store);
+        draw_spectrum_pictures(series, store);
+        draw_radial_thumbnail(series, scales);
+        draw_zone_plate_picture(series, store);
+    });
+    tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
+    tbb::parallel_for_each(run.constructions,
+                           [&](const auto& construction) { draw_construction_picture(construction, store); });
+    draw_zone_plate_reference(run);
+    draw_run_thumbnail(run);
+}
+
+void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
+{
+    write_assets(site);
+    write_whole_file(site.out / overview_page, render_overview_page(site));
+    std::error_code ignored;
+    if (!claims.empty())
+        write_whole_file(site.out / claims_page, render_claims_page(site, claims));
+    else
+        fs::remove(site.out / claims_page, ignored);
+    if (site.has_curves_to_compare())
+        write_whole_file(site.out / compare_page, render_compare_page(site));
+    else
+        fs::remove(site.out / compare_page, ignored); // of an earlier report
+    for (std::size_t i = 0; i < site.runs.size(); ++i) {
+        const ReportRun& run = site.runs[i];
+        if (site.has_several_runs()) write_whole_file(page_of(run), render_run_page(site, i));
+        tbb::parallel_for(std::size_t{0}, run.series.size(), [&](std::size_t index) {
+            write_whole_file(page_of(run.series[index]), render_series_page(site, run, index));
+        });
+    }
+}
+
+}
+
+void write_report(const std::vector<fs::path>& result_folders, const fs::path& out,
+                  const std::function<void(const std::string&)>& progress)
+{
+    const auto say = [&](const std::string& step) {
+        if (progress) progress(step);
+    };
+    if (result_folders.empty()) throw InputError("a report needs at least one result folder");
+
+    say("reading results");
+    std::vector<StoredRun> runs;
+    for (const auto& folder : output_folders(result_folders)) runs.push_back(read_stored_run(folder));
+    const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
+    auto site = make_site(runs, out, collection ? collection->title : std::string());
+    create_folders(site);
+
+    say("drawing pictures");
+    PictureStore store(out, out / asset_folder / picture_keys);
+    const auto plots = all_plots(site); // before the images: drawing those changes the series
+    // gnuplot works in its own processes while this one draws the images.
+    tbb::parallel_invoke([&] { draw_with_gnuplot(plots, &store); },
+                         [&] { tbb::parallel_for_each(site.runs, [&](ReportRun& run) { draw_images(run, store); }); });
+    store.save();
+
+    const auto claims = judge_claims(site.series());
+    if (!claims.empty()) site.pages.push_back({claims_page, "The paper's claims"});
+
+    say("writing the pages");
+    write_pages(site, claims);
+}
+
+}

@@ -1,0 +1,14 @@
+// pair-correlation.csv: the pair correlation function of a series.
+#pragma once
+
+#include "analysis/measures/pair_correlation.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace poissonlab {
+
+/// Reads columns distance,pair_correlation,standard_error,pairs. Throws InputError with file and line.
+std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesystem::path& path);
+
+}

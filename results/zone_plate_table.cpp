@@ -1,0 +1,25 @@
+#include "results/zone_plate_table.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/number_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace poissonlab {
+
+std::vector<ErrorBin> read_zone_plate_table(const std::filesystem::path& path)
+{
+    std::vector<ErrorBin> bins;
+    for (const auto& row :
+         read_number_table(path, "distance,frequency,rms_error,pixels", "distances")) {
+        if (!std::isfinite(row[2]))
+            throw InputError(
+                fmt::format("{}:{}: rms_error = {}: must be finite", path.string(), bins.size() + 2, row[2]));
+        bins.push_back({row[0], row[1], row[2], table_count(row[3], path, bins.size(), "pixels")});
+    }
+    return bins;
+}
+
+}

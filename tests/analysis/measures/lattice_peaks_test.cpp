@@ -1,0 +1,126 @@
+#include "analysis/measures/lattice_peaks.hpp"
+
+#include "base/errors/errors.hpp"
+#include "tests/support/point_patterns.hpp"
+#include "tests/support/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using namespace test;
+
+/// Background power 1, `peak` at the multiples of `tiles`, and much at f = 0.
+Spectrum spectrum_with_peaks(int dimension, int size, int tiles, double peak)
+{
+    Spectrum spectrum{dimension, size, 100, 1, {}};
+    const int half = size / 2;
+    for (int w = dimension == 3 ? -half : 0; w < (dimension == 3 ? half : 1); ++w) {
+        for (int v = -half; v < half; ++v) {
+            for (int u = -half; u < half; ++u) {
+                const bool multiple = u % tiles == 0 && v % tiles == 0 && w % tiles == 0;
+                spectrum.power.push_back(!multiple ? 1 : u == 0 && v == 0 && w == 0 ? 1e9 : peak);
+            }
+        }
+    }
+    return spectrum;
+}
+
+double& power_at(Spectrum& spectrum, int fx, int fy)
+{
+    return spectrum
+        .power[static_cast<std::size_t>((fy + spectrum.size / 2) * spectrum.size + fx + spectrum.size / 2)];
+}
+
+TEST(LatticePeaks, AreThePowerOverThatOfTheirSurroundings)
+{
+    for (const int tiles : {2, 3, 4, 7}) {
+        for (const int d : {2, 3}) {
+            const int size = d == 2 ? 64 : 32;
+            const LatticePeaks peaks = lattice_peaks(spectrum_with_peaks(d, size, tiles, 250), tiles);
+            EXPECT_EQ(peaks.max_ratio, 250);
+            EXPECT_NEAR(peaks.mean_ratio, 250, 1e-10);
+            // Multiples along an axis whose ring of width w = min(3, M - 1) stays within [-size/2, size/2).
+            const int w = std::min(3, tiles - 1);
+            const int positive = (size / 2 - 1 - w) / tiles, negative = (size / 2 - w) / tiles;
+            const auto along = static_cast<std::size_t>(positive + negative + 1);
+            EXPECT_EQ(peaks.peaks, (d == 2 ? along * along : along * along * along) - 1) << tiles;
+        }
+    }
+}
+
+TEST(LatticePeaks, SayWhichIsTheLargest)
+{
+    Spectrum spectrum = spectrum_with_peaks(2, 64, 4, 1);
+    power_at(spectrum, 12, -8) = 10;
+    power_at(spectrum, 11, -8) = 1e4; // not a multiple: no peak, and surroundings of (12, -8) and (8, -8)
+    power_at(spectrum, -4, 20) = 7;
+    const LatticePeaks peaks = lattice_peaks(spectrum, 4);
+    EXPECT_EQ(peaks.max_ratio, 7);
+    EXPECT_EQ(peaks.frequency, (std::array{-4, 20, 0}));
+    Spectrum volume = spectrum_with_peaks(3, 16, 2, 1);
+    volume.power[static_cast<std::size_t>(((2 + 8) * 16 + (-4 + 8)) * 16 + (6 + 8))] = 3;
+    EXPECT_EQ(lattice_peaks(volume, 2).frequency, (std::array{6, -4, 2}));
+}
+
+TEST(LatticePeaks, OfARepeatedTileHoldAllPower)
+{
+    std::mt19937_64 random(1);
+    const PointSet tile = random_points(20, 2, random);
+    PointSet points{2, {}};
+    for (int t = 0; t < 16; ++t) {
+        for (std::size_t i = 0; i < tile.size(); ++i) {
+            points.coordinates.push_back((tile[i][0] + t % 4) / 4);
+            points.coordinates.push_back((tile[i][1] + t / 4) / 4);
+        }
+    }
+    const Spectrum spectrum{2, 64, points.size(), 1, exact_periodogram(points, 64)};
+    EXPECT_GT(lattice_peaks(spectrum, 4).mean_ratio, 1e15); // nothing else has any, but for rounding
+    // Taken for 5 x 5 tiles: the common multiples alone.
+    for (const int f : lattice_peaks(spectrum, 5).frequency) EXPECT_EQ(f % 20, 0);
+}
+
+TEST(LatticePeaks, OfIndependentPointsAreNone)
+{
+    std::mt19937_64 random(2);
+    std::vector<double> means;
+    for (int i = 0; i < 30; ++i) {
+        const PointSet points = random_points(400, 2, random);
+        const Spectrum spectrum{2, 128, 400, 1, exact_periodogram(points, 128)};
+        means.push_back(lattice_peaks(spectrum, 8).mean_ratio);
+    }
+    // E[P / mean of 48] with exponential P: 24 independent powers in a ring, mean of the inverse 24/23.
+    const Mean mean = mean_of(means);
+    EXPECT_LT(std::abs(mean.value - 24.0 / 23), z_bound(1) * mean.standard_error);
+}
+
+TEST(LatticePeaks, RejectOrLeaveOutWhatHasNoSurroundings)
+{
+    const Spectrum spectrum = spectrum_with_peaks(2, 16, 4, 2);
+    EXPECT_THROW(lattice_peaks(spectrum, 1), InputError);
+    EXPECT_THROW(lattice_peaks(spectrum, 0), InputError);
+    EXPECT_EQ(lattice_peaks(spectrum, 8).peaks, 0u);
+    EXPECT_EQ(lattice_peaks(spectrum, 1000).max_ratio, 0);
+    const Spectrum dark{2, 32, 100, 1, std::vector<double>(32 * 32)};
+    EXPECT_EQ(lattice_peaks(dark, 4).max_ratio, 0); // 0 over the floor, not 0 / 0
+}
+
+TEST(LatticePeaks, OfAHalfSpectrumAreTheSame)
+{
+    for (const int d : {2, 3}) {
+        const int size = d == 2 ? 64 : 16;
+        std::mt19937_64 random(3);
+        const PointSet points = random_points(100, d, random);
+        const std::vector<double> power = exact_periodogram(points, size);
+        const LatticePeaks whole = lattice_peaks(Spectrum{d, size, 100, 1, power}, 4);
+        const LatticePeaks half = lattice_peaks(half_of(power, d, size), 100, 4);
+        EXPECT_EQ(half.peaks, whole.peaks);
+        EXPECT_GT(half.peaks, 0U);
+        EXPECT_NEAR(half.mean_ratio, whole.mean_ratio, 1e-9 * whole.mean_ratio);
+        EXPECT_NEAR(half.max_ratio, whole.max_ratio, 1e-9 * whole.max_ratio);
+    }
+}
+
+}
+}

@@ -1,0 +1,52 @@
+// Every config that ships can be run.
+#include "host/config/collection.hpp"
+#include "host/config/plan.hpp"
+#include "tests/support/places.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+TEST(ShippedConfigs, ArePlannable)
+{
+    int count = 0;
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(source_folder() + "/configs")) {
+        if (entry.is_directory() || entry.path().filename() == "your-method.awk") continue;
+        SCOPED_TRACE(entry.path());
+        EXPECT_EQ(entry.path().extension(), ".toml");
+        if (read_collection(entry.path())) continue; // its configs are here as well
+        const Config config = read_config(entry.path());
+        EXPECT_FALSE(make_plan(config).empty() && config.tilings.empty() && config.constructions.empty());
+        ++count;
+    }
+    EXPECT_GE(count, 6);
+}
+
+TEST(ShippedConfigs, TheDissertationIsWhole)
+{
+    // Every figure of chapters 4 and 6 that there is a config for, in the order of the figures.
+    std::vector<std::string> figures;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/configs/dissertation"))
+        if (const std::string stem = entry.path().stem(); stem.starts_with("fig-4-") || stem.starts_with("fig-6-"))
+            figures.push_back(stem);
+    std::ranges::sort(figures);
+    std::vector<std::string> included;
+    const auto collection = read_collection(source_folder() + "/configs/dissertation.toml");
+    ASSERT_TRUE(collection);
+    for (const CollectedConfig& config : collection->configs) included.push_back(config.name);
+    EXPECT_EQ(included, figures);
+}
+
+TEST(ShippedConfigs, QuickIsWhatTheReadmePromises)
+{
+    const Config config = read_config(source_folder() + "/configs/quick.toml");
+    EXPECT_EQ(config.seed, 1U);
+    EXPECT_EQ(config.points, 16384U);
+    EXPECT_EQ(config.realizations, 10);
+    EXPECT_EQ(make_plan(config).size(), 3U);
+}
+
+}
+}

@@ -1,0 +1,89 @@
+// `poissonlab tiles points`: the file's points are those of the reference, in every format.
+#include "tests/support/program.hpp"
+#include "base/points/point_file.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "host/tile_points/tile_points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class TilesPointsCommand : public testing::Test
+{
+protected:
+    TilesPointsCommand() { write_tile_set(folder_.path() / "tiles.ptiles", tiles_); }
+
+    Outcome run(const std::string& arguments) const
+    {
+        std::istringstream stream("tiles points " + arguments);
+        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+        return run_program(folder_.path(), words);
+    }
+
+    void expect_error(const std::string& arguments, const std::string& message) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_THAT(outcome.error, HasSubstr(message));
+    }
+
+    TemporaryFolder folder_;
+    PoissonTileSet tiles_ = random_tile_set(PoissonTileKind::corner, 2, 3, 9);
+};
+
+/// The points as read from a file whose range of coordinates is [0, size).
+PointSet expected_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
+                         double size)
+{
+    PointSet points{tiles.parameters.dimension, {}};
+    for (const std::uint32_t unit : reference::exact_tile_points(tiles, tiling, block))
+        points.coordinates.push_back(unit / 65536.0 / size);
+    return points;
+}
+
+TEST_F(TilesPointsCommand, WritesAWindowInEveryFormat)
+{
+    const PointSet expected = expected_points(tiles_, {7, 0}, {{-3, 5, 0}, {8, 8, 1}}, 8);
+    for (const std::string name : {"points.txt", "points.ply", "points.npy"}) {
+        const Outcome outcome = run("tiles.ptiles --window -3 5 8 8 --seed 7 --out " + name);
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_EQ(outcome.out + outcome.error, "");
+        // NumPy files say nothing of their domain.
+        const auto range = name == "points.npy" ? std::optional(CoordinateRange{0, 8}) : std::nullopt;
+        EXPECT_EQ(read_points(folder_.path() / name, range).at(0), expected) << name;
+    }
+    EXPECT_THAT(content_of(folder_.path() / "points.txt"),
+                StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
+}
+
+TEST_F(TilesPointsCommand, WritesSpheres)
+{
+    const PoissonTileSet spheres = random_tile_set(PoissonTileKind::corner, 3, 2, 8);
+    write_tile_set(folder_.path() / "spheres.json", spheres);
+    const Outcome outcome = run("spheres.json --window -1 -2 3 4 2 3 --out points.dat");
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(read_points(folder_.path() / "points.dat").at(0),
+              expected_points(spheres, {1, 0}, {{-1, -2, 3}, {4, 2, 3}}, 4));
+}
+
+TEST_F(TilesPointsCommand, SaysWhatIsWrong)
+{
+    expect_error("none.ptiles --window 0 0 1 1 --out points.npy", "none.ptiles: cannot be read");
+    expect_error("tiles.ptiles --window 0 0 1 --out points.npy", "--window 0 0 1: must be X Y W H");
+    expect_error("tiles.ptiles --window 0 0 0 1 --out points.npy", "sizes are at least 1");
+    expect_error("tiles.ptiles --window 0 0 70000 1 --out points.npy", "must be 1 to 65536");
+    expect_error("tiles.ptiles --window 3000000000 0 1 1 --out points.npy", "32 bits");
+    expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy",
+                 "must be an integer from 0 to 4294967295");
+    expect_error("tiles.ptiles --window 0 0 1 1", "--out is required");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "points.npy"));
+}
+
+}
+}

@@ -1,0 +1,34 @@
+// The message of the InputError that reading a point file throws.
+#pragma once
+
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+
+/// Without the folder, so that it starts with the file name. "" (and a failed test) when there is no
+/// InputError.
+inline std::string input_error_of(const std::filesystem::path& file)
+{
+    try {
+        read_points(file);
+    } catch (const InputError& error) {
+        const std::string message = error.what();
+        const std::string folder = file.parent_path().string() + "/";
+        return message.starts_with(folder) ? message.substr(folder.size()) : message;
+    }
+    ADD_FAILURE() << file << " was read without an error";
+    return "";
+}
+
+/// The same for a file with that content.
+inline std::string input_error_of(const std::string& name, std::string_view content)
+{
+    const TemporaryFolder folder;
+    return input_error_of(folder.write(name, content));
+}
+
+}

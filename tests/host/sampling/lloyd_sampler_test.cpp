@@ -1,0 +1,117 @@
+// What the sampler "lloyd" accepts, refuses, and makes.
+#include "host/sampling/lloyd_relaxation.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+#include "tests/support/brute_force.hpp"
+
+#include <gmock/gmock.h>
+
+namespace poissonlab {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const SamplerSpec& spec() { return *find_sampler("lloyd"); }
+
+using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
+
+Parameters parameters(Values values)
+{
+    Parameters result;
+    int line = 10;
+    for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
+    return result;
+}
+
+ParameterValue start_from(const std::string& name, Values values = {})
+{
+    return std::make_shared<const SamplerChoice>(SamplerChoice{find_sampler(name), parameters(values)});
+}
+
+std::string refusal(const Parameters& p)
+{
+    try {
+        spec().check(p, {1024, 2, 1}, {"test.toml", 9});
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::unique_ptr<Sampler> create(Values values, int dimension = 2, Engine engine = Engine::opencl)
+{
+    static Device device = Device::open();
+    return spec().create(parameters(values), {512, dimension, 7}, engine, []() -> Device& { return device; });
+}
+
+const ParameterValue none = std::int64_t{0};
+const ParameterValue eight = std::int64_t{8};
+
+TEST(LloydSampler, RefusesWhatHasNoMeaning)
+{
+    EXPECT_EQ(refusal(parameters({{"iterations", eight}})), "accepted");
+    EXPECT_EQ(
+        refusal(parameters({{"iterations", none}, {"repulsion", true}, {"until_relative_radius", 0.8}})),
+        "accepted");
+    EXPECT_EQ(refusal(parameters({{"iterations", none}, {"repulsion", false}})), "accepted");
+    EXPECT_THAT(refusal(parameters({})), AllOf(HasSubstr("test.toml:9"), HasSubstr("needs iterations")));
+    EXPECT_THAT(refusal(parameters({{"iterations", eight}, {"repulsion", true}})),
+                AllOf(HasSubstr("test.toml:11: repulsion = true"), HasSubstr("needs until_relative_radius")));
+}
+
+TEST(LloydSampler, WithoutIterationsGivesItsStart)
+{
+    for (const int dimension : {2, 3}) {
+        const ParameterValue start = start_from("dart-throwing", {{"relative_radius", 0.7}});
+        const auto sampler = create({{"iterations", none}, {"start", start}}, dimension);
+        const auto from = find_sampler("dart-throwing");
+        const auto plain = from->create(parameters({{"relative_radius", 0.7}}), {512, dimension, 7},
+                                        Engine::reference, nullptr);
+        EXPECT_EQ(sampler->sample(3), plain->sample(3));
+        EXPECT_EQ(sampler->iterations().size(), 1u);
+    }
+}
+
+TEST(LloydSampler, StartsFromRandomPointsWhenNothingIsSaid)
+{
+    const auto plain = create({{"iterations", eight}});
+    const auto random = create({{"iterations", eight}, {"start", start_from("random")}});
+    EXPECT_EQ(plain->sample(1), random->sample(1));
+    EXPECT_NE(plain->sample(1), plain->sample(2));
+}
+
+TEST(LloydSampler, EnginesAgree)
+{
+    for (const int dimension : {2, 3}) {
+        const Values values = {{"iterations", eight}};
+        const PointSet kernels = create(values, dimension)->sample(0);
+        const PointSet expected = create(values, dimension, Engine::reference)->sample(0);
+        ASSERT_EQ(kernels.coordinates.size(), expected.coordinates.size());
+        for (std::size_t i = 0; i < kernels.coordinates.size(); ++i) {
+            const double difference = kernels.coordinates[i] - expected.coordinates[i];
+            EXPECT_NEAR(difference - std::rint(difference), 0, 1e-11);
+        }
+    }
+}
+
+TEST(LloydSampler, RepulsionReachesTheRadiusThatIsAskedFor)
+{
+    for (const int dimension : {2, 3}) {
+        const double radius = 0.85;
+        const auto sampler = create({{"iterations", std::int64_t{30}},
+                                     {"until_relative_radius", radius},
+                                     {"keep", std::string("best")},
+                                     {"repulsion", true},
+                                     {"start", start_from("dart-throwing", {{"relative_radius", 0.7}})}},
+                                    dimension);
+        for (std::uint32_t realization = 0; realization < 3; ++realization) {
+            const PointSet points = sampler->sample(realization);
+            EXPECT_GE(relative_radius(test::brute_force_min_distance(points), points.size(), dimension),
+                      radius * (1 - 1e-12));
+        }
+    }
+}
+
+}
+}

@@ -1,0 +1,99 @@
+// The versions that keys of stored work hold depend on every file that decides what comes out.
+#include "base/files/whole_file.hpp"
+#include "tests/support/places.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+
+const fs::path source = source_folder();
+
+using Files = std::set<std::string>; ///< below the source folder
+
+/// The files behind each version.
+std::map<std::string, Files> hashed_files()
+{
+    std::map<std::string, Files> files;
+    std::istringstream list(read_whole_file(code_files_list()));
+    for (std::string version, file; list >> version >> file;) files[version].insert(file);
+    return files;
+}
+
+/// The files of the project that a file includes: paths from the root, or, of kernels and headers for other programs, from
+/// the folder of their own.
+Files includes(const std::string& file)
+{
+    static const std::regex line("#include \"([^\"]+)\"");
+    const std::string text = read_whole_file(source / file);
+    Files names;
+    for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match)
+        for (const fs::path& folder : {fs::path(), fs::path(file).parent_path(), fs::path("kernels")}) {
+            const fs::path candidate = (folder / (*match)[1].str()).lexically_normal();
+            if (fs::is_regular_file(source / candidate)) names.insert(candidate.generic_string());
+        }
+    return names;
+}
+
+/// How work is asked for, dealt out and stored changes no result; what is measured on points, and how samplers make
+/// them, is a version of its own.
+bool may_change(const std::string& version, const std::string& file)
+{
+    const auto is_in = [&](const char* folder) { return file.starts_with(folder); };
+    if (is_in("host/store/") || is_in("host/config/") || is_in("host/crew/")) return true;
+    if (version == "analysis_version") return is_in("host/") || is_in("tiles/");
+    return is_in("analysis/") || is_in("host/measuring/") || is_in("host/scenes/") || is_in("results/");
+}
+
+TEST(CodeVersions, CoverWhatTheirFilesInclude)
+{
+    const auto versions = hashed_files();
+    ASSERT_EQ(versions.size(), 4);
+    for (const auto& [version, files] : versions)
+        for (const std::string& file : files)
+            for (const std::string& name : includes(file))
+                if (!may_change(version, name)) {
+                    EXPECT_THAT(files, Contains(name)) << version << ": " << file;
+                }
+}
+
+TEST(CodeVersions, CoverWhatDecidesResults)
+{
+    const auto versions = hashed_files();
+    for (const char* version : {"construction_version", "sampling_version", "picture_version"}) {
+        EXPECT_THAT(versions.at(version), Contains("kernels/tile_points.cl"));
+        EXPECT_THAT(versions.at(version), Contains("runtime/poisson_tiles_gpu.h"));
+        EXPECT_THAT(versions.at(version), Contains("host/device/device.cpp"));
+    }
+    for (const char* version : {"sampling_version", "analysis_version", "picture_version"})
+        EXPECT_THAT(versions.at(version), Contains("results/records/archive.hpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
+    EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/command_sampler.cpp"));
+    EXPECT_THAT(versions.at("analysis_version"), Contains("analysis/spectra/fast_periodogram.cpp"));
+    EXPECT_THAT(versions.at("analysis_version"), Contains("host/measuring/series_analysis.cpp"));
+}
+
+/// A measure more throws away no stored point sets, tilings or constructions.
+TEST(CodeVersions, OfPointsKnowNoMeasures)
+{
+    const auto versions = hashed_files();
+    for (const char* version : {"construction_version", "sampling_version", "picture_version"})
+        for (const std::string& file : versions.at(version))
+            EXPECT_FALSE(file.starts_with("analysis/measures/") || file.starts_with("host/measuring/") ||
+                         fs::path(file).parent_path() == "results")
+                << version << ": " << file;
+}
+
+}
+}

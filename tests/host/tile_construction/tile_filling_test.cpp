@@ -1,0 +1,108 @@
+// Kernels against their plain twin, and both against what is asked of them.
+#include "host/tile_construction/tile_filling.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+PoissonTileParameters parameters(int dimension)
+{
+    PoissonTileParameters p;
+    p.dimension = dimension;
+    p.colors = 2;
+    p.tiles = dimension == 2 ? 16 : 256;
+    p.points_per_tile = dimension == 2 ? 32 : 24;
+    p.relative_radius = 0.7;
+    p.lloyd_iterations = 6;
+    p.repulsion = true;
+    return p;
+}
+
+/// Some of the stages that there are: nothing held, corners held, an interior among held corners.
+struct Case
+{
+    const char* name;
+    int dimension;
+    bool is_one_tile;
+    int held_corners;
+    bool is_interior;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class TileFilling : public testing::TestWithParam<Case>
+{
+protected:
+    void SetUp() override
+    {
+        const Case& c = GetParam();
+        const PoissonTileParameters p = parameters(c.dimension);
+        settings_ = fill_settings(p);
+        stage_.regions = regions_of(p);
+        stage_.is_one_tile = c.is_one_tile;
+        CellSet held = 0;
+        for (int base = 0; base < c.held_corners; ++base)
+            held |= CellSet{1} << cell_number(0, static_cast<unsigned>(base), c.dimension);
+        stage_.active.cells = all_cells(c.dimension) & ~held;
+        if (c.is_one_tile) stage_.active.extent = tile_units;
+        const CellSet interior = CellSet{1} << cell_number(all_axes(c.dimension), 0, c.dimension);
+        if (c.is_interior) {
+            stage_.active = {interior, 0, tile_units};
+            stage_.surroundings = {all_cells(c.dimension) & ~held & ~interior, 0, torus_units};
+        }
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            FillProblem problem;
+            problem.stream = 100 + i;
+            for (int base = 0; base < c.held_corners; ++base) {
+                for (std::int32_t offset : {-3000, 0}) {
+                    TilePosition position{};
+                    for (int k = 0; k < c.dimension; ++k)
+                        position[k] =
+                            wrapped((base >> k & 1) * tile_units + (k == 0 ? 3 * offset : offset + 11));
+                    problem.held.push_back(position);
+                }
+            }
+            const std::uint32_t tiles = c.is_one_tile ? 1 : 1u << c.dimension;
+            problem.active = p.points_per_tile * tiles - static_cast<std::uint32_t>(problem.held.size());
+            if (c.is_interior) {
+                problem.active = p.points_per_tile / 2;
+                problem.surroundings = p.points_per_tile * (tiles - 1) - 2;
+            }
+            problems_.push_back(problem);
+        }
+    }
+
+    FillSettings settings_;
+    FillStage stage_;
+    std::vector<FillProblem> problems_;
+};
+
+TEST_P(TileFilling, KernelsAndReferenceAgree)
+{
+    const auto expected = reference::make_tile_filler(settings_)->fill(stage_, problems_, 1);
+    for (const std::size_t size : {1, 4, 32}) {
+        const auto filled = make_tile_filler(settings_, Device::open(), size)->fill(stage_, problems_, 1);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            SCOPED_TRACE(testing::Message() << "work-group size " << size << ", torus " << i);
+            EXPECT_EQ(filled[i].thrown, expected[i].thrown);
+            EXPECT_EQ(filled[i].surroundings, expected[i].surroundings);
+            EXPECT_EQ(filled[i].active, expected[i].active);
+            EXPECT_EQ(filled[i].squared_min_distance, expected[i].squared_min_distance);
+            ASSERT_EQ(filled[i].active.size(), problems_[i].active);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Stages, TileFilling,
+    testing::Values(Case{"empty", 2, false, 0, false}, Case{"one_tile", 2, true, 0, false},
+                    Case{"corners", 2, false, 3, false}, Case{"interior", 2, false, 4, true},
+                    Case{"empty_3d", 3, false, 0, false}, Case{"corners_3d", 3, false, 5, false},
+                    Case{"interior_3d", 3, false, 8, true}),
+    [](const auto& stage) { return std::string(stage.param.name); });
+
+}
+}

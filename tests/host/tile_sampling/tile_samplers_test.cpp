@@ -1,0 +1,148 @@
+// What the samplers of Poisson disk tiles accept, refuse, and make.
+#include "host/tile_sampling/tile_samplers.hpp"
+
+#include "host/device/device.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
+
+Parameters parameters(Values values)
+{
+    Parameters result;
+    int line = 10;
+    for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
+    return result;
+}
+
+SamplerSpec spec_of(const std::string& name)
+{
+    for (SamplerSpec& spec : tile_samplers()) {
+        if (spec.name == name) return spec;
+    }
+    throw std::runtime_error("no sampler " + name);
+}
+
+ParameterValue whole(std::int64_t value) { return value; }
+
+class TileSamplers : public testing::Test
+{
+protected:
+    TileSamplers() { setenv("POISSONLAB_CACHE", cache_.path().c_str(), 1); }
+    ~TileSamplers() override { unsetenv("POISSONLAB_CACHE"); }
+
+    std::unique_ptr<Sampler> create(const std::string& name, Values values, std::size_t points,
+                                    Engine engine = Engine::opencl)
+    {
+        const SamplerSpec spec = spec_of(name);
+        return spec.create(parameters(values), {points, spec.dimensions.front(), 7}, engine,
+                           [this]() -> Device& { return device_; });
+    }
+
+    static std::string refusal(const std::string& name, Values values)
+    {
+        const SamplerSpec spec = spec_of(name);
+        try {
+            spec.check(parameters(values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    }
+
+private:
+    TemporaryFolder cache_;
+    Device device_ = Device::open();
+};
+
+TEST_F(TileSamplers, KeepTheRelativeRadiusOfTheSet)
+{
+    struct Case
+    {
+        const char* sampler;
+        std::pair<std::string, ParameterValue> size;
+    };
+    for (const Case& c :
+         {Case{"corner-tiles", {"colors", whole(3)}}, Case{"edge-tiles", {"colors", whole(1)}},
+          Case{"template-tiles", {"tiles", whole(5)}}}) {
+        const auto sampler =
+            create(c.sampler, {c.size, {"points_per_tile", whole(16)}, {"relative_radius", 0.7}}, 1024);
+        for (std::uint32_t realization = 0; realization < 2; ++realization) {
+            const PointSet set = sampler->sample(realization);
+            EXPECT_EQ(set.size(), 1024u) << c.sampler;
+            EXPECT_GE(relative_radius(test::brute_force_min_distance(set), 1024, 2), 0.7) << c.sampler;
+        }
+        EXPECT_EQ(sampler->tiles_along_axis(), 8u);
+    }
+    const auto spheres = create("sphere-tiles",
+                                {{"colors", whole(1)},
+                                 {"points_per_tile", whole(32)},
+                                 {"relative_radius", 0.5},
+                                 {"lloyd_iterations", whole(2)}},
+                                800);
+    const PointSet set = spheres->sample(0);
+    EXPECT_EQ(set.size(), 27u * 32);
+    EXPECT_GE(relative_radius(test::brute_force_min_distance(set), set.size(), 3), 0.5);
+}
+
+TEST_F(TileSamplers, RealizationsAreOtherTilingsOfTheSameSet)
+{
+    const Values values{{"colors", whole(2)}, {"points_per_tile", whole(16)}, {"relative_radius", 0.7}};
+    const auto sampler = create("corner-tiles", values, 1024);
+    const PointSet first = sampler->sample(0);
+    EXPECT_NE(sampler->sample(1), first);
+    EXPECT_EQ(sampler->sample(0), first);
+    EXPECT_EQ(create("corner-tiles", values, 1024)->sample(0), first) << "from the cache";
+}
+
+TEST_F(TileSamplers, BothEnginesMakeTheSamePoints)
+{
+    const Values values{{"colors", whole(2)},
+                        {"points_per_tile", whole(12)},
+                        {"relative_radius", 0.65},
+                        {"lloyd_iterations", whole(2)}};
+    EXPECT_EQ(create("corner-tiles", values, 700)->sample(3),
+              create("corner-tiles", values, 700, Engine::reference)->sample(3));
+}
+
+TEST_F(TileSamplers, MakeTheNumberOfPointsThatIsNearest)
+{
+    EXPECT_EQ(tiling_side(16384, 64, 2), 16u);
+    EXPECT_EQ(tiling_side(16384, 32, 2), 23u); // 16,928 points; 22 x 22 tiles have 15,488
+    EXPECT_EQ(tiling_side(65536, 128, 3), 8u);
+    EXPECT_EQ(tiling_side(1, 64, 2), 1u);
+}
+
+TEST_F(TileSamplers, OfOneTileAreDeterministic)
+{
+    EXPECT_TRUE(spec_of("corner-tiles").is_deterministic(parameters({{"colors", whole(1)}})));
+    EXPECT_FALSE(spec_of("corner-tiles").is_deterministic(parameters({{"colors", whole(2)}})));
+    EXPECT_TRUE(spec_of("template-tiles").is_deterministic(parameters({{"tiles", whole(1)}})));
+}
+
+TEST_F(TileSamplers, RefuseWhatCannotBe)
+{
+    EXPECT_EQ(refusal("corner-tiles", {{"colors", whole(2)}}), "accepted");
+    EXPECT_THAT(refusal("corner-tiles", {}), AllOf(StartsWith("test.toml:9"), HasSubstr("needs colors")));
+    EXPECT_THAT(refusal("template-tiles", {}), HasSubstr("needs tiles"));
+    EXPECT_THAT(refusal("corner-tiles",
+                        {{"colors", whole(2)}, {"points_per_tile", whole(4)}, {"relative_radius", 0.8}}),
+                AllOf(StartsWith("test.toml:12: relative_radius = 0.8"), HasSubstr("at most 0.54")));
+    EXPECT_THAT(refusal("corner-tiles", {{"colors", whole(32)}, {"points_per_tile", whole(4096)}}),
+                HasSubstr("more than 4 GiB"));
+}
+
+}
+}

@@ -1,0 +1,56 @@
+// The picture of a spectrum: where frequencies lie, and what becomes of DC and of single spikes.
+#include "reports/images/spectrum_image.hpp"
+
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+/// Power 1 everywhere but at DC and at one frequency.
+Spectrum with_spike(int size, int fx, int fy, double power)
+{
+    Spectrum spectrum;
+    spectrum.size = size;
+    spectrum.power.assign(static_cast<std::size_t>(size * size), 1.0);
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>((y + size / 2) * size + x + size / 2);
+    };
+    spectrum.power[index(0, 0)] = 256;
+    spectrum.power[index(fx, fy)] = power;
+    return spectrum;
+}
+
+TEST(SpectrumImage, FrequenciesGrowRightAndUp)
+{
+    auto image = draw_spectrum(with_spike(16, 3, 5, 10), report_tone_mapping);
+    EXPECT_EQ(image.width, 16);
+    EXPECT_EQ(image.at(8 + 3, 7 - 5), 255);
+    EXPECT_EQ(image.at(0, 0), report_tone_mapping.grey(1));
+}
+
+TEST(SpectrumImage, LeavesOutDc)
+{
+    auto image = draw_spectrum(with_spike(16, 3, 5, 10), report_tone_mapping);
+    EXPECT_EQ(image.at(8, 7), 0);
+}
+
+TEST(SpectrumImage, SmallPicturesShowMeanPower)
+{
+    auto image = draw_spectrum(with_spike(16, 2, 4, 13), report_tone_mapping, 2);
+    EXPECT_EQ(image.width, 8);
+    EXPECT_EQ(image.at(4 + 1, 3 - 2), report_tone_mapping.grey((13 + 3) / 4.0));
+    // DC's neighbours are white noise, and DC does not count.
+    EXPECT_EQ(image.at(4, 3), report_tone_mapping.grey(1));
+}
+
+TEST(SpectrumImage, PagesShowAtMost512Pixels)
+{
+    EXPECT_EQ(page_block(64), 1);
+    EXPECT_EQ(page_block(512), 1);
+    EXPECT_EQ(page_block(1024), 2);
+    EXPECT_EQ(page_block(4096), 8);
+    EXPECT_EQ(page_block(1026), 2); // no further power of two divides it
+}
+
+}
+}

@@ -1,0 +1,63 @@
+// gnuplot as a child process: both kinds of picture, and clear words when something is wrong.
+#include "reports/plots/gnuplot.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "tests/support/picture.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+std::string error_of(const std::vector<GnuplotPicture>& pictures)
+{
+    try {
+        draw_with_gnuplot(pictures);
+    } catch (const StorageError& error) {
+        return error.what();
+    }
+    ADD_FAILURE() << "no StorageError";
+    return {};
+}
+
+TEST(Gnuplot, DrawsSvgAndPng)
+{
+    const TemporaryFolder folder;
+    draw_with_gnuplot(
+        {{"plot x title " + gnuplot_quoted("it's <x> & ü") + " noenhanced", 300, 200, folder.path() / "a"},
+         {"plot x**2", 200, 300, folder.path() / "b"}});
+    const auto svg = read_whole_file(folder.path() / "a.svg");
+    EXPECT_TRUE(svg.find("it's &lt;x> &amp; ü") != std::string::npos); // escaped
+    EXPECT_TRUE(svg.find("& ü") == std::string::npos);
+    const auto picture = test::decode_png(read_whole_file(folder.path() / "b.png"));
+    EXPECT_EQ(picture.width, 400);
+    EXPECT_EQ(picture.height, 600);
+    EXPECT_GT(picture.variance(), 1);
+}
+
+TEST(Gnuplot, TellsWhatGnuplotSaid)
+{
+    const TemporaryFolder folder;
+    EXPECT_THAT(error_of({{"plot no_such_function(x)", 300, 200, folder.path() / "a"}}),
+                HasSubstr("no_such_function"));
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Gnuplot, NamesThePackageWhenMissing)
+{
+    const TemporaryFolder folder;
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", folder.path().c_str(), 1);
+    const auto message = error_of({{"plot x", 300, 200, folder.path() / "a"}});
+    setenv("PATH", path.c_str(), 1);
+    EXPECT_THAT(message, HasSubstr("gnuplot-nox"));
+}
+
+}
+}

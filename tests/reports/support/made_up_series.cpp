@@ -1,0 +1,87 @@
+#include "tests/reports/support/made_up_series.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab::test {
+
+ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& parameters, std::size_t points,
+                                int dimension)
+{
+    StoredRun& run = runs_.emplace_back();
+    run.dimension = dimension;
+    run.machine = {{"device", "Test device"}, {"threads", "2"}};
+    StoredSeries& stored = stored_.emplace_back();
+    stored.sampler = stored.label = sampler;
+    stored.name = sampler + std::to_string(stored_.size());
+    stored.parameters = parameters;
+    stored.points = points;
+    stored.realizations = 10;
+    ReportSeries& series = series_.emplace_back();
+    series.run = &run;
+    series.stored = &stored;
+    series.label = sampler;
+    return series;
+}
+
+// What is stored is const to reports; the test's own is not.
+static StoredSeries& stored_of(ReportSeries& series) { return const_cast<StoredSeries&>(*series.stored); }
+
+void MadeUpReport::set_radius(ReportSeries& series, double radius)
+{
+    stored_of(series).relative_radius = StoredStatistic{radius, radius, radius, {}};
+}
+
+void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
+{
+    const int dimension = series.run->dimension;
+    const double principal = 1 / (0.75 * max_min_distance(series.stored->points, dimension));
+    series.curve.principal_frequency = principal;
+    series.curve.background_db = -10;
+    series.curve.dimension = dimension;
+    const double rise = curve.width * principal;
+    for (int k = 1; k < 2.5 * principal; ++k) {
+        const double f = k, share = std::clamp((f - principal) / rise + 0.5, 0.0, 1.0);
+        const double top = f > 1.3 * principal ? curve.beyond : curve.peak;
+        RadialBin bin;
+        bin.frequency = f;
+        bin.power = curve.low + share * (top - curve.low);
+        bin.power_error = 0.1;
+        bin.samples = static_cast<std::size_t>(2 * std::numbers::pi * f);
+        bin.anisotropy_db = -10 + curve.anisotropy + (k == 40 ? curve.spike : 0);
+        series.curve.bins.push_back(bin);
+    }
+}
+
+void MadeUpReport::set_peaks(ReportSeries& series, int tiles, double mean_ratio)
+{
+    stored_of(series).measures.lattice_peaks = StoredMeasures::Peaks{tiles, 10 * mean_ratio, mean_ratio, 1000, {}};
+}
+
+void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius)
+{
+    StoredIterations iterations;
+    iterations.realizations.assign(mean_radius.size(), 10);
+    iterations.relative_radius.mean = std::move(mean_radius);
+    stored_of(series).iterations = iterations;
+}
+
+void MadeUpReport::set_plate_error(ReportSeries& series, double low, double high)
+{
+    StoredZonePlate plate;
+    plate.size = 32; // too small for false rings, which need a picture
+    stored_of(series).zone_plate = plate;
+    series.zone_plate = {{1, 0.1, low, 1000}, {2, 0.4, high, 1000}};
+}
+
+std::vector<const ReportSeries*> MadeUpReport::series() const
+{
+    std::vector<const ReportSeries*> all;
+    for (const auto& entry : series_) all.push_back(&entry);
+    return all;
+}
+
+}

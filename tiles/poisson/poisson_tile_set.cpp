@@ -1,0 +1,135 @@
+#include "tiles/poisson/poisson_tile_set.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// What a file of one tile set may take: 4 GiB of coordinates.
+constexpr std::uint64_t max_coordinates = std::uint64_t{1} << 31;
+
+/// The largest radius r, in tiles, at which regions fit, and neighbouring corner regions keep two radii of
+/// distance.
+double max_radius(const PoissonTileParameters& parameters)
+{
+    if (parameters.kind == PoissonTileKind::frame) return 0.25;
+    // 1 - 2 reach >= 2 r: reach = (1 + sqrt 2) r for octagons, (1 + 2 sqrt 2) r for great rhombicuboctahedra.
+    const double root = std::sqrt(2.0);
+    return parameters.dimension == 2 ? 1 / (4 + 2 * root) : 1 / (4 + 4 * root);
+}
+
+/// The largest number of colours whose tiles can be counted.
+std::uint32_t most_colors(PoissonTileKind kind, int dimension)
+{
+    if (kind == PoissonTileKind::frame) return 1;
+    std::uint32_t colors = 1;
+    while (tile_count(kind, dimension, colors + 1) != 0) ++colors;
+    return colors;
+}
+
+void check_numbers(const PoissonTileParameters& p)
+{
+    if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
+        throw InputError(
+            fmt::format("dimension = {}: {} tiles have no such dimension", p.dimension, kind_name(p)));
+    const std::uint32_t most = most_colors(p.kind, p.dimension);
+    if (p.colors < 1 || p.colors > most)
+        throw InputError(fmt::format("colors = {}: must be {} for {} tiles", p.colors,
+                                     most == 1 ? "1" : fmt::format("an integer from 1 to {}", most),
+                                     kind_name(p)));
+    if (p.points_per_tile < min_points_per_tile || p.points_per_tile > max_points_per_tile)
+        throw InputError(fmt::format("points_per_tile = {}: must be an integer from {} to {}",
+                                     p.points_per_tile, min_points_per_tile, max_points_per_tile));
+    if (!(p.relative_radius > 0 && p.relative_radius < 1))
+        throw InputError(
+            fmt::format("relative_radius = {}: must be a number between 0 and 1", p.relative_radius));
+    if (p.attempts < 1 || p.attempts > 1'000'000)
+        throw InputError(fmt::format("attempts = {}: must be an integer from 1 to 1000000", p.attempts));
+    if (p.filling == TileFilling::relaxation_dart_throwing && !(p.factor > 0 && p.factor < 1))
+        throw InputError(fmt::format("factor = {}: must be a number between 0 and 1", p.factor));
+}
+
+}
+
+void set_dart_throwing(PoissonTileParameters& parameters)
+{
+    parameters.filling = TileFilling::dart_throwing;
+    parameters.attempts = 10'000;
+    parameters.factor = 1;
+}
+
+std::string kind_name(const PoissonTileParameters& parameters)
+{
+    switch (parameters.kind) {
+    case PoissonTileKind::corner:
+        return parameters.dimension == 3 ? "sphere" : "corner";
+    case PoissonTileKind::edge:
+        return "edge";
+    case PoissonTileKind::frame:
+        return "template";
+    }
+    return "unknown";
+}
+
+std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colors)
+{
+    if (kind == PoissonTileKind::frame) return 1;
+    const int digits = kind == PoissonTileKind::edge ? 12 : 1 << dimension;
+    std::uint64_t count = 1;
+    for (int digit = 0; digit < digits; ++digit) {
+        count *= colors;
+        if (count > UINT32_MAX) return 0;
+    }
+    return static_cast<std::uint32_t>(count);
+}
+
+double asked_min_distance(const PoissonTileParameters& parameters)
+{
+    return min_distance_for(parameters.relative_radius, parameters.points_per_tile, parameters.dimension);
+}
+
+std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters)
+{
+    const double distance = asked_min_distance(parameters) * tile_units;
+    return static_cast<std::uint64_t>(std::ceil(distance * distance));
+}
+
+TileRegions regions_of(const PoissonTileParameters& parameters)
+{
+    const auto width = static_cast<std::int32_t>(std::ceil(asked_min_distance(parameters) / 2 * tile_units));
+    return parameters.kind == PoissonTileKind::frame ? frame_regions(width)
+                                                     : modified_regions(parameters.dimension, width);
+}
+
+void check(const PoissonTileParameters& p)
+{
+    check_numbers(p);
+    const std::uint64_t tiles =
+        p.kind == PoissonTileKind::frame ? p.tiles : tile_count(p.kind, p.dimension, p.colors);
+    if (tiles != p.tiles || tiles == 0)
+        throw InputError(fmt::format(
+            "tiles = {}: must be at least 1 and, but for template tiles, what the colours give", p.tiles));
+    if (tiles * p.points_per_tile * static_cast<unsigned>(p.dimension) > max_coordinates)
+        throw InputError(
+            fmt::format("{} tiles of {} points: more than 4 GiB; fewer colours, tiles or points_per_tile",
+                        tiles, p.points_per_tile));
+    const double limit = 2 * max_radius(p) / max_min_distance(p.points_per_tile, p.dimension);
+    if (p.relative_radius > limit)
+        throw InputError(
+            fmt::format("relative_radius = {}: must be at most {:.3f} with {} points per tile, or disks "
+                        "around neighbouring corners of a tile meet",
+                        p.relative_radius, std::floor(limit * 1000) / 1000, p.points_per_tile));
+}
+
+double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters)
+{
+    const double distance = std::sqrt(static_cast<double>(squared_distance)) / tile_units;
+    return relative_radius(distance, parameters.points_per_tile, parameters.dimension);
+}
+
+}

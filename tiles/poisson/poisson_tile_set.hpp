@@ -1,0 +1,105 @@
+// Poisson disk (sphere) tile sets: tiles with points, of which every tiling is a Poisson disk distribution.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6. A tile set's points are stored
+// whole, tile by tile, so that using it takes no knowledge of how it was made.
+#pragma once
+
+#include "tiles/poisson/tile_regions.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// N is limited: tori are searched point by point.
+inline constexpr std::uint32_t min_points_per_tile = 4;
+inline constexpr std::uint32_t max_points_per_tile = 4096;
+
+enum class PoissonTileKind : std::uint32_t
+{
+    corner =
+        0, ///< 2D, C^4 tiles by the colours of their corners (section 4.5); 3D, C^8 (section 4.6): "sphere"
+    edge = 1,  ///< 2D, C^12 tiles by the colours of their edges and of those that stick out at corners (4.3)
+    frame = 2, ///< 2D, any number of tiles with the same points near their borders: template tiles (4.4)
+};
+
+enum class TileFilling : std::uint32_t
+{
+    dart_throwing = 0,
+    relaxation_dart_throwing = 1,
+};
+
+/// All that a tile set is made from: the same parameters give the same tiles.
+struct PoissonTileParameters
+{
+    PoissonTileKind kind = PoissonTileKind::corner;
+    int dimension = 2;
+    std::uint32_t colors = 0;          ///< C; template tiles: 1
+    std::uint32_t tiles = 0;           ///< tile_count()
+    std::uint32_t points_per_tile = 0; ///< N
+    double relative_radius = 0; ///< rho, of N points on the unit torus: dissertation, equations 4.3 and 4.6
+    TileFilling filling = TileFilling::relaxation_dart_throwing;
+    std::uint32_t attempts = 100; ///< failed darts in a row before the radius is reduced, or filling given up
+    double factor = 0.99;         ///< that the radius is multiplied by; dart throwing: 1
+    std::uint32_t lloyd_iterations = 0;
+    bool repulsion = false;
+    std::uint64_t seed = 1;
+
+    bool operator==(const PoissonTileParameters&) const = default;
+};
+
+/// Plain dart throwing, given up after ten thousand failures in a row.
+void set_dart_throwing(PoissonTileParameters& parameters);
+
+/// "corner", "edge", "template" or "sphere".
+std::string kind_name(const PoissonTileParameters& parameters);
+
+/// The number of tiles of a kind with so many colours, C^4, C^12 or C^8. 0: more than 2^32 - 1.
+std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colors);
+
+/// The minimum distance that is asked for, 2 r, in units of the tile's side.
+double asked_min_distance(const PoissonTileParameters& parameters);
+
+/// The same in whole units (of 1 / 65,536 of a tile's side), squared, rounded up: distances that are as large
+/// suffice.
+std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters);
+
+/// The regions that these tiles have: the radius, rounded up to whole units, is their width.
+TileRegions regions_of(const PoissonTileParameters& parameters);
+
+/// Throws InputError, a sentence that starts with the parameter's name, for parameters that no tile set can
+/// have: numbers out of range, sets that are too large, radii whose regions do not fit into a tile, and radii
+/// at which the regions of neighbouring corners come closer than the minimum distance, so that corners would
+/// have to suit each other.
+void check(const PoissonTileParameters& parameters);
+
+struct PoissonTileSet
+{
+    PoissonTileParameters parameters;
+
+    /// A proven lower bound of the squared distance of any two points of any tiling, in squared units; 0:
+    /// none yet.
+    std::uint64_t squared_min_distance = 0;
+
+    /// Tile after tile, point after point, `dimension` coordinates each, in units.
+    std::vector<std::uint16_t> points;
+
+    /// The coordinates of a tile's points.
+    std::span<const std::uint16_t> tile(std::uint32_t index) const
+    {
+        const std::size_t size =
+            std::size_t{parameters.points_per_tile} * static_cast<std::size_t>(parameters.dimension);
+        return {points.data() + index * size, size};
+    }
+
+    bool operator==(const PoissonTileSet&) const = default;
+};
+
+/// The relative radius of a squared distance in units: 0.75 where tilings are sure to have the minimum
+/// distance of 0.75.
+double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters);
+
+}

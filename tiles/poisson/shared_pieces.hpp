@@ -1,0 +1,82 @@
+// The pieces of a tile set as its points say they are, and the closures of its tiles.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6. A tile holds only its side of
+// the pieces around it. All tiles that have a variant on the same side must hold the same points there; then
+// the variant is the union of what the tiles around its cell hold, whichever they are. The closure of a tile
+// is its interior with the whole pieces of its corners, edges and faces, those of their points included that
+// lie in tiles around it: all that is known of a tiling when one tile is.
+#pragma once
+
+#include "tiles/poisson/poisson_tile_set.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// A point in units, relative to the lower corner of a tile or the base of a cell; 2D: z is 0.
+using UnitPosition = std::array<std::int32_t, 3>;
+
+/// The points of a tile, each with its cell, in order of cell and then of coordinates.
+class SortedTile
+{
+public:
+    SortedTile(const PoissonTileSet& set, const TileRegions& regions, std::uint32_t tile);
+
+    /// The points in the region of a cell, as numbers: equal numbers are equal points.
+    std::span<const std::uint64_t> in(const TileCell& cell) const;
+
+    /// Two equal points, the number of one of them; no points are equal: null.
+    const std::uint64_t* duplicate() const;
+
+    /// The position of the point with a number.
+    static UnitPosition position(std::uint64_t number);
+
+private:
+    std::vector<std::uint64_t> numbers_; ///< cell (16 bits), x, y, z
+};
+
+class SharedPieces
+{
+public:
+    /// The set must outlive this. Throws InputError, a sentence that starts with the tile, where tiles
+    /// disagree on a variant, or a tile has two equal points. Runs on all threads.
+    explicit SharedPieces(const PoissonTileSet& set);
+
+    const TileRegions& regions() const { return regions_; }
+
+    /// The points of a variant relative to its cell's base.
+    const std::vector<UnitPosition>& piece(std::uint8_t axes, std::uint32_t variant) const
+    {
+        return pieces_[axes][variant];
+    }
+
+    /// The points of a tile's closure, in no particular order.
+    void closure(std::uint32_t tile, std::vector<UnitPosition>& points) const;
+
+private:
+    /// One side of a variant: the tile that tells what is there, the lowest that has it, and its points.
+    struct Part
+    {
+        std::uint32_t tile = UINT32_MAX;
+        std::vector<std::uint64_t> points;
+    };
+
+    Part& part(const PlacedPiece& piece);
+    void find_parts();
+    void join_parts();
+    const PlacedPiece* first_disagreement(std::uint32_t tile, const std::vector<PlacedPiece>& pieces) const;
+    bool is_sound(std::uint32_t tile) const;
+    void check_tiles() const;
+    [[noreturn]] void refuse(std::uint32_t tile) const;
+
+    const PoissonTileSet& set_;
+    TileRegions regions_;
+    std::array<std::vector<std::array<Part, 8>>, 8> parts_;        ///< by axes, variant, side of the tile
+    std::array<std::vector<std::vector<UnitPosition>>, 8> pieces_; ///< by axes and variant
+};
+
+}

@@ -1,0 +1,261 @@
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "base/files/byte_order.hpp"
+#include "base/files/whole_file.hpp"
+#include "tiles/poisson/tile_set_json.hpp"
+#include "base/files/xxh64_bytes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::string_view magic = "PTILES\r\n";
+constexpr std::uint32_t version = 1;
+constexpr std::size_t header_size = 128;
+constexpr std::size_t checksum_offset = 120;
+constexpr std::size_t reserved_offset = 88;
+
+/// Writes numbers one after the other, little-endian.
+class HeaderWriter
+{
+public:
+    explicit HeaderWriter(std::string& bytes) : bytes_(bytes) {}
+
+    template <class T>
+    HeaderWriter& operator<<(T value)
+    {
+        auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+        if constexpr (std::endian::native != std::endian::little) std::ranges::reverse(raw);
+        bytes_.append(raw.data(), raw.size());
+        return *this;
+    }
+
+private:
+    std::string& bytes_;
+};
+
+/// Reads numbers one after the other, little-endian.
+class HeaderReader
+{
+public:
+    explicit HeaderReader(std::string_view bytes) : bytes_(bytes) {}
+
+    template <class T>
+    T next()
+    {
+        const T value = load<T>(bytes_, std::endian::little);
+        bytes_.remove_prefix(sizeof(T));
+        return value;
+    }
+
+private:
+    std::string_view bytes_;
+};
+
+std::uint64_t checksum(std::string_view file)
+{
+    Xxh64 hash;
+    hash.add(file.substr(0, checksum_offset));
+    hash.add(file.substr(header_size));
+    return hash.value();
+}
+
+std::size_t coordinate_count(const PoissonTileParameters& p)
+{
+    return std::size_t{p.tiles} * p.points_per_tile * static_cast<std::size_t>(p.dimension);
+}
+
+/// A number that must be one of a few: 0 or 1.
+template <class T>
+T choice(HeaderReader& reader, const char* what, std::uint32_t largest)
+{
+    const auto value = reader.next<std::uint32_t>();
+    if (value > largest) throw InputError(fmt::format("{} = {}: must be at most {}", what, value, largest));
+    return static_cast<T>(value);
+}
+
+void expect(HeaderReader& reader, const char* what, std::uint32_t expected)
+{
+    const auto value = reader.next<std::uint32_t>();
+    if (value != expected) throw InputError(fmt::format("{} {}: must be {}", what, value, expected));
+}
+
+struct Header
+{
+    PoissonTileParameters parameters;
+    std::uint64_t squared_min_distance = 0;
+    std::uint64_t checksum = 0;
+    std::uint64_t file_size = 0;
+};
+
+Header decode_fields(std::string_view bytes)
+{
+    Header header;
+    PoissonTileParameters& p = header.parameters;
+    HeaderReader reader(bytes.substr(magic.size()));
+    expect(reader, "version of the format", version);
+    expect(reader, "offset of the points", header_size);
+    p.kind = choice<PoissonTileKind>(reader, "kind", 2);
+    p.dimension = choice<int>(reader, "dimension", 3);
+    p.colors = reader.next<std::uint32_t>();
+    p.tiles = reader.next<std::uint32_t>();
+    p.points_per_tile = reader.next<std::uint32_t>();
+    expect(reader, "reserved number at byte 36:", 0);
+    header.squared_min_distance = reader.next<std::uint64_t>();
+    p.relative_radius = reader.next<double>();
+    p.seed = reader.next<std::uint64_t>();
+    p.filling = choice<TileFilling>(reader, "filling", 1);
+    p.attempts = reader.next<std::uint32_t>();
+    p.factor = reader.next<double>();
+    p.lloyd_iterations = reader.next<std::uint32_t>();
+    p.repulsion = choice<bool>(reader, "repulsion", 1);
+    header.checksum = load<std::uint64_t>(bytes.substr(checksum_offset), std::endian::little);
+    return header;
+}
+
+/// The first bytes of a binary file, at least those of the header, checked.
+Header decode_header(std::string_view bytes)
+{
+    if (!bytes.starts_with(magic)) throw InputError("is no Poisson tile set: neither .ptiles nor JSON");
+    if (bytes.size() < header_size)
+        throw InputError(
+            fmt::format("ends after {} bytes: must have a header of {}", bytes.size(), header_size));
+    Header header = decode_fields(bytes);
+    const std::string_view reserved = bytes.substr(reserved_offset, checksum_offset - reserved_offset);
+    if (reserved.find_first_not_of('\0') != std::string_view::npos)
+        throw InputError(
+            fmt::format("reserved bytes {} to {}: must be 0", reserved_offset, checksum_offset - 1));
+    check_stored(header.parameters, header.squared_min_distance);
+    header.file_size = header_size + coordinate_count(header.parameters) * sizeof(std::uint16_t);
+    return header;
+}
+
+void check_size(const Header& header, std::uint64_t size)
+{
+    if (size != header.file_size)
+        throw InputError(fmt::format("has {} bytes: must be {} for {} tiles of {} points", size,
+                                     header.file_size, header.parameters.tiles,
+                                     header.parameters.points_per_tile));
+}
+
+PoissonTileSet decode_binary(std::string_view bytes)
+{
+    const Header header = decode_header(bytes);
+    check_size(header, bytes.size());
+    const std::uint64_t found = checksum(bytes);
+    if (found != header.checksum)
+        throw InputError(
+            fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
+    PoissonTileSet set{header.parameters, header.squared_min_distance, {}};
+    set.points.resize(coordinate_count(set.parameters));
+    std::memcpy(set.points.data(), bytes.data() + header_size, bytes.size() - header_size);
+    if constexpr (std::endian::native != std::endian::little) {
+        for (std::uint16_t& x : set.points) x = static_cast<std::uint16_t>(x << 8 | x >> 8);
+    }
+    return set;
+}
+
+/// JSON objects start with a brace, after white space.
+bool looks_like_json(std::string_view bytes)
+{
+    const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && bytes[start] == '{';
+}
+
+/// Throws `error` again, with the file's name.
+[[noreturn]] void fail(const std::string& name, const InputError& error)
+{
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+}
+
+/// Refuses other files, and files that are cut off, before they are read into memory.
+void check_start(const std::filesystem::path& path)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return;
+    std::string start(header_size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (!file && file.gcount() == 0) return; // empty, or no permission: reading it says so
+    start.resize(static_cast<std::size_t>(file.gcount()));
+    if (looks_like_json(start)) return;
+    const Header header = decode_header(start);
+    const std::uintmax_t size = std::filesystem::file_size(path, error);
+    if (!error) check_size(header, size);
+}
+
+}
+
+void check_stored(const PoissonTileParameters& p, std::uint64_t squared_min_distance)
+{
+    check(p);
+    if (!(p.factor > 0 && p.factor <= 1))
+        throw InputError(fmt::format("factor = {}: must be a number greater than 0 and at most 1", p.factor));
+    const double largest = max_min_distance(p.points_per_tile, p.dimension) * tile_units;
+    if (static_cast<double>(squared_min_distance) > largest * largest)
+        throw InputError(
+            fmt::format("guaranteed squared minimum distance {}: must be at most {:.0f} with {} points "
+                        "per tile",
+                        squared_min_distance, std::floor(largest * largest), p.points_per_tile));
+}
+
+PoissonTileSet decode_tile_set(std::string_view bytes, const std::string& name)
+{
+    try {
+        if (!looks_like_json(bytes)) return decode_binary(bytes);
+        PoissonTileSet set = tile_set_from_json(bytes);
+        check_stored(set.parameters, set.squared_min_distance);
+        return set;
+    } catch (const InputError& error) {
+        fail(name, error);
+    }
+}
+
+std::string encode_tile_set(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    check_stored(p, set.squared_min_distance);
+    if (set.points.size() != coordinate_count(p))
+        throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinate_count(p)));
+    std::string bytes(magic);
+    bytes.reserve(header_size + 2 * set.points.size());
+    HeaderWriter writer(bytes);
+    writer << version << static_cast<std::uint32_t>(header_size) << static_cast<std::uint32_t>(p.kind)
+           << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile
+           << std::uint32_t{0} << set.squared_min_distance << p.relative_radius << p.seed
+           << static_cast<std::uint32_t>(p.filling) << p.attempts << p.factor << p.lloyd_iterations
+           << static_cast<std::uint32_t>(p.repulsion);
+    bytes.resize(header_size);
+    for (const std::uint16_t x : set.points) writer << x;
+    std::string sum;
+    HeaderWriter(sum) << checksum(bytes);
+    bytes.replace(checksum_offset, sum.size(), sum);
+    return bytes;
+}
+
+PoissonTileSet read_tile_set(const std::filesystem::path& path)
+{
+    try {
+        check_start(path);
+    } catch (const InputError& error) {
+        fail(path.string(), error);
+    }
+    return decode_tile_set(read_whole_file(path), path.string());
+}
+
+void write_tile_set(const std::filesystem::path& path, const PoissonTileSet& set)
+{
+    const std::string bytes = encode_tile_set(set);
+    write_whole_file(path, path.extension() == ".json" ? tile_set_to_json(set) : bytes);
+}
+
+}

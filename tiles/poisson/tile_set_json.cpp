@@ -1,0 +1,223 @@
+#include "tiles/poisson/tile_set_json.hpp"
+
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using Json = nlohmann::json; // its search for a key is not linear, as that of the ordered kind is
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr auto format_name = "poissonlab tile set";
+constexpr int version = 1;
+
+constexpr std::array known_keys{"format",
+                                "version",
+                                "kind",
+                                "dimension",
+                                "colors",
+                                "tiles",
+                                "points_per_tile",
+                                "relative_radius",
+                                "filling",
+                                "attempts",
+                                "factor",
+                                "lloyd_iterations",
+                                "repulsion",
+                                "seed",
+                                "min_distance",
+                                "guaranteed_relative_radius",
+                                "tile_points"};
+
+constexpr auto dart_throwing_name = "dart-throwing";
+constexpr auto relaxation_name = "relaxation-dart-throwing";
+
+OrderedJson parameters_to_json(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    return {{"format", format_name},
+            {"version", version},
+            {"kind", kind_name(p)},
+            {"dimension", p.dimension},
+            {"colors", p.colors},
+            {"tiles", p.tiles},
+            {"points_per_tile", p.points_per_tile},
+            {"relative_radius", p.relative_radius},
+            {"filling", p.filling == TileFilling::dart_throwing ? dart_throwing_name : relaxation_name},
+            {"attempts", p.attempts},
+            {"factor", p.factor},
+            {"lloyd_iterations", p.lloyd_iterations},
+            {"repulsion", p.repulsion},
+            {"seed", p.seed},
+            {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
+            {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)}};
+}
+
+const Json& value_of(const Json& json, const char* key)
+{
+    const auto found = json.find(key);
+    if (found == json.end()) throw InputError(fmt::format("{}: is missing", key));
+    return *found;
+}
+
+/// What is wrong with a value: it as it is written, shortened, and what is allowed.
+[[noreturn]] void refuse(const std::string& what, const Json& value, const std::string& allowed)
+{
+    const std::string text =
+        value.is_structured() ? value.type_name() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    throw InputError(fmt::format("{} = {}: must be {}", what, shortened(text), allowed));
+}
+
+/// An integer that the type can hold. Floating-point numbers are none, even 3.0.
+template <class Integer>
+Integer integer(const Json& json, const std::string& what)
+{
+    constexpr auto largest = std::numeric_limits<Integer>::max();
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > static_cast<std::uint64_t>(largest))
+        refuse(what, json, fmt::format("an integer from 0 to {}", largest));
+    return json.get<Integer>();
+}
+
+template <class Integer>
+Integer integer_at(const Json& json, const char* key)
+{
+    return integer<Integer>(value_of(json, key), key);
+}
+
+double number_at(const Json& json, const char* key)
+{
+    const Json& value = value_of(json, key);
+    if (!value.is_number()) refuse(key, value, "a number");
+    return value.get<double>();
+}
+
+bool bool_at(const Json& json, const char* key)
+{
+    const Json& value = value_of(json, key);
+    if (!value.is_boolean()) refuse(key, value, "true or false");
+    return value.get<bool>();
+}
+
+/// The place of a string in a list.
+std::size_t choice_at(const Json& json, const char* key, std::initializer_list<const char*> names)
+{
+    const Json& value = value_of(json, key);
+    const auto found = std::ranges::find_if(names, [&](const char* name) { return value == name; });
+    if (found == names.end()) refuse(key, value, fmt::format("one of {}", fmt::join(names, ", ")));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+PoissonTileParameters parameters_from_json(const Json& json)
+{
+    PoissonTileParameters p;
+    const std::size_t kind = choice_at(json, "kind", {"corner", "edge", "template", "sphere"});
+    p.kind = kind == 3 ? PoissonTileKind::corner : static_cast<PoissonTileKind>(kind);
+    p.dimension = integer_at<int>(json, "dimension");
+    if (p.dimension != (kind == 3 ? 3 : 2)) refuse("dimension", json["dimension"], kind == 3 ? "3" : "2");
+    p.colors = integer_at<std::uint32_t>(json, "colors");
+    p.tiles = integer_at<std::uint32_t>(json, "tiles");
+    p.points_per_tile = integer_at<std::uint32_t>(json, "points_per_tile");
+    p.relative_radius = number_at(json, "relative_radius");
+    p.filling = static_cast<TileFilling>(choice_at(json, "filling", {dart_throwing_name, relaxation_name}));
+    p.attempts = integer_at<std::uint32_t>(json, "attempts");
+    p.factor = number_at(json, "factor");
+    p.lloyd_iterations = integer_at<std::uint32_t>(json, "lloyd_iterations");
+    p.repulsion = bool_at(json, "repulsion");
+    p.seed = integer_at<std::uint64_t>(json, "seed");
+    return p;
+}
+
+/// The square of a distance in tiles, in whole units. Roots of integers come back as these; others are
+/// rounded down, as what is guaranteed must be.
+std::uint64_t squared_distance_at(const Json& json, const char* key)
+{
+    const double distance = number_at(json, key);
+    if (!(distance >= 0 && distance <= 2)) refuse(key, json[key], "a number from 0 to 2, in tiles");
+    constexpr double rounding = 1e-3; // of the root and its square, some 1e-5
+    return static_cast<std::uint64_t>(distance * tile_units * (distance * tile_units) + rounding);
+}
+
+const Json& list_of(const Json& json, std::size_t size, const std::string& what)
+{
+    if (!json.is_array() || json.size() != size)
+        throw InputError(fmt::format("{}: must be a list of {}", what, size));
+    return json;
+}
+
+std::vector<std::uint16_t> points_from_json(const Json& json, const PoissonTileParameters& p)
+{
+    std::vector<std::uint16_t> points;
+    const auto dimension = static_cast<std::size_t>(p.dimension);
+    list_of(json, p.tiles, "tile_points");
+    for (std::size_t tile = 0; tile < p.tiles; ++tile) {
+        const std::string what = fmt::format("tile_points[{}]", tile);
+        for (const Json& point : list_of(json[tile], p.points_per_tile, what)) {
+            for (const Json& x : list_of(point, dimension, what + ": a point"))
+                points.push_back(integer<std::uint16_t>(x, what));
+        }
+    }
+    return points;
+}
+
+Json parsed(std::string_view text)
+{
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw InputError(fmt::format("is no JSON: wrong at byte {}", error.byte));
+    } catch (const Json::out_of_range&) {
+        throw InputError("is no JSON: it has a number that is too large");
+    }
+}
+
+}
+
+std::string tile_set_to_json(const PoissonTileSet& set)
+{
+    std::string text = parameters_to_json(set).dump(2);
+    text.resize(text.size() - 2); // the line feed and brace at the end
+    text += ",\n  \"tile_points\": [";
+    const auto dimension = static_cast<std::size_t>(set.parameters.dimension);
+    for (std::uint32_t tile = 0; tile < set.parameters.tiles; ++tile) {
+        text += tile == 0 ? "\n    [" : ",\n    [";
+        const std::span<const std::uint16_t> points = set.tile(tile);
+        for (std::size_t i = 0; i < points.size(); i += dimension)
+            fmt::format_to(std::back_inserter(text), "{}[{}]", i == 0 ? "" : ", ",
+                           fmt::join(points.subspan(i, dimension), ", "));
+        text += "]";
+    }
+    return text + "\n  ]\n}\n";
+}
+
+PoissonTileSet tile_set_from_json(std::string_view text)
+{
+    const Json json = parsed(text);
+    if (!json.is_object() || value_of(json, "format") != format_name)
+        throw InputError(fmt::format("format: must be \"{}\"", format_name));
+    if (integer_at<int>(json, "version") != version)
+        refuse("version", json["version"], std::to_string(version));
+    for (const auto& [key, value] : json.items()) {
+        if (std::ranges::find(known_keys, key) == known_keys.end())
+            throw InputError(
+                fmt::format("{}: unknown key; known keys: {}", shortened(key), fmt::join(known_keys, ", ")));
+    }
+    PoissonTileSet set;
+    set.parameters = parameters_from_json(json);
+    check(set.parameters);
+    set.squared_min_distance = squared_distance_at(json, "min_distance");
+    const double radius = number_at(json, "guaranteed_relative_radius");
+    if (!(std::abs(radius - relative_radius_of(set.squared_min_distance, set.parameters)) < 1e-6))
+        refuse("guaranteed_relative_radius", json["guaranteed_relative_radius"], "that of min_distance");
+    set.points = points_from_json(value_of(json, "tile_points"), set.parameters);
+    return set;
+}
+
+}

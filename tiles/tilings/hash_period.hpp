@@ -1,0 +1,25 @@
+// The exact period of a hash function that looks up permutation tables.
+#pragma once
+
+#include "tiles/tilings/tile_index.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace poissonlab {
+
+/// h(x + i x', y + j y') = h(x, y) for all integers i and j, with the least numbers x' and y' of which that
+/// is true. 0: no period that fits in 64 bits.
+struct HashPeriod
+{
+    std::uint64_t x = 0;
+    std::uint64_t y = 0;
+
+    bool operator==(const HashPeriod&) const = default;
+};
+
+/// Of the colours P[(P[x % N] + y) % N] % C. Both divide N, and are N but for permutations that chance hardly
+/// makes unless N is small. O(N) for each divisor of N.
+HashPeriod permutation_period(std::span<const std::uint32_t> permutation, Color colors);
+
+}

@@ -1,0 +1,76 @@
+// The traditional hash function over the integer lattice: one permutation table, looked up once a coordinate.
+//
+// D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 3.4.1, equations 3.1, 3.3 and 3.4; the
+// result is taken modulo the number of colours. Negative coordinates count downwards from the table's end.
+//
+// Points are as often of each colour, but not so pairs of neighbours: the columns of a tiling are one cycle of N
+// colours, shifted. With 256 entries and 4 colours some corner tiles are three times as frequent as others; with 8
+// colours, 256 entries have few of each of the 64 pairs, and 36 to 271 of the 4,096 tiles do not occur at all (seeds
+// 1 to 3). Larger tables, and the other hash functions, do not have this weakness.
+#pragma once
+
+#include "base/random/random.hpp"
+#include "tiles/tilings/hash_period.hpp"
+#include "tiles/tilings/tile_index.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+class PermutationHash
+{
+public:
+    static constexpr std::uint32_t max_size = 65536;
+
+    /// Over a random permutation of 0, 1, ..., size - 1. Throws InputError unless colors <= size <= max_size.
+    PermutationHash(Color colors, std::uint32_t size, const StreamKey& key);
+
+    /// Over the largest table of at most max_colors entries in which all colours are as frequent: 256 for 2,
+    /// 4, 8 and 16 colours, 255 for 3 and 5, 252 for 6 and 7.
+    PermutationHash(Color colors, const StreamKey& key);
+
+    /// Over this permutation of 0, 1, ..., size - 1.
+    PermutationHash(Color colors, std::vector<std::uint32_t> permutation);
+
+    Color colors() const { return colors_; }
+    std::span<const std::uint32_t> permutation() const { return permutation_; }
+    HashPeriod period() const { return permutation_period(permutation_, colors_); }
+
+    /// Whether all colours are as frequent over a period: the table's size is a multiple of their number.
+    /// Otherwise, the first size % colors colours have one entry of the table more than the others.
+    bool is_balanced() const { return permutation_.size() % colors_ == 0; }
+
+    Color operator()(std::int64_t x) const { return color_[reduced(x)]; }
+    Color operator()(std::int64_t x, std::int64_t y) const { return color_[entry_[reduced(x)] + reduced(y)]; }
+    Color operator()(std::int64_t x, std::int64_t y, std::int64_t z) const
+    {
+        return color_[entry_[entry_[reduced(x)] + reduced(y)] + reduced(z)];
+    }
+
+    /// The colours at (x, y), (x + step, y), (x + 2 step, y), ...; step >= 1.
+    void fill_row(std::int64_t x, std::int64_t step, std::int64_t y, std::span<std::uint8_t> row) const;
+
+    /// For hash_color_... of kernels/common/tiling.clh.
+    std::vector<std::uint32_t> device_words() const;
+
+private:
+    std::uint32_t reduced(std::int64_t coordinate) const
+    {
+        if (mask_ != 0) return static_cast<std::uint32_t>(coordinate) & mask_;
+        const auto size = static_cast<std::int64_t>(permutation_.size());
+        const std::int64_t remainder = coordinate % size;
+        return static_cast<std::uint32_t>(remainder < 0 ? remainder + size : remainder);
+    }
+
+    Color colors_;
+    std::vector<std::uint32_t> permutation_;
+    std::uint32_t mask_ = 0; ///< size - 1 if that is a power of two; else 0
+    // The table twice over, so that sums of an entry and a reduced coordinate need no reduction.
+    std::vector<std::uint16_t> entry_;
+    std::vector<std::uint8_t> color_; ///< entry % colors
+};
+
+}

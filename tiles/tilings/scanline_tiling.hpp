@@ -1,0 +1,70 @@
+// Scanline stochastic tilings: tiles are placed row by row, each chosen at random among those that fit.
+//
+// D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 3.2: from west to east and from north to
+// south, after Cohen et al. for Wang tiles. Any tile set will do that has, for all colours on the sides that
+// are placed already, tiles that fit; complete and compact sets have at least two.
+#pragma once
+
+#include "base/random/random.hpp"
+#include "tiles/tilings/tile_set.hpp"
+#include "tiles/tilings/tiling.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// With more, the tiles for each pattern of colours take too much memory.
+constexpr Color max_scanline_colors = 32;
+
+/// A row is kept.
+constexpr std::uint64_t max_scanline_width = std::uint64_t{1} << 32;
+
+/// The tiles of a set of Wang or corner tiles that fit where their neighbours to the north and west are
+/// placed.
+class FittingTiles
+{
+public:
+    /// Throws InputError for more than max_scanline_colors.
+    explicit FittingTiles(const TileSet& tiles);
+
+    /// What fits below a tile and to the right of a tile; either may be missing (nullptr), as at the borders.
+    std::span<const TileIndex> choices(const TileIndex* north, const TileIndex* west) const;
+
+    /// The fewest tiles that fit anywhere in any tiling, borders included.
+    std::size_t fewest_choices() const;
+
+private:
+    std::size_t pattern(const TileIndex* north, const TileIndex* west) const;
+
+    TileKind kind_;
+    WangColors colors_;
+    std::vector<TileIndex> tiles_;      ///< pattern after pattern
+    std::vector<std::uint32_t> begins_; ///< of each pattern's tiles, and the end
+};
+
+/// A tiling of some width, and any height. Unlike direct tilings it is known only as far as it was placed.
+class ScanlineTiling
+{
+public:
+    /// The same set and seed make the same tiling; a narrower one is the west of a wider one. Throws
+    /// InputError if the set leaves no choice of two tiles somewhere: then tilings would repeat, or end.
+    ScanlineTiling(const TileSet& tiles, std::uint64_t width, std::uint64_t seed);
+
+    /// The indices of the tiles of the next row; the first call gives the northernmost. Valid until the next
+    /// call.
+    std::span<const TileIndex> next_row();
+
+    /// Hands a tiling of `height` rows, of which the southernmost has y = 0, to `sink`, which is given whole
+    /// rows from north to south.
+    void stream(std::uint64_t height, const TileSink& sink);
+
+private:
+    FittingTiles fitting_;
+    StreamKey key_;
+    std::uint64_t rows_ = 0; ///< placed so far
+    std::vector<TileIndex> row_;
+};
+
+}
