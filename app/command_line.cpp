@@ -1,13 +1,13 @@
 #include "app/command_line.hpp"
 
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/standard_streams.hpp"
+#include "base/programs/interrupt.hpp"
+#include "base/programs/shell_words.hpp"
+#include "host/config/nearest_key.hpp"
 #include "host/crew/crew.hpp"
 #include "host/crew/failure.hpp"
-#include "base/programs/interrupt.hpp"
-#include "host/config/nearest_key.hpp"
-#include "base/programs/shell_words.hpp"
-#include "base/files/standard_streams.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -145,8 +145,7 @@ public:
         add_tiling();
         add_tiles();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
-        samplers_ =
-            app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
+        samplers_ = app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
         help_ = app_.add_subcommand("help", "Explain a command, or the samplers");
         help_->add_option("TOPIC", topic_, "A command; \"samplers\" lists the methods");
     }
@@ -205,16 +204,13 @@ void CommandLine::add_run()
     RunOptions& o = run_options_;
     run_ = app_.add_subcommand("run", "Run the experiment of a config and write its report");
     run_->add_option("CONFIG", o.config, "The experiment (.toml)")->required();
-    run_->add_option("--out", o.out, "The output folder; default: out/ and the config's name")
-        ->option_text("DIR");
-    run_->add_option("--device", o.device,
-                     "The OpenCL device: part of its name, or its number in `poissonlab devices`")
+    run_->add_option("--out", o.out, "The output folder; default: out/ and the config's name")->option_text("DIR");
+    run_->add_option("--device", o.device, "The OpenCL device: part of its name, or its number in `poissonlab devices`")
         ->option_text("NAME");
     run_->add_option("--set", o.overrides, "Change a key of the config; may be repeated")
         ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
-    run_->add_option("--threads", o.threads,
-                     "Use so many threads, and compute units of a CPU device; default: all")
+    run_->add_option("--threads", o.threads, "Use so many threads, and compute units of a CPU device; default: all")
         ->option_text("N")
         ->check(CLI::Range(1, 4096));
     run_->add_option("--shard", o.shard, "Only share i of n of the work, see below")->option_text("i/n");
@@ -238,8 +234,7 @@ void CommandLine::add_analyze()
     AnalyzeOptions& o = analyze_options_;
     analyze_ = app_.add_subcommand("analyze", "Analyse point sets made elsewhere and write a report");
     analyze_->add_option("FILE", o.files, "Point sets, one series")->required();
-    analyze_->add_option("--out", o.out, "The output folder; default: out/ and the label")
-        ->option_text("DIR");
+    analyze_->add_option("--out", o.out, "The output folder; default: out/ and the label")->option_text("DIR");
     analyze_->add_option("--label", o.label, "What the report calls them; default: the first file's name")
         ->option_text("TEXT");
     analyze_
@@ -261,8 +256,7 @@ void CommandLine::add_report()
     ReportOptions& o = report_options_;
     report_ = app_.add_subcommand("report", "Build a report again, or one over several output folders");
     report_->add_option("DIR", o.folders, "Folders that `run` or `analyze` wrote")->required();
-    report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")
-        ->option_text("DIR");
+    report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")->option_text("DIR");
     report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
 }
 
@@ -404,12 +398,11 @@ void CommandLine::parse(int argc, const char* const* argv)
 {
     const std::vector<std::string> names = command_names();
     if (argc < 2)
-        throw InputError(
-            fmt::format("a command is missing: {} (see poissonlab --help)", fmt::join(names, ", ")));
+        throw InputError(fmt::format("a command is missing: {} (see poissonlab --help)", fmt::join(names, ", ")));
     const std::string first = argv[1];
     if (!first.starts_with("-") && std::ranges::find(names, first) == names.end())
-        throw InputError(fmt::format("unknown command \"{}\"{} (commands: {})", first,
-                                     did_you_mean(first, names), fmt::join(names, ", ")));
+        throw InputError(fmt::format("unknown command \"{}\"{} (commands: {})", first, did_you_mean(first, names),
+                                     fmt::join(names, ", ")));
     // Topics are names of commands, which the parser would run instead of explaining.
     if (first == "help" && (argc == 2 || argv[2][0] != '-')) {
         if (argc > 3) throw InputError("help explains one topic at a time");
@@ -483,9 +476,12 @@ int tell_of_exception()
         std::fflush(stdout);
         tell_of_interruption();
         return exit_interrupted;
-    case Failure::Kind::input: return fail(exit_input, failure.message);
-    case Failure::Kind::device: return fail(exit_device, failure.message);
-    default: return fail(exit_other, failure.message);
+    case Failure::Kind::input:
+        return fail(exit_input, failure.message);
+    case Failure::Kind::device:
+        return fail(exit_device, failure.message);
+    default:
+        return fail(exit_other, failure.message);
     }
 }
 

@@ -36,8 +36,8 @@ void serialize(Archive& archive, PeakAnisotropy& peak)
 template <class Archive>
 void serialize(Archive& archive, LowFrequencyPower& power)
 {
-    archive(power.exponent, power.exponent_standard_error, power.intercept, power.intercept_standard_error,
-            power.begin, power.end, power.bins);
+    archive(power.exponent, power.exponent_standard_error, power.intercept, power.intercept_standard_error, power.begin,
+            power.end, power.bins);
 }
 
 template <class Archive>
@@ -68,18 +68,17 @@ template <class Archive>
 void serialize(Archive& archive, SeriesMeasures& measures)
 {
     archive(measures.effective_nyquist, measures.effective_nyquist_error, measures.oscillation,
-            measures.oscillation_error, measures.peak_anisotropy, measures.low_frequency_power,
-            measures.lattice_peaks, measures.lattice_peaks_error, measures.integration, measures.packing_fraction,
-            measures.largest_empty, measures.voronoi);
+            measures.oscillation_error, measures.peak_anisotropy, measures.low_frequency_power, measures.lattice_peaks,
+            measures.lattice_peaks_error, measures.integration, measures.packing_fraction, measures.largest_empty,
+            measures.voronoi);
 }
 
 /// What analysis finds out; the rest of a result belongs to other units.
 template <class Archive>
 void serialize(Archive& archive, SeriesResult& result)
 {
-    archive(result.points, result.min_distance, result.relative_radius, result.covered_fraction,
-            result.spectrum_size, result.zone_plate, result.measures, result.has_pair_correlation,
-            result.analysis_seconds);
+    archive(result.points, result.min_distance, result.relative_radius, result.covered_fraction, result.spectrum_size,
+            result.zone_plate, result.measures, result.has_pair_correlation, result.analysis_seconds);
 }
 
 }

@@ -11,8 +11,7 @@ std::string iterations_csv(const IterationRecords& records)
     std::string text = "realization,iteration,relative_radius,energy\n";
     for (std::size_t k = 0; k < records.size(); ++k)
         for (std::size_t i = 0; i < records[k].size(); ++i)
-            text += fmt::format("{},{},{:.17g},{:.17g}\n", k, i, records[k][i].relative_radius,
-                                records[k][i].energy);
+            text += fmt::format("{},{},{:.17g},{:.17g}\n", k, i, records[k][i].relative_radius, records[k][i].energy);
     return text;
 }
 

@@ -8,8 +8,8 @@ std::string radial_csv(const std::vector<RadialBin>& bins)
 {
     std::string text = "frequency,power,anisotropy_db,samples,power_error\n";
     for (const RadialBin& bin : bins)
-        text += fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples,
-                            bin.power_error);
+        text +=
+            fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples, bin.power_error);
     return text;
 }
 

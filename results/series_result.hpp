@@ -32,16 +32,15 @@ struct Machine
 /// What the sampling test came to. Vectors have one value a realization.
 struct ZonePlateResult
 {
-    int size = 0;                  ///< pixels of the first picture along each axis
-    std::vector<double> rms_error; ///< over the whole picture
-    std::vector<double>
-        resolved_rms_error; ///< where the plate has up to half a cycle per pixel; NaN: nowhere
+    int size = 0;                           ///< pixels of the first picture along each axis
+    std::vector<double> rms_error;          ///< over the whole picture
+    std::vector<double> resolved_rms_error; ///< where the plate has up to half a cycle per pixel; NaN: nowhere
 };
 
 /// Measures of the field beyond distances and spectra. Nothing: not defined for the sets at hand.
 struct SeriesMeasures
 {
-    std::optional<double> effective_nyquist; ///< of the mean spectrum, in units of half of N^(1/dimension)
+    std::optional<double> effective_nyquist;       ///< of the mean spectrum, in units of half of N^(1/dimension)
     std::optional<double> effective_nyquist_error; ///< standard errors, here and below: of two realizations and more
     std::optional<Oscillation> oscillation;
     std::optional<double> oscillation_error;
@@ -49,8 +48,8 @@ struct SeriesMeasures
     std::optional<LowFrequencyPower> low_frequency_power;
     std::optional<LatticePeaks> lattice_peaks; ///< of sets that are said to be tiled
     std::optional<double> lattice_peaks_error; ///< of mean_ratio
-    std::vector<IntegrationError> integration;     ///< over all realizations
-    std::optional<double> packing_fraction;           ///< these are of the first realization
+    std::vector<IntegrationError> integration; ///< over all realizations
+    std::optional<double> packing_fraction;    ///< these are of the first realization
     std::optional<LargestEmptyBall> largest_empty;
     std::optional<VoronoiStatistics> voronoi; ///< 2D
 };
@@ -66,9 +65,9 @@ struct SeriesResult
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::vector<IterationRecord>> iterations; ///< empty for methods without any
     SeriesMeasures measures;
-    bool has_pair_correlation = false; ///< sets of one point have none
-    std::vector<std::string> point_files;                 ///< relative to the output folder
-    std::vector<double> sample_seconds; ///< of the realizations, then of further runs; under one run's conditions
+    bool has_pair_correlation = false;     ///< sets of one point have none
+    std::vector<std::string> point_files;  ///< relative to the output folder
+    std::vector<double> sample_seconds;    ///< of the realizations, then of further runs; under one run's conditions
     std::optional<TileSetRecord> tile_set; ///< of methods that tile
     double build_seconds = 0;
     double preparation_seconds = 0;

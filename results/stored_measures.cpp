@@ -54,8 +54,7 @@ StoredMeasures read_measures(const StoredObject& series)
     if (object.has("integration"))
         for (const auto& integral : object.objects("integration"))
             measures.integration.push_back({read_integrand(integral), integral.number("rms_error"),
-                                            integral.number("standard_error"),
-                                            integral.number("relative_variance")});
+                                            integral.number("standard_error"), integral.number("relative_variance")});
     if (object.has("largest_empty"))
         measures.largest_empty_radius = object.object("largest_empty").number("relative_radius");
     if (object.has("voronoi")) {

@@ -88,9 +88,8 @@ std::optional<StoredZonePlate> read_zone_plate_members(const StoredObject& serie
     const auto object = series.object("zone_plate");
     const auto whole = read_statistic(object, "rms_error");
     if (!whole) throw object.error("rms_error", "is missing");
-    return StoredZonePlate{object.small_integer("size", 1), object.file_name("file"),
-                           object.file_name("error_file"), *whole,
-                           read_statistic(object, "resolved_rms_error")};
+    return StoredZonePlate{object.small_integer("size", 1), object.file_name("file"), object.file_name("error_file"),
+                           *whole, read_statistic(object, "resolved_rms_error")};
 }
 
 StoredTileSet read_tile_set(const StoredObject& object)
@@ -191,8 +190,7 @@ std::vector<StoredSeries> read_all_series(const StoredObject& root, const std::v
     for (const auto& object : root.objects("series")) {
         result.push_back(read_series(object));
         read_place(object, methods, result.back());
-        if (!names.insert(result.back().name).second)
-            throw object.error("name", "is used twice");
+        if (!names.insert(result.back().name).second) throw object.error("name", "is used twice");
     }
     return result;
 }

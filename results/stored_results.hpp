@@ -2,8 +2,8 @@
 #pragma once
 
 #include "results/pictures/stored_constructions.hpp"
-#include "results/stored_measures.hpp"
 #include "results/pictures/stored_tilings.hpp"
+#include "results/stored_measures.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -69,7 +69,7 @@ struct StoredTileSet
     std::int64_t points_per_tile = 0;
     std::optional<double> build_seconds; ///< empty: not known
     std::string device;
-    bool cached = false; ///< read from the cache this time
+    bool cached = false;               ///< read from the cache this time
     std::vector<StoredRegion> regions; ///< empty: of templates
 };
 
@@ -112,7 +112,7 @@ struct StoredSeries
     int spectrum_size = 0;     ///< frequency samples along each axis
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
     std::string volume_file;   ///< all of a 3D spectrum; empty: not stored
-    std::string radial_file; ///< empty: no spectrum was made
+    std::string radial_file;   ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
     std::string pair_correlation_file; ///< empty: sets of one point
     std::optional<StoredIterations> iterations;
@@ -141,10 +141,10 @@ struct StoredRun
     std::string seed;   ///< as stored; empty when there is none
     std::string engine; ///< "opencl" or "reference"; empty when nothing was sampled
     int dimension = 2;
-    NamedTexts machine; ///< the members of "machine" that are there
+    NamedTexts machine;                ///< the members of "machine" that are there
     std::vector<StoredMethod> methods; ///< empty: not known, as in imported results
     std::vector<StoredSeries> series;
-    std::vector<StoredTiling> tilings; ///< and tile sets
+    std::vector<StoredTiling> tilings;             ///< and tile sets
     std::vector<StoredConstruction> constructions; ///< at least one of these, or a tiling or a series
 
     /// A member of `machine`, or an empty string.

@@ -12,8 +12,7 @@ namespace poissonlab {
 std::vector<ErrorBin> read_zone_plate_table(const std::filesystem::path& path)
 {
     std::vector<ErrorBin> bins;
-    for (const auto& row :
-         read_number_table(path, "distance,frequency,rms_error,pixels", "distances")) {
+    for (const auto& row : read_number_table(path, "distance,frequency,rms_error,pixels", "distances")) {
         if (!std::isfinite(row[2]))
             throw InputError(
                 fmt::format("{}:{}: rms_error = {}: must be finite", path.string(), bins.size() + 2, row[2]));

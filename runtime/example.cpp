@@ -23,12 +23,11 @@ int main(int argc, char** argv)
     const double high[] = {low[0] + std::atof(argv[4]), low[1] + std::atof(argv[5]), 1};
     std::vector<ptiles_point> points(ptiles_in_window(&tiling, low, high, nullptr, 0)); // how many there are
     ptiles_in_window(&tiling, low, high, points.data(), points.size());
-    for (const ptiles_point& p : points)
-        std::printf("%.9g %.9g %.9g\n", p.position[0], p.position[1], p.position[2]);
+    for (const ptiles_point& p : points) std::printf("%.9g %.9g %.9g\n", p.position[0], p.position[1], p.position[2]);
 
     const double middle[] = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.5};
     ptiles_point p;
     ptiles_nearest(&tiling, middle, &p);
-    std::printf("# nearest to %g %g: %.9g %.9g, number %u of the tile (%d, %d), id %08x\n", middle[0],
-                middle[1], p.position[0], p.position[1], p.index, p.tile[0], p.tile[1], p.id);
+    std::printf("# nearest to %g %g: %.9g %.9g, number %u of the tile (%d, %d), id %08x\n", middle[0], middle[1],
+                p.position[0], p.position[1], p.index, p.tile[0], p.tile[1], p.id);
 }

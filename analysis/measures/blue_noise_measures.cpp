@@ -28,8 +28,7 @@ std::vector<double> mean_power_up_to(const std::vector<RadialBin>& radial, int d
     std::vector<double> means;
     double power = 0, volume = 0;
     for (const RadialBin& bin : radial) {
-        const double shell =
-            std::pow(bin.frequency + 0.5, dimension) - std::pow(bin.frequency - 0.5, dimension);
+        const double shell = std::pow(bin.frequency + 0.5, dimension) - std::pow(bin.frequency - 0.5, dimension);
         power += shell * bin.power;
         volume += shell;
         means.push_back(power / volume);
@@ -61,8 +60,7 @@ double effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::si
     return crossing(radial[i], means[i - 1], dimension) / s;
 }
 
-Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension,
-                        int realizations)
+Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension, int realizations)
 {
     const double s = points_per_axis(points, dimension);
     if (realizations < 1) throw InputError("radial power: the number of realizations must be at least 1");

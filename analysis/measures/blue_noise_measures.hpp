@@ -48,7 +48,6 @@ struct Oscillation
 /// Omega. The noise floor assumes exponentially distributed power, as that of random sets is, and counts f
 /// and -f once: variance 2 P^2 / (K samples) in a bin, P = 1. Without any bin all is 0. Throws InputError for
 /// points or realizations below 1 and dimensions other than 2 and 3.
-Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension,
-                        int realizations);
+Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension, int realizations);
 
 }

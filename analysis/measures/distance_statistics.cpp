@@ -108,8 +108,7 @@ struct FixedPointMetric
 
     static bool suits(const PointSet& set)
     {
-        return std::ranges::all_of(set.coordinates,
-                                   [](double x) { return x * 0x1p32 == std::floor(x * 0x1p32); });
+        return std::ranges::all_of(set.coordinates, [](double x) { return x * 0x1p32 == std::floor(x * 0x1p32); });
     }
 
     explicit FixedPointMetric(const PointSet& set) : points(set.size())
@@ -119,10 +118,7 @@ struct FixedPointMetric
         }
     }
 
-    std::uint64_t operator()(std::size_t i, std::size_t j) const
-    {
-        return squared_distance<D>(points[i], points[j]);
-    }
+    std::uint64_t operator()(std::size_t i, std::size_t j) const { return squared_distance<D>(points[i], points[j]); }
 
     /// A long double holds every 64-bit integer: one rounding in the root, one in the conversion.
     static double distance(std::uint64_t squared)

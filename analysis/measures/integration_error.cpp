@@ -38,10 +38,7 @@ double step(Position x)
     return x[2] < 0.15 + (sqrt2 - 1) * x[0] + (sqrt3 - 1.5) * x[1] ? 1 : 0;
 }
 
-double gaussian(Position x)
-{
-    return std::exp(-squared_from_centre(x) / (2 * gaussian_width * gaussian_width));
-}
+double gaussian(Position x) { return std::exp(-squared_from_centre(x) / (2 * gaussian_width * gaussian_width)); }
 
 double cosine(Position x)
 {
@@ -80,12 +77,11 @@ std::vector<Integrand> integrands_in(int dimension)
     const double disk_volume =
         plane ? pi * disk_radius * disk_radius : 4.0 / 3.0 * pi * disk_radius * disk_radius * disk_radius;
     // The line and the plane stay between 0 and 1: the volume below is their height at the centre.
-    const double step_volume =
-        plane ? 0.2 + 0.5 / std::numbers::phi : 0.15 + 0.5 * (sqrt2 - 1) + 0.5 * (sqrt3 - 1.5);
+    const double step_volume = plane ? 0.2 + 0.5 / std::numbers::phi : 0.15 + 0.5 * (sqrt2 - 1) + 0.5 * (sqrt3 - 1.5);
     return {indicator(plane ? "disk" : "ball", disk_volume, disk), indicator("step", step_volume, step),
             // The square of a Gaussian of width w is one of width w / sqrt 2.
-            product("gaussian", dimension, gaussian_integral(gaussian_width),
-                    gaussian_integral(gaussian_width / sqrt2), gaussian),
+            product("gaussian", dimension, gaussian_integral(gaussian_width), gaussian_integral(gaussian_width / sqrt2),
+                    gaussian),
             product("cosine", dimension, 1, 1.5, cosine),
             product(plane ? "bilinear" : "trilinear", dimension, 0.5, 1.0 / 3.0, bilinear)};
 }
@@ -132,8 +128,7 @@ const std::vector<Integrand>& integrands(int dimension)
     return dimension == 2 ? plane : space;
 }
 
-IntegrationErrorEstimate::IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts,
-                                                   std::size_t first)
+IntegrationErrorEstimate::IntegrationErrorEstimate(int dimension, std::uint64_t seed, int shifts, std::size_t first)
     : dimension_(dimension), seed_(seed), shifts_(shifts), first_(first)
 {
     integrands(dimension);

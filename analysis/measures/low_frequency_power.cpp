@@ -55,8 +55,7 @@ FrequencyRange low_frequency_range(std::size_t points, int dimension)
     return {1, low_frequency_end * slack * std::pow(static_cast<double>(points), 1.0 / dimension)};
 }
 
-std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial,
-                                                     const FrequencyRange& range)
+std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, const FrequencyRange& range)
 {
     std::vector<Sample> logarithms, parabola;
     LowFrequencyPower result;

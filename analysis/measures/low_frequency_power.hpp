@@ -52,7 +52,6 @@ FrequencyRange low_frequency_range(std::size_t points, int dimension);
 
 /// The fits over a range. Bins without power take no part in the exponent, as they have no logarithm. Nothing
 /// where fewer than three bins with power are left.
-std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial,
-                                                     const FrequencyRange& range);
+std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, const FrequencyRange& range);
 
 }

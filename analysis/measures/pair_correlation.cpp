@@ -55,8 +55,8 @@ private:
 
     void sort(const PointSet& points)
     {
-        const std::size_t total = D == 2 ? static_cast<std::size_t>(cells) * cells
-                                         : static_cast<std::size_t>(cells) * cells * cells;
+        const std::size_t total =
+            D == 2 ? static_cast<std::size_t>(cells) * cells : static_cast<std::size_t>(cells) * cells * cells;
         starts.assign(total + 1, 0);
         for (std::size_t i = 0; i < points.size(); ++i) ++starts[cell_of(points[i]) + 1];
         for (std::size_t c = 0; c < total; ++c) starts[c + 1] += starts[c];

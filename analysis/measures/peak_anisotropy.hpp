@@ -17,8 +17,8 @@ inline constexpr std::size_t least_peak_samples = 100;
 struct PeakAnisotropy
 {
     double db = 0;
-    double frequency = 0;    ///< of the ring, in cycles per unit length
-    std::size_t samples = 0; ///< of the ring
+    double frequency = 0;         ///< of the ring, in cycles per unit length
+    std::size_t samples = 0;      ///< of the ring
     double standard_error_db = 0; ///< anisotropy_standard_error_db()
 };
 

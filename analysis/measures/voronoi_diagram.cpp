@@ -36,8 +36,7 @@ Polygon circumcentres(const Triangulation& triangulation, Triangulation::Vertex_
         const auto p = triangle.vertex(own);
         const auto a = triangle.vertex(Triangulation::ccw(own)) - p;
         const auto b = triangle.vertex(Triangulation::cw(own)) - p;
-        const auto centre =
-            CGAL::circumcenter(Kernel::Point_2(CGAL::ORIGIN), CGAL::ORIGIN + a, CGAL::ORIGIN + b);
+        const auto centre = CGAL::circumcenter(Kernel::Point_2(CGAL::ORIGIN), CGAL::ORIGIN + a, CGAL::ORIGIN + b);
         polygon.push_back({centre.x(), centre.y()});
     } while (++face != first);
     return polygon;

@@ -45,7 +45,7 @@ VoronoiDiagram voronoi_diagram(const PointSet& points);
 
 struct VoronoiStatistics
 {
-    double relative_area_variance = 0; ///< variance (divisor N) of the cell areas over their squared mean
+    double relative_area_variance = 0;       ///< variance (divisor N) of the cell areas over their squared mean
     std::array<double, 5> neighbour_share{}; ///< cells with up to 4, with 5, 6, 7, and at least 8 neighbours
 };
 

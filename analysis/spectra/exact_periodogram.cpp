@@ -41,7 +41,7 @@ namespace poissonlab {
 
 namespace {
 
-constexpr std::size_t max_block = 64; // leading frequencies a block: bounds the rotations, fills BLAS kernels
+constexpr std::size_t max_block = 64;  // leading frequencies a block: bounds the rotations, fills BLAS kernels
 constexpr std::size_t max_chunk = 512; // points a product: bounds the memory of clustered strips
 
 /// A coordinate in [0, 1) as a fraction of 2^64: products with integers wrap around like phases do.
@@ -151,8 +151,7 @@ public:
 
 private:
     void fill_phases(const FrequencyBlock& block, std::size_t begin, std::size_t count, double* phases) const;
-    void strip_moments(const FrequencyBlock& block, int strip, Workspace& work,
-                       std::vector<double>& moments) const;
+    void strip_moments(const FrequencyBlock& block, int strip, Workspace& work, std::vector<double>& moments) const;
     void folded_moments(const FrequencyBlock& block, Workspace& work) const;
     void multiply(const FrequencyBlock& block, Workspace& work) const;
     void store(const FrequencyBlock& block, const Workspace& work, std::vector<double>& power) const;
@@ -166,8 +165,7 @@ private:
 };
 
 /// cos and sin of 2 pi (u x + v y) for `count` points from `begin`: exact at the first u, then by rotation.
-void Periodogram::fill_phases(const FrequencyBlock& block, std::size_t begin, std::size_t count,
-                              double* phases) const
+void Periodogram::fill_phases(const FrequencyBlock& block, std::size_t begin, std::size_t count, double* phases) const
 {
     const std::size_t sines = static_cast<std::size_t>(block.count) * count;
     for (std::size_t i = 0; i < count; ++i) {
@@ -201,9 +199,9 @@ void Periodogram::strip_moments(const FrequencyBlock& block, int strip, Workspac
     for (std::size_t done = 0; done < total; done += max_chunk) {
         const std::size_t count = std::min(max_chunk, total - done);
         fill_phases(block, begin + done, count, work.phases.data());
-        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, expansion_.terms, columns,
-                    static_cast<int>(count), 1.0, chebyshev + done, static_cast<int>(total),
-                    work.phases.data(), static_cast<int>(count), 1.0, moments.data(), columns);
+        cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasTrans, expansion_.terms, columns, static_cast<int>(count), 1.0,
+                    chebyshev + done, static_cast<int>(total), work.phases.data(), static_cast<int>(count), 1.0,
+                    moments.data(), columns);
     }
 }
 
@@ -222,8 +220,7 @@ void Periodogram::folded_moments(const FrequencyBlock& block, Workspace& work) c
         for (std::size_t i = 0; i < 4; ++i) strip_moments(block, strips[i], work, work.moments[i]);
         for (std::size_t odd = 0; odd < 2; ++odd) {
             auto& [cosine, sine] = work.folded_by_parity[odd];
-            fold({work.moments[0].data(), work.moments[1].data(), work.moments[2].data(),
-                  work.moments[3].data()},
+            fold({work.moments[0].data(), work.moments[1].data(), work.moments[2].data(), work.moments[3].data()},
                  expansion_.terms, columns, odd == 1, cosine.data() + k * panel, sine.data() + k * panel);
         }
     }
@@ -240,8 +237,8 @@ void Periodogram::multiply(const FrequencyBlock& block, Workspace& work) const
             const auto& table = trig == 0 ? coefficients_.cosine[odd] : coefficients_.sine[odd];
             auto& sums = work.sums[odd][trig];
             sums.resize(static_cast<std::size_t>(rows) * columns);
-            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, columns, inner, 1.0, table.data(),
-                        inner, work.folded_by_parity[odd][trig].data(), columns, 0.0, sums.data(), columns);
+            cblas_dgemm(CblasRowMajor, CblasNoTrans, CblasNoTrans, rows, columns, inner, 1.0, table.data(), inner,
+                        work.folded_by_parity[odd][trig].data(), columns, 0.0, sums.data(), columns);
         }
     }
 }
@@ -249,8 +246,7 @@ void Periodogram::multiply(const FrequencyBlock& block, Workspace& work) const
 std::size_t Periodogram::index(int u, int v, int w) const
 {
     const int half = size_ / 2;
-    const std::size_t row =
-        dimension_ == 3 ? static_cast<std::size_t>(w + half) * size_ + (v + half) : w + half;
+    const std::size_t row = dimension_ == 3 ? static_cast<std::size_t>(w + half) * size_ + (v + half) : w + half;
     return row * size_ + (u + half);
 }
 
@@ -296,8 +292,7 @@ std::vector<double> Periodogram::compute() const
 
 std::vector<double> exact_periodogram(const PointSet& points, int size)
 {
-    if (size <= 0 || size % 2 != 0)
-        throw std::invalid_argument("exact_periodogram: size must be even and positive");
+    if (size <= 0 || size % 2 != 0) throw std::invalid_argument("exact_periodogram: size must be even and positive");
     if (points.size() == 0) throw std::invalid_argument("exact_periodogram: no points");
     openblas_set_num_threads(1); // the blocks are the parallel work
     return Periodogram(points, size).compute();

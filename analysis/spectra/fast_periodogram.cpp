@@ -70,8 +70,7 @@ std::size_t transform_size(double least)
 int kernel_width(double tolerance, int dimension)
 {
     for (int width = SpreadingKernel::min_width; width <= SpreadingKernel::max_width; width += 2) {
-        const double error =
-            10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
+        const double error = 10 * std::exp(-std::numbers::pi * width * std::sqrt(1 - 1 / oversampling(dimension)));
         if (error <= tolerance) return width;
     }
     throw std::invalid_argument("FastPeriodogram: no kernel is as accurate as the tolerance asks for");
@@ -137,8 +136,8 @@ FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
     }
     // An estimated plan is the same on every run. Measured ones are chosen by timing.
     Workspace& work = workspaces_.local();
-    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()),
-                                 FFTW_FORWARD, FFTW_ESTIMATE));
+    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()), FFTW_FORWARD,
+                                 FFTW_ESTIMATE));
     if (!plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid_));
 }
 
@@ -239,18 +238,15 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
         transform_along_y(plane, work);
         for (std::size_t v = 0; v < rows; ++v) {
             transform(work.plane.data() + v * line_, work.line.data());
-            store_power(work.line.data(), factor * deconvolution_[v],
-                        half.power.data() + (u * rows + v) * rows);
+            store_power(work.line.data(), factor * deconvolution_[v], half.power.data() + (u * rows + v) * rows);
         }
     });
 }
 
 FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance)
 {
-    if (dimension != 2 && dimension != 3)
-        throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
-    if (size <= 0 || size % 2 != 0)
-        throw std::invalid_argument("FastPeriodogram: size must be even and positive");
+    if (dimension != 2 && dimension != 3) throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
+    if (size <= 0 || size % 2 != 0) throw std::invalid_argument("FastPeriodogram: size must be even and positive");
     plan_ = std::make_unique<Plan>(dimension, size, tolerance);
 }
 
@@ -265,9 +261,6 @@ HalfSpectrum FastPeriodogram::compute(const PointSet& points)
     return half;
 }
 
-void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result)
-{
-    plan_->compute(points, result);
-}
+void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result) { plan_->compute(points, result); }
 
 }

@@ -21,8 +21,7 @@ std::vector<double> all_frequencies(std::span<const double> half, int dimension,
     // Rows become columns by tiles: long steps through memory are slow.
     constexpr std::size_t height = 64, width = 8;
     tbb::parallel_for(std::size_t{0}, (m + height - 1) / height * middle, [&](std::size_t task) {
-        const std::size_t begin = task / middle * height, count = std::min(height, m - begin),
-                          v = task % middle;
+        const std::size_t begin = task / middle * height, count = std::min(height, m - begin), v = task % middle;
         for (std::size_t x = 0; x < m; x += width) {
             double tile[height][width];
             for (std::size_t i = 0; i < width && x + i < m; ++i) {

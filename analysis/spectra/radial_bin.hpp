@@ -30,8 +30,7 @@ public:
     public:
         /// `squared_rest`: the sum of the squares of the other components.
         Walk(const RadialBins& bins, std::int64_t squared_rest)
-            : rest_(squared_rest), end_(std::ranges::lower_bound(bins.ends_, squared_rest)),
-              begin_(bins.ends_.begin())
+            : rest_(squared_rest), end_(std::ranges::lower_bound(bins.ends_, squared_rest)), begin_(bins.ends_.begin())
         {}
 
         std::size_t of(std::int64_t u)

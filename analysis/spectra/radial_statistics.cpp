@@ -46,8 +46,7 @@ template <class Value>
 std::vector<Sum> sums_of(const Spectrum& spectrum, const RadialBins& bins, const Value& value)
 {
     constexpr std::int64_t parts = 16;
-    const std::int64_t rows =
-        static_cast<std::int64_t>(spectrum.size) * (spectrum.dimension == 3 ? spectrum.size : 1);
+    const std::int64_t rows = static_cast<std::int64_t>(spectrum.size) * (spectrum.dimension == 3 ? spectrum.size : 1);
     std::array<std::vector<Sum>, parts> sums;
     tbb::parallel_for(std::int64_t{0}, parts, [&](std::int64_t part) {
         std::vector<Sum>& sum = sums[static_cast<std::size_t>(part)];
@@ -105,9 +104,6 @@ std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_wi
     return radial;
 }
 
-double background_anisotropy_db(int realizations)
-{
-    return -10.0 * std::log10(static_cast<double>(realizations));
-}
+double background_anisotropy_db(int realizations) { return -10.0 * std::log10(static_cast<double>(realizations)); }
 
 }

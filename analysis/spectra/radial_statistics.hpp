@@ -21,7 +21,7 @@ struct RadialBin
     double anisotropy_db = 0; ///< 10 log10 of sample variance (divisor n - 1) over squared mean,
                               ///< equations 6.4 and 6.5, at least least_anisotropy_db
     std::size_t samples = 0;  ///< number of frequency samples
-    double power_error = 0; ///< standard error of `power`, from its spread between realizations; 0: not known
+    double power_error = 0;   ///< standard error of `power`, from its spread between realizations; 0: not known
 };
 
 /// Bins k = 1, 2, ... hold the samples with 1/2 + (k - 1) w < |f| <= 1/2 + k w, w = `bin_width` in frequency

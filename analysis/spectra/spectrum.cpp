@@ -21,14 +21,11 @@ int spectrum_size(std::size_t points, int dimension)
     return size;
 }
 
-SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method,
-                                   double bin_width)
+SpectrumEstimate::SpectrumEstimate(int dimension, int size, bool sizes_vary, PeriodogramMethod method, double bin_width)
     : dimension_(dimension), size_(size), sizes_vary_(sizes_vary), method_(method), bin_width_(bin_width)
 {
-    if (dimension != 2 && dimension != 3)
-        throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
-    if (size <= 0 || size % 2 != 0)
-        throw std::invalid_argument("SpectrumEstimate: size must be even and positive");
+    if (dimension != 2 && dimension != 3) throw std::invalid_argument("SpectrumEstimate: dimension must be 2 or 3");
+    if (size <= 0 || size % 2 != 0) throw std::invalid_argument("SpectrumEstimate: size must be even and positive");
 }
 
 SpectrumEstimate::~SpectrumEstimate() = default;

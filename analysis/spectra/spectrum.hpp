@@ -113,10 +113,10 @@ private:
     bool sizes_vary_;
     PeriodogramMethod method_;
     double bin_width_;
-    std::size_t points_ = 0; ///< of the first realization
+    std::size_t points_ = 0;   ///< of the first realization
     HalfSpectrum periodogram_; ///< of the last realization
-    RunningMoments power_;   ///< of each frequency's power
-    RunningMoments radial_;  ///< of each bin's mean power
+    RunningMoments power_;     ///< of each frequency's power
+    RunningMoments radial_;    ///< of each bin's mean power
     std::vector<std::vector<double>> radial_curves_;
     std::unique_ptr<FastPeriodogram> fast_;
 };

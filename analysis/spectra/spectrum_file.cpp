@@ -1,9 +1,9 @@
 #include "analysis/spectra/spectrum_file.hpp"
 
 #include "analysis/spectra/spectrum_planes.hpp"
-#include "base/images/square_header.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/images/square_header.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfCompression.h>
@@ -47,14 +47,12 @@ Imf::FrameBuffer frame_buffer(std::vector<Channel>& channels, int width)
 {
     Imf::FrameBuffer frame;
     for (Channel& channel : channels)
-        frame.insert(channel.name,
-                     Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channel.pixels.data()), sizeof(float),
-                                sizeof(float) * static_cast<std::size_t>(width)));
+        frame.insert(channel.name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channel.pixels.data()), sizeof(float),
+                                              sizeof(float) * static_cast<std::size_t>(width)));
     return frame;
 }
 
-Imf::Header header_of(const Spectrum& spectrum, int height,
-                      const std::map<std::string, std::string>& metadata)
+Imf::Header header_of(const Spectrum& spectrum, int height, const std::map<std::string, std::string>& metadata)
 {
     Imf::Header header(spectrum.size, height);
     header.compression() = Imf::NO_COMPRESSION; // periodograms are noise: nothing to gain but waiting
@@ -188,8 +186,7 @@ std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
 Spectrum read_spectrum(const std::filesystem::path& path)
 {
     auto planes = read_spectrum_planes(path);
-    if (planes.size() != 1)
-        throw InputError(path.string() + ": has the planes of a 3D spectrum, not a 2D one");
+    if (planes.size() != 1) throw InputError(path.string() + ": has the planes of a 3D spectrum, not a 2D one");
     return std::move(planes.front());
 }
 

@@ -5,10 +5,7 @@
 
 namespace poissonlab {
 
-const char* plane_axes(const PlanePlace& place)
-{
-    return place.axis == 2 ? "xy" : place.axis == 1 ? "xz" : "yz";
-}
+const char* plane_axes(const PlanePlace& place) { return place.axis == 2 ? "xy" : place.axis == 1 ? "xz" : "yz"; }
 
 std::string plane_name(const PlanePlace& place)
 {
@@ -20,9 +17,8 @@ std::vector<PlanePlace> shown_planes(int size)
 {
     std::vector<PlanePlace> places;
     for (const PlanePlace place :
-         {PlanePlace{2, 0}, PlanePlace{1, 0}, PlanePlace{0, 0}, PlanePlace{2, -size / 2},
-          PlanePlace{1, -size / 2}, PlanePlace{0, -size / 2}, PlanePlace{2, size / 16},
-          PlanePlace{2, size / 8}, PlanePlace{2, 3 * size / 16}}) {
+         {PlanePlace{2, 0}, PlanePlace{1, 0}, PlanePlace{0, 0}, PlanePlace{2, -size / 2}, PlanePlace{1, -size / 2},
+          PlanePlace{0, -size / 2}, PlanePlace{2, size / 16}, PlanePlace{2, size / 8}, PlanePlace{2, 3 * size / 16}}) {
         const bool known = std::ranges::find(places, place) != places.end(); // spectra of a few frequencies
         if (!known && place.frequency < size / 2) places.push_back(place);
     }
@@ -32,10 +28,8 @@ std::vector<PlanePlace> shown_planes(int size)
 Spectrum spectrum_plane(const Spectrum& volume, const PlanePlace& place)
 {
     const int half = volume.size / 2;
-    if (volume.dimension != 3 || place.axis < 0 || place.axis > 2 || place.frequency < -half ||
-        place.frequency >= half)
-        throw std::invalid_argument(
-            "spectrum_plane: needs a 3D spectrum, an axis 0, 1 or 2, and a frequency in it");
+    if (volume.dimension != 3 || place.axis < 0 || place.axis > 2 || place.frequency < -half || place.frequency >= half)
+        throw std::invalid_argument("spectrum_plane: needs a 3D spectrum, an axis 0, 1 or 2, and a frequency in it");
     const auto size = static_cast<std::size_t>(volume.size);
     const std::size_t stride[3] = {1, size, size * size};
     const std::size_t across = stride[place.axis == 0 ? 1 : 0], up = stride[place.axis == 2 ? 1 : 2];

@@ -74,8 +74,7 @@ void SpreadingKernel::make_nodes()
         for (const double sign : {-1, 1}) {
             const double a = middle * (1 + sign * Quadrature::abscissa()[k]);
             const double weight = middle * Quadrature::weights()[k] * width_;
-            nodes_.push_back(
-                {width_ * std::sin(a) / 2, weight * std::exp(beta_ * (std::cos(a) - 1)) * std::cos(a)});
+            nodes_.push_back({width_ * std::sin(a) / 2, weight * std::exp(beta_ * (std::cos(a) - 1)) * std::cos(a)});
         }
     }
 }
@@ -112,8 +111,7 @@ void SpreadingKernel::values(double offset, double* result) const
 double SpreadingKernel::transform(double frequency) const
 {
     double sum = 0;
-    for (const Node& node : nodes_)
-        sum += node.weight * std::cos(2 * std::numbers::pi * frequency * node.place);
+    for (const Node& node : nodes_) sum += node.weight * std::cos(2 * std::numbers::pi * frequency * node.place);
     return sum;
 }
 

@@ -37,8 +37,8 @@ public:
           powers_(height_ * columns_),
           forward_(fftw_plan_dft_r2c_2d(static_cast<int>(height_), static_cast<int>(width_), values_.get(),
                                         transform_.get(), FFTW_ESTIMATE)),
-          backward_(fftw_plan_dft_c2r_2d(static_cast<int>(height_), static_cast<int>(width_),
-                                         transform_.get(), values_.get(), FFTW_ESTIMATE))
+          backward_(fftw_plan_dft_c2r_2d(static_cast<int>(height_), static_cast<int>(width_), transform_.get(),
+                                         values_.get(), FFTW_ESTIMATE))
     {
         for (std::uint32_t color = 0; color < field.colors; ++color) add_power_of(field, color);
         for (std::size_t i = 0; i < powers_.size(); ++i) {
@@ -116,8 +116,7 @@ ColorAutocorrelation color_autocorrelation(const ColorField& field, int lags)
             const double n = static_cast<double>(field.width - static_cast<std::size_t>(std::abs(dx))) *
                              static_cast<double>(field.height() - static_cast<std::size_t>(std::abs(dy)));
             const bool middle = dx == 0 && dy == 0;
-            const double z =
-                middle ? 0 : (agreement.pairs(dx, dy) - n * share) / std::sqrt(n * share * (1 - share));
+            const double z = middle ? 0 : (agreement.pairs(dx, dy) - n * share) / std::sqrt(n * share * (1 - share));
             result.z.push_back(z);
             if (dy >= 0 && std::abs(z) > result.largest) {
                 result.largest = std::abs(z);

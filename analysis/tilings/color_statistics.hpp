@@ -41,11 +41,11 @@ std::vector<std::uint64_t> color_counts(const ColorField& field);
 /// are independent two by two even where they share a place).
 struct ColorAutocorrelation
 {
-    int lags = 0;          ///< L: displacements from -L to L along each axis
-    std::vector<double> z; ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
-    double largest = 0;    ///< of |z|
+    int lags = 0;                  ///< L: displacements from -L to L along each axis
+    std::vector<double> z;         ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
+    double largest = 0;            ///< of |z|
     std::array<int, 2> largest_at; ///< where, the first in order with y >= 0
-    double bound = 0; ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
+    double bound = 0;              ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
 };
 
 /// For displacements up to `lags`, below width and height of the field. By fast Fourier transforms, so that

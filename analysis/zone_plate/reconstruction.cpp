@@ -37,18 +37,14 @@ struct SortedSamples
     std::vector<Sample> samples;
 
     std::span<const Sample> rows(int first, int end) const { return cells(0, first, 0, end); }
-    std::span<const Sample> of_pixel(int column, int row) const
-    {
-        return cells(column, row, column + 1, row);
-    }
+    std::span<const Sample> of_pixel(int column, int row) const { return cells(column, row, column + 1, row); }
 
 private:
     // From one pixel up to another, in the order of pixels.
     std::span<const Sample> cells(int from_column, int from_row, int to_column, int to_row) const
     {
         const auto number = [&](int column, int row) {
-            return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) +
-                   static_cast<std::size_t>(column);
+            return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
         };
         const auto from = begin[number(from_column, from_row)];
         return std::span(samples).subspan(from, begin[number(to_column, to_row)] - from);
@@ -60,8 +56,7 @@ std::uint32_t pixel_of(const Sample& sample, int size)
     // A coordinate just below 1 can be rounded up to `size`.
     const auto column = std::min(static_cast<int>(sample.x), size - 1);
     const auto row = std::min(static_cast<int>(sample.y), size - 1);
-    return static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(size) +
-           static_cast<std::uint32_t>(column);
+    return static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(size) + static_cast<std::uint32_t>(column);
 }
 
 SortedSamples sort_samples(const PointSet& points, std::span<const double> values, int size)
@@ -152,13 +147,11 @@ double nearest_value(const SortedSamples& sorted, int column, int row)
 void make_band(const SortedSamples& sorted, int first, int end, SquareImage& image)
 {
     const auto sums = weighted_sums(sorted, first, end);
-    double* pixel =
-        image.pixels.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(image.size);
+    double* pixel = image.pixels.data() + static_cast<std::size_t>(first) * static_cast<std::size_t>(image.size);
     for (int row = first, at = 0; row < end; ++row)
         for (int column = 0; column < image.size; ++column, ++at) {
             const WeightedSum& sum = sums[static_cast<std::size_t>(at)];
-            *pixel++ =
-                sum.weights >= least_weight ? sum.values / sum.weights : nearest_value(sorted, column, row);
+            *pixel++ = sum.weights >= least_weight ? sum.values / sum.weights : nearest_value(sorted, column, row);
         }
 }
 

@@ -20,10 +20,7 @@ inline double zone_plate(double x, double y) { return 0.5 + 0.5 * std::sin(x * x
 /// The frequency of the plate at a distance from the origin, in cycles per pixel of a picture of `size`
 /// pixels along each axis: the phase r^2 grows by 2 r per unit, so that there are r / pi cycles per unit.
 /// Pixels can show up to 1/2.
-inline double plate_frequency(double distance, int size)
-{
-    return distance / std::numbers::pi * plate_side / size;
-}
+inline double plate_frequency(double distance, int size) { return distance / std::numbers::pi * plate_side / size; }
 
 /// What a 2D set of points makes of the plate, by `reconstruct`, with one_sample_a_pixel: 512 x 512 pixels
 /// for 262,144 points. The origin is at the lower left; values may lie a little outside of [0, 1]. Same

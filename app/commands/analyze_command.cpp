@@ -1,9 +1,9 @@
 // poissonlab analyze: point sets made elsewhere, through the same analysis and report.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
-#include "host/series/imported_points.hpp"
-#include "host/run/runner.hpp"
+#include "base/errors/errors.hpp"
 #include "host/crew/thread_limit.hpp"
+#include "host/run/runner.hpp"
+#include "host/series/imported_points.hpp"
 
 namespace poissonlab {
 
@@ -21,8 +21,7 @@ void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_re
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension);
     experiment.command = options.command;
-    const auto out =
-        options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
+    const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
     run_experiment(experiment, out, progress);
     finish_report({out}, out, write_report, progress);

@@ -1,8 +1,8 @@
 // What each subcommand does, once its arguments are known. command_line.cpp says what the arguments are.
 #pragma once
 
-#include "host/config/collection.hpp"
 #include "app/command_line.hpp"
+#include "host/config/collection.hpp"
 #include "host/run/progress.hpp"
 
 #include <cstdint>
@@ -90,7 +90,7 @@ struct TilesBuildOptions
 
 struct TilesPointsOptions
 {
-    std::filesystem::path file; ///< the tile set
+    std::filesystem::path file;       ///< the tile set
     std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
     std::uint32_t seed = 1;
     std::filesystem::path out;

@@ -1,6 +1,6 @@
 // poissonlab devices: what OpenCL offers here.
-#include "host/device/device.hpp"
 #include "app/commands/commands.hpp"
+#include "host/device/device.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

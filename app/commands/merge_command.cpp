@@ -1,6 +1,6 @@
 // poissonlab merge: finished work of several output folders, such as those of shards, into one.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/store/unit_store.hpp"
 

@@ -1,6 +1,6 @@
 // poissonlab report: the report again, or one over several result folders.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
 
 namespace poissonlab {
 

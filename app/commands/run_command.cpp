@@ -2,14 +2,14 @@
 // report.
 #include "app/commands/commands.hpp"
 #include "app/commands/run_plan.hpp"
-#include "base/programs/interrupt.hpp"
-#include "host/run/runner.hpp"
-#include "host/crew/thread_limit.hpp"
-#include "results/collection_file.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/crew/thread_limit.hpp"
+#include "host/run/runner.hpp"
 #include "host/store/file_lock.hpp"
 #include "host/store/unit_store.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "results/collection_file.hpp"
 
 #include <fmt/format.h>
 
@@ -55,8 +55,8 @@ void check_writable(const fs::path& out)
     fs::path folder = fs::absolute(out, error).lexically_normal();
     while (!fs::exists(folder, error) && folder.has_relative_path()) folder = folder.parent_path();
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        throw StorageError(fmt::format("--out {}: cannot be written: {}", out.string(),
-                                       std::generic_category().message(errno)));
+        throw StorageError(
+            fmt::format("--out {}: cannot be written: {}", out.string(), std::generic_category().message(errno)));
 }
 
 /// Makes a file, and removes it in the end.
@@ -170,8 +170,7 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
     Progress progress(style_of(options, *crew));
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;
-    if (plan.is_collection)
-        settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
+    if (plan.is_collection) settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };
     const bool is_complete = run_experiments(plan.runs, settings, *crew, progress);
     if (!crew->leads()) return;
     if (!is_complete)

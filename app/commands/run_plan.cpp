@@ -1,8 +1,8 @@
 #include "app/commands/run_plan.hpp"
 
+#include "base/programs/shell_words.hpp"
 #include "host/run/make_experiment.hpp"
 #include "host/run/result_folder.hpp"
-#include "base/programs/shell_words.hpp"
 
 #include <fmt/format.h>
 

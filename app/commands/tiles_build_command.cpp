@@ -1,11 +1,11 @@
 // poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and
 // writes it.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/config/nearest_key.hpp"
-#include "tiles/poisson/tile_set_file.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,12 +37,9 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     const bool is_template = o.kind == "template";
     if (is_template ? o.colors != 0 || o.tiles == 0 : o.tiles != 0 || o.colors == 0)
         throw InputError(fmt::format("tiles build: {} tiles need {} and have no {}", o.kind,
-                                     is_template ? "--tiles" : "--colors",
-                                     is_template ? "--colors" : "--tiles"));
+                                     is_template ? "--tiles" : "--colors", is_template ? "--colors" : "--tiles"));
     PoissonTileParameters p;
-    p.kind = is_template        ? PoissonTileKind::frame
-             : o.kind == "edge" ? PoissonTileKind::edge
-                                : PoissonTileKind::corner;
+    p.kind = is_template ? PoissonTileKind::frame : o.kind == "edge" ? PoissonTileKind::edge : PoissonTileKind::corner;
     p.dimension = o.kind == "sphere" ? 3 : 2;
     p.colors = is_template ? 1 : o.colors;
     p.tiles = is_template ? o.tiles : tile_count(p.kind, p.dimension, p.colors);
@@ -66,8 +63,7 @@ void check_target(const std::filesystem::path& file)
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code unknown;
     if (!std::filesystem::is_directory(folder, unknown))
-        throw InputError(
-            fmt::format("tiles build: --out {}: there is no folder {}", file.string(), folder.string()));
+        throw InputError(fmt::format("tiles build: --out {}: there is no folder {}", file.string(), folder.string()));
     if (std::filesystem::is_directory(file, unknown))
         throw InputError(fmt::format("tiles build: --out {}: is a folder", file.string()));
     if (::access(folder.c_str(), W_OK | X_OK) != 0)

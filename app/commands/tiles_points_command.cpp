@@ -1,10 +1,10 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
-#include "base/programs/interrupt.hpp"
+#include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
-#include "tiles/poisson/tile_set_file.hpp"
+#include "base/programs/interrupt.hpp"
 #include "host/tile_points/tile_points.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,11 +35,10 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
 /// What the file says of itself; the domain is the square (cube) that the window fits into.
 std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
 {
-    return fmt::format(
-        "domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
-        "lowest corner of the window",
-        std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
-        options.seed);
+    return fmt::format("domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
+                       "lowest corner of the window",
+                       std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
+                       options.seed);
 }
 
 }
@@ -53,16 +52,14 @@ void tiles_points_command(const TilesPointsOptions& options)
     check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
     TilePointGenerator generator(device, tiles);
     std::vector<double> coordinates;
-    write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile,
-                           comment_of(options, block), [&](const PointSink& sink) {
-                               generator.stream({options.seed, 0}, block,
-                                                [&](std::span<const std::uint32_t> units) {
-                                                    stop_if_interrupted();
-                                                    coordinates.clear();
-                                                    for (const std::uint32_t unit : units)
-                                                        coordinates.push_back(unit / 65536.0);
-                                                    sink(coordinates);
-                                                });
+    write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile, comment_of(options, block),
+                           [&](const PointSink& sink) {
+                               generator.stream({options.seed, 0}, block, [&](std::span<const std::uint32_t> units) {
+                                   stop_if_interrupted();
+                                   coordinates.clear();
+                                   for (const std::uint32_t unit : units) coordinates.push_back(unit / 65536.0);
+                                   sink(coordinates);
+                               });
                            });
 }
 

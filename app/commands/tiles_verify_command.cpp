@@ -2,8 +2,8 @@
 //
 // The densities in the regions are those of Lagae, Tile-Based Methods in Computer Graphics, 2007,
 // figure 6.24.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -66,15 +66,12 @@ void print_summary(const Verification& v)
 {
     const PoissonTileParameters& p = v.parameters;
     const TileCertificate& c = v.certificate;
-    const auto line = [](const std::string& name, const std::string& value) {
-        fmt::print("{:<22}{}\n", name, value);
-    };
+    const auto line = [](const std::string& name, const std::string& value) { fmt::print("{:<22}{}\n", name, value); };
     line("kind", kind_name(p));
     if (p.kind != PoissonTileKind::frame) line("colours", std::to_string(p.colors));
     line("tiles", std::to_string(c.tiles));
     line("points per tile", std::to_string(c.points_per_tile));
-    line("relative radius",
-         fmt::format("{:.6f} proven, {:.6f} asked for", c.relative_radius, p.relative_radius));
+    line("relative radius", fmt::format("{:.6f} proven, {:.6f} asked for", c.relative_radius, p.relative_radius));
     line("minimum distance", fmt::format("{:.6f} tiles", distance_of(c.squared_min_distance)));
     line("stored guarantee", described_guarantee(v));
     line(p.dimension == 2 ? "largest empty circle" : "largest empty sphere",
@@ -118,13 +115,12 @@ void check_promises(const Verification& v)
 {
     const std::uint64_t proven = v.certificate.squared_min_distance;
     if (v.stored_squared_distance > proven)
-        throw InputError(
-            fmt::format("{}: guarantees a squared minimum distance of {}: must be at most {}, which is "
-                        "proven",
-                        v.file, v.stored_squared_distance, proven));
+        throw InputError(fmt::format("{}: guarantees a squared minimum distance of {}: must be at most {}, which is "
+                                     "proven",
+                                     v.file, v.stored_squared_distance, proven));
     if (proven < asked_squared_distance(v.parameters))
-        throw InputError(fmt::format("{}: relative_radius = {}: must be at most {:.6f}, which is proven",
-                                     v.file, v.parameters.relative_radius,
+        throw InputError(fmt::format("{}: relative_radius = {}: must be at most {:.6f}, which is proven", v.file,
+                                     v.parameters.relative_radius,
                                      std::floor(v.certificate.relative_radius * 1e6) / 1e6));
 }
 

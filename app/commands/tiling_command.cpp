@@ -1,6 +1,6 @@
 // poissonlab tiling: the tile indices of a window of a stochastic tiling.
-#include "base/errors/errors.hpp"
 #include "app/commands/commands.hpp"
+#include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/config/nearest_key.hpp"
 #include "host/config/tiling_request.hpp"
@@ -19,8 +19,8 @@ std::size_t choice(const std::string& what, const std::string& name, const std::
 {
     const auto found = std::ranges::find(known, name);
     if (found == known.end())
-        throw InputError(fmt::format("tiling: {} \"{}\": unknown{} (known: {})", what, name,
-                                     did_you_mean(name, known), fmt::join(known, ", ")));
+        throw InputError(fmt::format("tiling: {} \"{}\": unknown{} (known: {})", what, name, did_you_mean(name, known),
+                                     fmt::join(known, ", ")));
     return static_cast<std::size_t>(found - known.begin());
 }
 
@@ -38,8 +38,7 @@ CubeWindow checked_window(const std::vector<std::int64_t>& numbers, std::size_t 
                                      axes == 3 ? "X Y Z W H D" : "X Y W H"));
     for (std::size_t axis = 0; axis < axes; ++axis)
         if (numbers[axes + axis] < 1)
-            throw InputError(
-                fmt::format("tiling: --window {}: sizes must be at least 1", fmt::join(numbers, " ")));
+            throw InputError(fmt::format("tiling: --window {}: sizes must be at least 1", fmt::join(numbers, " ")));
     const auto size = [&](std::size_t axis) { return static_cast<std::uint64_t>(numbers[axes + axis]); };
     return {numbers[0], numbers[1], axes == 3 ? numbers[2] : 0, size(0), size(1), axes == 3 ? size(2) : 1};
 }
@@ -53,13 +52,11 @@ Request checked(const TilingOptions& options)
     const auto& algorithms = tiling_algorithms(tiling.kind);
     tiling.algorithm = options.algorithm.empty() ? algorithms.front() : options.algorithm;
     choice("--algorithm", tiling.algorithm, algorithms);
-    if (!options.hash.empty())
-        tiling.hash = static_cast<HashKind>(choice("--hash", options.hash, hash_names()));
+    if (!options.hash.empty()) tiling.hash = static_cast<HashKind>(choice("--hash", options.hash, hash_names()));
     const std::size_t axes = tiling.kind == TileKind::cube ? 3 : 2;
     const CubeWindow window = checked_window(options.window, axes);
     if (options.period.size() > axes)
-        throw InputError(
-            fmt::format("tiling: --period {}: there are {} axes", fmt::join(options.period, " "), axes));
+        throw InputError(fmt::format("tiling: --period {}: there are {} axes", fmt::join(options.period, " "), axes));
     for (std::size_t i = 0; i < options.period.size(); ++i)
         (i == 0 ? tiling.period.x : i == 1 ? tiling.period.y : tiling.period.z) = options.period[i];
     if (tiling.is_scanline() && (!options.hash.empty() || !options.period.empty()))

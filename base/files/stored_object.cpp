@@ -11,8 +11,7 @@ StoredObject::StoredObject(const nlohmann::json& value, std::filesystem::path fi
     : value_(&value), file_(std::move(file)), member_(std::move(member))
 {
     if (!value_->is_object())
-        throw InputError(file_.string() + ": " + (member_.empty() ? "" : member_ + ": ") +
-                         "must be an object");
+        throw InputError(file_.string() + ": " + (member_.empty() ? "" : member_ + ": ") + "must be an object");
 }
 
 InputError StoredObject::error(const std::string& name, const std::string& problem) const
@@ -117,10 +116,7 @@ std::vector<std::string> StoredObject::texts(const std::string& name) const
     return list.get<std::vector<std::string>>();
 }
 
-StoredObject StoredObject::object(const std::string& name) const
-{
-    return {at(name), file_, place_of(name)};
-}
+StoredObject StoredObject::object(const std::string& name) const { return {at(name), file_, place_of(name)}; }
 
 std::vector<StoredObject> StoredObject::objects(const std::string& name) const
 {
@@ -177,10 +173,7 @@ std::string StoredObject::folder_name(const std::string& name) const
     return text;
 }
 
-std::string StoredObject::file_name(const std::string& name) const
-{
-    return checked_file_name(name, text(name));
-}
+std::string StoredObject::file_name(const std::string& name) const { return checked_file_name(name, text(name)); }
 
 std::vector<std::string> StoredObject::file_names(const std::string& name) const
 {

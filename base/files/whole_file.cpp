@@ -33,8 +33,8 @@ constexpr std::string_view temporary_mark = ".tmp";
 std::filesystem::path temporary_beside(const std::filesystem::path& path)
 {
     static std::atomic<unsigned> counter = 0;
-    const std::string name = fmt::format(".{}.{}-{}{}{}", path.stem().string(), ::getpid(), ++counter,
-                                         temporary_mark, path.extension().string());
+    const std::string name = fmt::format(".{}.{}-{}{}{}", path.stem().string(), ::getpid(), ++counter, temporary_mark,
+                                         path.extension().string());
     return path.parent_path() / name;
 }
 
@@ -149,8 +149,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view conten
 void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write)
 {
-    write_whole_file(path,
-                     [&](const std::filesystem::path& temporary) { write_content(temporary, path, write); });
+    write_whole_file(path, [&](const std::filesystem::path& temporary) { write_content(temporary, path, write); });
 }
 
 void write_whole_file(const std::filesystem::path& path,
@@ -195,7 +194,9 @@ void remove_stale_temporary_files(const std::filesystem::path& folder, std::chro
 std::string read_whole_file(const std::filesystem::path& path)
 {
     const FileHandle handle(std::fopen(path.c_str(), "rb"), &std::fclose);
-    struct stat info{};
+    struct stat info
+    {
+    };
     if (!handle || ::fstat(::fileno(handle.get()), &info) != 0) fail_to_read(path, last_system_error());
     check_that_it_ends(path, info, handle.get());
     try {

@@ -61,8 +61,7 @@ constexpr std::uint64_t avalanched(std::uint64_t hash)
 
 }
 
-Xxh64::Xxh64(std::uint64_t seed)
-    : seed_(seed), lanes_{seed + prime_1 + prime_2, seed + prime_2, seed, seed - prime_1}
+Xxh64::Xxh64(std::uint64_t seed) : seed_(seed), lanes_{seed + prime_1 + prime_2, seed + prime_2, seed, seed - prime_1}
 {}
 
 void Xxh64::add_stripe(const char* stripe)

@@ -30,8 +30,7 @@ public:
         const OIIO::ImageSpec& spec = input->spec();
         pixels = {spec.width, spec.height, spec.nchannels, {}};
         pixels.values.resize(pixels.at(0, pixels.height, 0));
-        const bool is_read =
-            input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::UINT8, pixels.values.data());
+        const bool is_read = input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::UINT8, pixels.values.data());
         return is_read ? "" : reason(input->geterror());
     }
 

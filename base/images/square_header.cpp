@@ -82,8 +82,8 @@ private:
     void check_attribute(const std::string& name)
     {
         static const std::map<std::string, std::uint32_t> sizes{
-            {"box2i", 16}, {"box2f", 16}, {"compression", 1}, {"double", 8}, {"float", 4}, {"int", 4},
-            {"lineOrder", 1}, {"v2f", 8}, {"v2i", 8}, {"v3f", 12}, {"v3i", 12}, {"chromaticities", 32}};
+            {"box2i", 16},    {"box2f", 16}, {"compression", 1}, {"double", 8}, {"float", 4}, {"int", 4},
+            {"lineOrder", 1}, {"v2f", 8},    {"v2i", 8},         {"v3f", 12},   {"v3i", 12},  {"chromaticities", 32}};
         const std::string type = text();
         const std::uint32_t bytes = word();
         const std::uintmax_t end = place() + bytes;
@@ -124,8 +124,8 @@ private:
         height_ = number() - bottom + 1;
     }
 
-    /// OpenEXR takes memory for some rows when it opens a file, however short that is. Windows of less than one pixel it
-    /// refuses by itself.
+    /// OpenEXR takes memory for some rows when it opens a file, however short that is. Windows of less than one pixel
+    /// it refuses by itself.
     void check_pixels() const
     {
         if (width_ < 1 || height_ < 1) return;

@@ -1,8 +1,8 @@
 #include "base/images/square_image_file.hpp"
 
-#include "base/images/square_header.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/images/square_header.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfCompression.h>
@@ -51,7 +51,7 @@ int checked_size(const Imf::Header& header)
 }
 
 void write_square_image(const std::filesystem::path& path, const SquareImage& image,
-                      const std::map<std::string, std::string>& metadata)
+                        const std::map<std::string, std::string>& metadata)
 {
     std::vector<float> pixels;
     turn_over(image.pixels, pixels, image.size);
@@ -77,8 +77,7 @@ SquareImage read_square_image(const std::filesystem::path& path)
         check_header_fits(path);
         Imf::InputFile file(path.c_str());
         SquareImage image{checked_size(file.header()), {}};
-        std::vector<float> pixels(static_cast<std::size_t>(image.size) *
-                                  static_cast<std::size_t>(image.size));
+        std::vector<float> pixels(static_cast<std::size_t>(image.size) * static_cast<std::size_t>(image.size));
         file.setFrameBuffer(frame_buffer(pixels, image.size));
         file.readPixels(0, image.size - 1);
         turn_over(pixels, image.pixels, image.size);

@@ -15,7 +15,7 @@ namespace poissonlab {
 /// `metadata` (config, seed, label ...) goes into the header as string attributes "poissonlab:meta:<name>".
 /// Writes to a temporary name, then renames. Throws StorageError.
 void write_square_image(const std::filesystem::path& path, const SquareImage& image,
-                      const std::map<std::string, std::string>& metadata);
+                        const std::map<std::string, std::string>& metadata);
 
 /// Reads what write_zone_plate wrote. Throws InputError for files that are not such pictures.
 SquareImage read_square_image(const std::filesystem::path& path);

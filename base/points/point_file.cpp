@@ -1,9 +1,9 @@
 #include "base/points/point_file.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/points/point_file_formats.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
 
@@ -90,8 +90,7 @@ std::vector<PointSet> read_points(const std::filesystem::path& path, std::option
     return read_text_points(file);
 }
 
-void append_coordinate(const PointFileContent& file, int line, std::string_view word,
-                       std::vector<double>& coordinates)
+void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates)
 {
     double value = 0;
     if (!parse_number(word, value)) {
@@ -112,11 +111,9 @@ void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, d
         fmt::format("{}: byte {}: {}: {}", file.name, offset, value, allowed_coordinate(value, file.range)));
 }
 
-void fail_in_point_file(const PointFileContent& file, int line, std::string_view value,
-                        std::string_view allowed)
+void fail_in_point_file(const PointFileContent& file, int line, std::string_view value, std::string_view allowed)
 {
-    throw InputError(
-        fmt::format("{}: {}: {}", to_string(SourceLocation{file.name, line}), shown(value), allowed));
+    throw InputError(fmt::format("{}: {}: {}", to_string(SourceLocation{file.name, line}), shown(value), allowed));
 }
 
 }

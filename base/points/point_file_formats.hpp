@@ -37,8 +37,7 @@ inline bool is_coordinate(double value, const CoordinateRange& range)
 double to_unit(double value, const CoordinateRange& range);
 
 /// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.
-void append_coordinate(const PointFileContent& file, int line, std::string_view word,
-                       std::vector<double>& coordinates);
+void append_coordinate(const PointFileContent& file, int line, std::string_view word, std::vector<double>& coordinates);
 
 /// Throws InputError for a coordinate of a binary file.
 [[noreturn]] void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value);

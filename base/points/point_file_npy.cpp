@@ -77,8 +77,7 @@ void read_type(const PointFileContent& file, std::string_view value, NpyLayout& 
     } else if (type == "'<f4'" || type == "'>f4'") {
         layout.value_bytes = 4;
     } else {
-        fail_in_point_file(file, 0, fmt::format("type {}", type),
-                           "must be float32 or float64 ('<f4' or '<f8')");
+        fail_in_point_file(file, 0, fmt::format("type {}", type), "must be float32 or float64 ('<f4' or '<f8')");
     }
     layout.byte_order = type[1] == '>' ? std::endian::big : std::endian::little;
 }
@@ -134,8 +133,8 @@ double value_at(const PointFileContent& file, const NpyLayout& layout, std::size
 {
     const std::size_t offset = layout.data_offset + index * layout.value_bytes;
     const std::string_view bytes = file.bytes.substr(offset);
-    const double value = layout.value_bytes == 8 ? load<double>(bytes, layout.byte_order)
-                                                 : load<float>(bytes, layout.byte_order);
+    const double value =
+        layout.value_bytes == 8 ? load<double>(bytes, layout.byte_order) : load<float>(bytes, layout.byte_order);
     if (!is_coordinate(value, file.range)) fail_coordinate_at_byte(file, offset, value);
     return value;
 }

@@ -1,7 +1,7 @@
 // Reads a point set from a PLY file, ascii or binary: the properties x, y and z of the element `vertex`.
+#include "base/files/text_lines.hpp"
 #include "base/points/ply_header.hpp"
 #include "base/points/point_file_formats.hpp"
-#include "base/files/text_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -52,15 +52,13 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
 
 /// Throws when a file of `bytes` cannot have the rows of a table, each `row_bytes` at least.
 /// Nothing is allocated for a count before it went through here.
-void check_room(const PointFileContent& file, const PlyElement& table, std::size_t bytes,
-                std::size_t row_bytes)
+void check_room(const PointFileContent& file, const PlyElement& table, std::size_t bytes, std::size_t row_bytes)
 {
     if (row_bytes > 0 && table.count > bytes / row_bytes) fail_truncated(file, table);
 }
 
 /// Coordinates from the lines of an ascii body.
-std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& header,
-                               const Vertices& vertices)
+std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& header, const Vertices& vertices)
 {
     LineReader lines(header.body, header.lines);
     const auto next_row = [&](const PlyElement& table) {
@@ -98,17 +96,15 @@ std::vector<double> read_ascii(const PointFileContent& file, const PlyHeader& he
     const bool last = vertices.element + 1 == header.elements.size();
     while (last && lines.next()) {
         if (!trimmed(lines.line()).empty()) {
-            fail_in_point_file(
-                file, lines.number(), lines.line(),
-                fmt::format("the header says that there are {} vertices", vertices.table->count));
+            fail_in_point_file(file, lines.number(), lines.line(),
+                               fmt::format("the header says that there are {} vertices", vertices.table->count));
         }
     }
     return coordinates;
 }
 
 /// Coordinates from a binary body.
-std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& header,
-                                const Vertices& vertices)
+std::vector<double> read_binary(const PointFileContent& file, const PlyHeader& header, const Vertices& vertices)
 {
     // Skip the tables before.
     std::string_view body = header.body;

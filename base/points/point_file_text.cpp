@@ -1,6 +1,6 @@
 // Reads point sets from text: one point a line, realizations separated by a line with `#` alone.
-#include "base/points/point_file_formats.hpp"
 #include "base/files/text_lines.hpp"
+#include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Writes point sets as text, PLY or NumPy.
-#include "base/points/point_file.hpp"
-#include "base/points/point_file_formats.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
+#include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
 
@@ -60,8 +60,7 @@ void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_
     out.append(std::string_view("ply\nformat ascii 1.0\n"));
     append_comment(out, "comment", comment);
     fmt::format_to(std::back_inserter(out),
-                   "element vertex {}\nproperty double x\nproperty double y\nproperty double z\nend_header\n",
-                   points);
+                   "element vertex {}\nproperty double x\nproperty double y\nproperty double z\nend_header\n", points);
 }
 
 void append_npy_header(fmt::memory_buffer& out, std::size_t points, int dimension)
@@ -69,9 +68,8 @@ void append_npy_header(fmt::memory_buffer& out, std::size_t points, int dimensio
     // The numbers start at a multiple of 64 bytes; blanks and an end of line fill the header up to there.
     constexpr std::size_t alignment = 64;
     constexpr std::size_t before_header = npy_magic.size() + 2 + 2;
-    std::string header =
-        fmt::format("{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}, {}), }}",
-                    std::endian::native == std::endian::little ? '<' : '>', points, dimension);
+    std::string header = fmt::format("{{'descr': '{}f8', 'fortran_order': False, 'shape': ({}, {}), }}",
+                                     std::endian::native == std::endian::little ? '<' : '>', points, dimension);
     const std::size_t unpadded = before_header + header.size() + 1;
     header.append((alignment - unpadded % alignment) % alignment, ' ');
     header += '\n';

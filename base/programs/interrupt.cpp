@@ -77,8 +77,8 @@ void tell_of_interruption() noexcept
 {
     if (is_told.exchange(true) || message.empty()) return;
     constexpr std::string_view emptied_line = "\r\033[K"; // of a bar that may be there
-    if (::isatty(STDOUT_FILENO))
-        [[maybe_unused]] const auto emptied = ::write(STDOUT_FILENO, emptied_line.data(), emptied_line.size());
+    if (::isatty(STDOUT_FILENO)) [[maybe_unused]]
+        const auto emptied = ::write(STDOUT_FILENO, emptied_line.data(), emptied_line.size());
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
 }
 

@@ -32,7 +32,6 @@ std::array<std::uint32_t, 4> philox(const std::array<std::uint32_t, 4>& counter,
 
 /// The stream of a purpose and a realization under a seed: the seed is the Philox key, the rest its counter,
 /// so that streams that differ in anything share nothing.
-StreamKey stream_key(std::uint64_t seed, Purpose purpose, std::uint32_t realization,
-                     std::uint32_t attempt = 0);
+StreamKey stream_key(std::uint64_t seed, Purpose purpose, std::uint32_t realization, std::uint32_t attempt = 0);
 
 }

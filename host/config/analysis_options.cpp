@@ -39,8 +39,7 @@ std::optional<PeriodogramMethod> read_periodogram_method(const ConfigTable& tabl
 }
 
 /// A flag that only means something in one dimension.
-bool read_flag_for(const ConfigTable& table, const std::string& key, int dimension, int needed,
-                   const char* why)
+bool read_flag_for(const ConfigTable& table, const std::string& key, int dimension, int needed, const char* why)
 {
     const bool flag = read_flag(table, key, false);
     if (flag && dimension != needed)

@@ -1,11 +1,11 @@
 #include "host/config/collection.hpp"
 
+#include "base/files/file_glob.hpp"
+#include "base/files/whole_file.hpp"
 #include "host/config/config_values.hpp"
 #include "host/config/overrides.hpp"
 #include "host/config/plan.hpp"
 #include "host/config/toml_reader.hpp"
-#include "base/files/file_glob.hpp"
-#include "base/files/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -20,7 +20,7 @@ struct CollectedConfig
 
 struct Collection
 {
-    std::string title; ///< default: the file's stem
+    std::string title;                    ///< default: the file's stem
     std::vector<CollectedConfig> configs; ///< those of included collections in the place of these
 };
 

@@ -1,9 +1,9 @@
 #include "host/config/config.hpp"
 
+#include "base/files/whole_file.hpp"
 #include "host/config/config_values.hpp"
 #include "host/config/overrides.hpp"
 #include "host/config/toml_reader.hpp"
-#include "base/files/whole_file.hpp"
 
 #include <limits>
 
@@ -23,8 +23,7 @@ void read_analysis(const ConfigTable& top, Config& config)
         read_integer(*table, "points", 1, max_points, static_cast<std::int64_t>(config.points)));
     config.realizations =
         static_cast<int>(read_integer(*table, "realizations", 1, max_realizations, config.realizations));
-    config.timing_runs =
-        static_cast<int>(read_integer(*table, "timing_runs", 1, max_timing_runs, config.timing_runs));
+    config.timing_runs = static_cast<int>(read_integer(*table, "timing_runs", 1, max_timing_runs, config.timing_runs));
     config.dimension = static_cast<int>(read_integer(*table, "dimension", 2, 3, config.dimension));
     config.analysis = read_analysis_options(*table, config.dimension);
 }
@@ -58,8 +57,8 @@ void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Confi
 
 }
 
-Config parse_config(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& overrides, const SamplerRegistry& registry)
+Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
+                    const SamplerRegistry& registry)
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
@@ -73,8 +72,7 @@ Config parse_config(const std::string& text, const std::string& file,
     config.text = text;
     config.overrides = overrides;
     config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
-    config.seed =
-        static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
+    config.seed = static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
     if (is_second_word(top, "engine", {"opencl", "reference"})) config.engine = Engine::reference;
     config.device = read_text(top, "device", "");
     read_analysis(top, config);

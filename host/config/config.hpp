@@ -3,9 +3,9 @@
 
 #include "host/config/analysis_options.hpp"
 #include "host/config/construction_table.hpp"
+#include "host/config/sampler_registry.hpp"
 #include "host/config/sampler_table.hpp"
 #include "host/config/tiling_table.hpp"
-#include "host/config/sampler_registry.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -53,8 +53,7 @@ Config read_config(const std::filesystem::path& file, const std::vector<std::str
 
 /// The same for a text; `file` is how messages name it. The samplers of the `registry` must outlive the
 /// result.
-Config parse_config(const std::string& text, const std::string& file,
-                    const std::vector<std::string>& overrides = {},
+Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {},
                     const SamplerRegistry& registry = sampler_registry());
 
 }

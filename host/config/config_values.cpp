@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
-                          std::int64_t maximum, std::int64_t otherwise)
+std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum, std::int64_t maximum,
+                          std::int64_t otherwise)
 {
     const ConfigNode* node = find(table, key);
     if (!node) return otherwise;
@@ -20,8 +20,7 @@ std::int64_t read_integer(const ConfigTable& table, const std::string& key, std:
     return *value;
 }
 
-double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum,
-                   double otherwise)
+double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum, double otherwise)
 {
     const ConfigNode* node = find(table, key);
     if (!node) return otherwise;
@@ -59,9 +58,9 @@ std::size_t read_word(const ConfigTable& table, const std::string& key, const st
     const auto* value = node->get_if<std::string>();
     const auto found = value ? std::ranges::find(words, *value) : words.end();
     if (found == words.end())
-        throw invalid_node(key, *node,
-                           fmt::format("must be \"{}\"{}", fmt::join(words, "\" or \""),
-                                       value ? did_you_mean(*value, words) : ""));
+        throw invalid_node(
+            key, *node,
+            fmt::format("must be \"{}\"{}", fmt::join(words, "\" or \""), value ? did_you_mean(*value, words) : ""));
     return static_cast<std::size_t>(found - words.begin());
 }
 

@@ -11,18 +11,16 @@ namespace poissonlab {
 
 /// Each returns `otherwise` where the table lacks the key, and throws InputError with the value's own line
 /// for values of another kind or beyond the ends, which are allowed.
-std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum,
-                          std::int64_t maximum, std::int64_t otherwise);
-double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum,
-                   double otherwise);
+std::int64_t read_integer(const ConfigTable& table, const std::string& key, std::int64_t minimum, std::int64_t maximum,
+                          std::int64_t otherwise);
+double read_number(const ConfigTable& table, const std::string& key, double minimum, double maximum, double otherwise);
 bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise);
 
 /// A line of text that is not empty.
 std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise);
 
 /// The number of a word in a list of them; the first is the default.
-std::size_t read_word(const ConfigTable& table, const std::string& key,
-                      const std::vector<std::string>& words);
+std::size_t read_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);
 
 /// Whether a key has the second of two words; the first is the default.
 bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);

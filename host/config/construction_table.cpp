@@ -92,8 +92,7 @@ PoissonTileParameters read_parameters(const ConfigTable& table, const std::strin
 }
 
 /// What the library refuses, at the line of the key that it names.
-void check_parameters(const PoissonTileParameters& parameters, const ConfigTable& table,
-                      const SourceLocation& where)
+void check_parameters(const PoissonTileParameters& parameters, const ConfigTable& table, const SourceLocation& where)
 {
     try {
         check(parameters);
@@ -117,15 +116,12 @@ TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
         throw invalid_node("window", *node, "must be [X, Y, width, height]");
     if (values[2] < 1 || values[3] < 1 || values[2] > max_side || values[3] > max_side ||
         values[2] * values[3] * points_per_tile > max_drawn_points)
-        throw invalid_node(
-            "window", *node,
-            fmt::format("must be from 1 to {} tiles wide and high, with at most {} points in all", max_side,
-                        max_drawn_points));
+        throw invalid_node("window", *node,
+                           fmt::format("must be from 1 to {} tiles wide and high, with at most {} points in all",
+                                       max_side, max_drawn_points));
     for (const int k : {0, 1})
-        if (values[k] < -any / 2 || values[k] > any / 2)
-            throw invalid_node("window", *node, "must not be so far away");
-    return {values[0], values[1], static_cast<std::uint64_t>(values[2]),
-            static_cast<std::uint64_t>(values[3])};
+        if (values[k] < -any / 2 || values[k] > any / 2) throw invalid_node("window", *node, "must not be so far away");
+    return {values[0], values[1], static_cast<std::uint64_t>(values[2]), static_cast<std::uint64_t>(values[3])};
 }
 
 void read_piece(const ConfigTable& table, ConstructionConfig& config)
@@ -142,8 +138,8 @@ void read_piece(const ConfigTable& table, ConstructionConfig& config)
     const std::int64_t first = p.kind == PoissonTileKind::frame && config.show == "tile" ? 1 : 0;
     config.variant = static_cast<std::uint32_t>(read_integer(table, "variant", first, variants - 1, first));
     const std::int64_t listed = std::min(variants, max_listed);
-    config.count = static_cast<std::uint32_t>(
-        read_integer(table, "count", 1, listed, std::min<std::int64_t>(listed, 16)));
+    config.count =
+        static_cast<std::uint32_t>(read_integer(table, "count", 1, listed, std::min<std::int64_t>(listed, 16)));
 }
 
 std::string default_label(const ConstructionConfig& config)
@@ -180,10 +176,7 @@ ConstructionConfig read_table(const ConfigTable& table, const SourceLocation& wh
 
 }
 
-bool ConstructionConfig::is_stage() const
-{
-    return axes_count(show, parameters.dimension) >= 0 && !is_list();
-}
+bool ConstructionConfig::is_stage() const { return axes_count(show, parameters.dimension) >= 0 && !is_list(); }
 
 bool ConstructionConfig::is_list() const
 {

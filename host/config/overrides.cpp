@@ -24,8 +24,7 @@ Override parse(const std::string& argument)
     Override result;
     result.origin = "--set " + shortened(argument, 200);
     const std::size_t equals = argument.find('=');
-    if (equals == std::string::npos)
-        throw InputError(result.origin + ": must be key=value, for example --set seed=2");
+    if (equals == std::string::npos) throw InputError(result.origin + ": must be key=value, for example --set seed=2");
     const auto trimmed = [](std::string text) {
         const std::size_t first = text.find_first_not_of(" \t");
         if (first == std::string::npos) return std::string();
@@ -35,8 +34,7 @@ Override parse(const std::string& argument)
     for (std::size_t begin = 0; begin <= key.size();) {
         const std::size_t end = std::min(key.find('.', begin), key.size());
         if (end == begin)
-            throw InputError(result.origin +
-                             ": the key must be words with dots between them, such as analysis.points");
+            throw InputError(result.origin + ": the key must be words with dots between them, such as analysis.points");
         result.path.push_back(key.substr(begin, end - begin));
         begin = end + 1;
     }
@@ -88,8 +86,7 @@ bool method_takes(const ConfigTable& method, const std::string& key, const Sampl
     const SamplerSpec* sampler = sampler_of(method, registry);
     // What is wrong with the sampler's name is said later, at its own line.
     if (!sampler) return true;
-    return std::ranges::any_of(sampler->parameters,
-                               [&](const ParameterSpec& spec) { return spec.key == key; });
+    return std::ranges::any_of(sampler->parameters, [&](const ParameterSpec& spec) { return spec.key == key; });
 }
 
 /// The keys that at least one of the methods takes.
@@ -114,11 +111,10 @@ void set_in_methods(ConfigList& methods, const Override& change, const SamplerRe
     const auto index = as_index(change.path[1]);
     if (index) {
         if (change.path.size() < 3)
-            throw InputError(
-                fmt::format("{}: a parameter is missing: method.{}.KEY=value", change.origin, *index));
+            throw InputError(fmt::format("{}: a parameter is missing: method.{}.KEY=value", change.origin, *index));
         if (*index >= methods.size())
-            throw InputError(fmt::format("{}: there is no method {}: the config has {}, counted from 0",
-                                         change.origin, *index, methods.size()));
+            throw InputError(fmt::format("{}: there is no method {}: the config has {}, counted from 0", change.origin,
+                                         *index, methods.size()));
         set_below(table_of(methods[*index]), change, 2);
         return;
     }
@@ -146,8 +142,7 @@ void check_collection_overrides(const std::vector<std::string>& overrides)
     }
 }
 
-void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides,
-                     const SamplerRegistry& registry)
+void apply_overrides(ConfigTable& config, const std::vector<std::string>& overrides, const SamplerRegistry& registry)
 {
     for (const std::string& argument : overrides) {
         const Override change = parse(argument);

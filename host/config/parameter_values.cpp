@@ -1,8 +1,8 @@
 #include "host/config/parameter_values.hpp"
 
-#include "host/sampling/command_sampler.hpp"
 #include "host/config/nearest_key.hpp"
 #include "host/config/sampler_table.hpp"
+#include "host/sampling/command_sampler.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -30,8 +30,7 @@ std::string allowed_range(const ParameterSpec& spec)
         return bounded ? fmt::format("greater than {} and {} {}", spec.minimum,
                                      spec.exclusive_maximum ? "less than" : "at most", spec.maximum)
                        : fmt::format("greater than {}", spec.minimum);
-    if (spec.exclusive_maximum)
-        return fmt::format("of at least {} and less than {}", spec.minimum, spec.maximum);
+    if (spec.exclusive_maximum) return fmt::format("of at least {} and less than {}", spec.minimum, spec.maximum);
     return bounded ? fmt::format("from {} to {}", spec.minimum, spec.maximum)
                    : fmt::format("of at least {}", spec.minimum);
 }
@@ -160,8 +159,7 @@ std::vector<ParameterChoice> parameter_choices(const ParameterSpec& spec, const 
 
     // Paths: one value of them all, shown by the first.
     std::vector<std::string> paths;
-    for (const ParameterChoice& choice : choices)
-        paths.push_back(std::get<std::vector<std::string>>(choice.value)[0]);
+    for (const ParameterChoice& choice : choices) paths.push_back(std::get<std::vector<std::string>>(choice.value)[0]);
     return {{std::move(paths), choices.front().shown, path_location(node), choices.front().in_name}};
 }
 

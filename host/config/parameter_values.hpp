@@ -26,7 +26,6 @@ std::string allowed_values(const ParameterSpec& spec);
 /// that values can be, `depth` says how deep the key lies in their tables. Throws InputError for wrong types,
 /// values out of range and empty lists.
 std::vector<ParameterChoice> parameter_choices(const ParameterSpec& spec, const ConfigNode& node,
-                                               const SamplerRegistry& registry = sampler_registry(),
-                                               int depth = 0);
+                                               const SamplerRegistry& registry = sampler_registry(), int depth = 0);
 
 }

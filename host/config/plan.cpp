@@ -72,15 +72,13 @@ std::optional<std::size_t> available_realizations(const SamplerSpec& sampler, co
 }
 
 /// Throws InputError when a number of points is asked of sets that are there already.
-void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& parameters,
-                               const ParameterChoice& points)
+void check_points_can_be_asked(const SamplerSpec& sampler, const Parameters& parameters, const ParameterChoice& points)
 {
     if (sampler.has_own_points)
-        throw invalid_value(
-            points.location, "points", points.shown,
-            fmt::format("does not go with the sampler \"{}\", whose sets are as large as they "
-                        "are; leave it out",
-                        sampler.name));
+        throw invalid_value(points.location, "points", points.shown,
+                            fmt::format("does not go with the sampler \"{}\", whose sets are as large as they "
+                                        "are; leave it out",
+                                        sampler.name));
     for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation&) {
         check_points_can_be_asked(*start.spec, start.parameters, points);
     });
@@ -150,8 +148,7 @@ std::vector<SeriesPlan> make_plan(const Config& config)
                     throw InputError(fmt::format("{}: [[method]]: the series \"{}\" is there twice",
                                                  to_string(method.where), other.label));
             if (plan.size() == max_series)
-                throw InputError(
-                    fmt::format("{}: the config makes more than {} series", config.file, max_series));
+                throw InputError(fmt::format("{}: the config makes more than {} series", config.file, max_series));
             // Different series whose names were cut or cleaned to the same get a number, and so do labels that a
             // sampler makes.
             const std::string base = series.name;
@@ -186,8 +183,8 @@ std::string safe_name(const std::string& text)
 {
     std::string name;
     for (const char c : text) {
-        const bool safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                          c == '.' || c == '_' || c == '-';
+        const bool safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                          c == '_' || c == '-';
         if (safe)
             name += c;
         else if (name.empty() || name.back() != '-')

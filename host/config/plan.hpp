@@ -13,8 +13,8 @@ namespace poissonlab {
 /// One method with one choice of its parameters.
 struct SeriesPlan
 {
-    std::string name;  ///< the series' folder, unique in the plan: letters, digits, '.', '_', '-'
-    std::string label; ///< for the report
+    std::string name;     ///< the series' folder, unique in the plan: letters, digits, '.', '_', '-'
+    std::string label;    ///< for the report
     SourceLocation where; ///< of its [[method]]
     const SamplerSpec* sampler = nullptr;
     Parameters parameters;

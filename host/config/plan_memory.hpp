@@ -1,9 +1,9 @@
 // Whether the device has memory for a plan: asked before work starts.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "host/config/construction_table.hpp"
 #include "host/config/plan.hpp"
+#include "host/device/device.hpp"
 
 #include <vector>
 

@@ -11,8 +11,7 @@ namespace {
 using Kind = ParameterSpec::Kind;
 
 /// The sampler that a text names; `key` is whose value it is.
-const SamplerSpec& sampler_named(const std::string& key, const ConfigNode& node,
-                                 const SamplerRegistry& registry)
+const SamplerSpec& sampler_named(const std::string& key, const ConfigNode& node, const SamplerRegistry& registry)
 {
     std::vector<std::string> names;
     for (const SamplerSpec& spec : registry) names.push_back(spec.name);
@@ -51,14 +50,14 @@ const ParameterSpec& points_parameter()
     return points;
 }
 
-std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings,
-                                      const SourceLocation& where, const std::string& what)
+std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings, const SourceLocation& where,
+                                      const std::string& what)
 {
     std::vector<Combination> result = {{}};
     for (const ParameterSetting& setting : settings) {
         if (result.size() * setting.choices.size() > max_series)
-            throw InputError(fmt::format("{}: {}: its lists make more than {} series", to_string(where), what,
-                                         max_series));
+            throw InputError(
+                fmt::format("{}: {}: its lists make more than {} series", to_string(where), what, max_series));
         std::vector<Combination> longer;
         for (const Combination& start : result)
             for (const ParameterChoice& choice : setting.choices) {
@@ -70,20 +69,20 @@ std::vector<Combination> combinations(const std::vector<ParameterSetting>& setti
     return result;
 }
 
-const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where,
-                                const std::string& what, const SamplerRegistry& registry)
+const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where, const std::string& what,
+                                const SamplerRegistry& registry)
 {
     const ConfigNode* node = find(table, "sampler");
     if (node) return sampler_named("sampler", *node, registry);
     std::vector<std::string> names;
     for (const SamplerSpec& spec : registry) names.push_back(spec.name);
-    throw InputError(fmt::format("{}: {}: sampler is missing; it must be one of \"{}\"", to_string(where),
-                                 what, fmt::join(names, "\", \"")));
+    throw InputError(fmt::format("{}: {}: sampler is missing; it must be one of \"{}\"", to_string(where), what,
+                                 fmt::join(names, "\", \"")));
 }
 
 std::vector<ParameterSetting> read_settings(const ConfigTable& table, const SamplerSpec& sampler,
-                                            const std::vector<std::string>& others,
-                                            const SamplerRegistry& registry, int depth)
+                                            const std::vector<std::string>& others, const SamplerRegistry& registry,
+                                            int depth)
 {
     std::vector<std::string> known = others;
     for (const ParameterSpec& spec : sampler.parameters) known.push_back(spec.key);
@@ -99,8 +98,7 @@ std::vector<ParameterChoice> sampler_choices(const ParameterSpec& spec, const Co
                                              const SamplerRegistry& registry, int depth)
 {
     if (depth + 1 >= max_sampler_depth)
-        throw invalid_node(spec.key, node,
-                           fmt::format("samplers lie in one another up to {} deep", max_sampler_depth));
+        throw invalid_node(spec.key, node, fmt::format("samplers lie in one another up to {} deep", max_sampler_depth));
     if (node.get_if<std::string>())
         return {sampler_choice(sampler_named(spec.key, node, registry), {}, {}, node.location)};
     const auto* table = node.get_if<ConfigTable>();
@@ -143,8 +141,7 @@ std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetti
     return name;
 }
 
-std::string values_text(const std::vector<ParameterSetting>& settings, const Combination& chosen,
-                        bool only_varying)
+std::string values_text(const std::vector<ParameterSetting>& settings, const Combination& chosen, bool only_varying)
 {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < chosen.size(); ++i) {

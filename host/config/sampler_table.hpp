@@ -33,18 +33,18 @@ using Combination = std::vector<const ParameterChoice*>;
 
 /// Every combination of choices; the last setting varies fastest. `where` and `what` name the table in the
 /// InputError for more than max_series.
-std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings,
-                                      const SourceLocation& where, const std::string& what);
+std::vector<Combination> combinations(const std::vector<ParameterSetting>& settings, const SourceLocation& where,
+                                      const std::string& what);
 
 /// The sampler that the key `sampler` of a table names. Throws InputError when there is none.
-const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where,
-                                const std::string& what, const SamplerRegistry& registry);
+const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& where, const std::string& what,
+                                const SamplerRegistry& registry);
 
 /// The parameters of a sampler that a table gives, in the order in which the sampler declares them. `others`
 /// are keys of the table that are none; anything else is an unknown key.
 std::vector<ParameterSetting> read_settings(const ConfigTable& table, const SamplerSpec& sampler,
-                                            const std::vector<std::string>& others,
-                                            const SamplerRegistry& registry, int depth);
+                                            const std::vector<std::string>& others, const SamplerRegistry& registry,
+                                            int depth);
 
 /// The values that a table, or a sampler's name alone, gives a parameter whose value is a sampler: one for
 /// each combination of the lists in the table. What `check` would refuse is not seen here.

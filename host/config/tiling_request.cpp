@@ -22,8 +22,7 @@ TileKind tile_kind(std::size_t name)
 const std::vector<std::string>& tiling_algorithms(TileKind kind)
 {
     static const std::vector<std::string> corner{"direct", "scanline", "scanline-compact"};
-    static const std::vector<std::string> wang{"edge-hash", "two-hashes", "one-hash", "scanline",
-                                               "scanline-compact"};
+    static const std::vector<std::string> wang{"edge-hash", "two-hashes", "one-hash", "scanline", "scanline-compact"};
     static const std::vector<std::string> cube{"direct"};
     return kind == TileKind::corner ? corner : kind == TileKind::wang ? wang : cube;
 }
@@ -46,8 +45,7 @@ TileSet make_tile_set(TileKind kind, Color colors, const std::string& name)
 
 TileSet tile_set_of(const TilingRequest& request)
 {
-    if (request.algorithm == "scanline-compact")
-        return make_tile_set(request.kind, request.colors, "compact");
+    if (request.algorithm == "scanline-compact") return make_tile_set(request.kind, request.colors, "compact");
     if (request.algorithm == "one-hash") return make_tile_set(request.kind, request.colors, "one-hash");
     return TileSet::complete(request.kind, request.colors);
 }
@@ -70,8 +68,8 @@ void stream_tiles(const TilingRequest& request, const CubeWindow& window, const 
         CubeTiling(request.colors, request.hash, request.seed, request.period).stream(window, sink);
     } else if (request.is_scanline()) {
         if (window.x != 0 || window.y != 0)
-            throw InputError(fmt::format("a window at {} {}: with the algorithm {}, X and Y must be 0",
-                                         window.x, window.y, request.algorithm));
+            throw InputError(fmt::format("a window at {} {}: with the algorithm {}, X and Y must be 0", window.x,
+                                         window.y, request.algorithm));
         ScanlineTiling(tile_set_of(request), window.width, request.seed).stream(window.height, in_plane);
     } else {
         make_direct_tiling(request).stream({window.x, window.y, window.width, window.height}, in_plane);

@@ -25,8 +25,7 @@ std::vector<std::int64_t> read_integers(const ConfigTable& table, const std::str
     std::vector<std::int64_t> values;
     if (list)
         for (const ConfigNode& item : *list)
-            if (const auto* value = item.get_if<std::int64_t>(); value && *value >= minimum)
-                values.push_back(*value);
+            if (const auto* value = item.get_if<std::int64_t>(); value && *value >= minimum) values.push_back(*value);
     if (!list || values.size() != list->size() || values.size() < fewest || values.size() > most)
         throw invalid_node(key, *node, std::string("must be ") + allowed);
     return values;
@@ -43,9 +42,9 @@ CubeWindow read_window(const ConfigTable& table, TileKind kind)
     for (std::size_t i = axes; i < w.size(); ++i) {
         const bool fits = w[i] >= 1 && static_cast<std::uint64_t>(w[i]) <= max_shown_tiles / tiles;
         if (!fits)
-            throw invalid_node("window", *find(table, "window"),
-                               fmt::format("must have at least 1 tile along each axis, and at most {} in all",
-                                           max_shown_tiles));
+            throw invalid_node(
+                "window", *find(table, "window"),
+                fmt::format("must have at least 1 tile along each axis, and at most {} in all", max_shown_tiles));
         tiles *= static_cast<std::uint64_t>(w[i]);
     }
     const auto size = [&](std::size_t axis) { return static_cast<std::uint64_t>(w[axes + axis]); };
@@ -67,11 +66,10 @@ std::string default_label(const TilingConfig& config)
                        : config.request.kind == TileKind::corner ? "corner tiles"
                                                                  : "corner cubes";
     const Color colors = config.request.colors;
-    if (config.set == "corner")
-        return fmt::format("Wang tiles equivalent to corner tiles, {} colours", colors);
-    std::string label =
-        config.is_set() ? fmt::format("{} set of {}, {} colours", config.set, kind, colors)
-                        : fmt::format("{} tiling of {}, {} colours", config.request.algorithm, kind, colors);
+    if (config.set == "corner") return fmt::format("Wang tiles equivalent to corner tiles, {} colours", colors);
+    std::string label = config.is_set()
+                            ? fmt::format("{} set of {}, {} colours", config.set, kind, colors)
+                            : fmt::format("{} tiling of {}, {} colours", config.request.algorithm, kind, colors);
     label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
     return label;
 }
@@ -82,8 +80,7 @@ TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t see
     TilingRequest& request = config.request;
     request.kind = tile_kind(read_word(table, "kind", tile_kind_names()));
     const bool cube = request.kind == TileKind::cube;
-    request.colors =
-        static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
+    request.colors = static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
     request.seed = seed;
     config.regions = read_number(table, "regions", 0, cube ? largest_regions_3d : largest_regions_2d, 0);
     if (is_set) {
@@ -110,8 +107,7 @@ void check_tiles(const TilingConfig& config)
 {
     try {
         if (config.is_set()) {
-            if (make_tile_set(config.request.kind, config.request.colors, config.set).size() >
-                max_shown_tiles)
+            if (make_tile_set(config.request.kind, config.request.colors, config.set).size() > max_shown_tiles)
                 throw InputError(fmt::format("more than {} tiles cannot be drawn", max_shown_tiles));
         } else {
             CubeWindow one = config.window;
@@ -123,8 +119,7 @@ void check_tiles(const TilingConfig& config)
     }
 }
 
-void read_list(const ConfigTable& config, const std::string& key, std::uint64_t seed,
-               std::vector<TilingConfig>& into)
+void read_list(const ConfigTable& config, const std::string& key, std::uint64_t seed, std::vector<TilingConfig>& into)
 {
     const ConfigNode* node = find(config, key);
     if (!node) return;

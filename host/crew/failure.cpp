@@ -30,12 +30,18 @@ Failure Failure::current()
 void Failure::raise() const
 {
     switch (kind) {
-    case Kind::none: return;
-    case Kind::input: throw InputError({}, message);
-    case Kind::device: throw DeviceError({}, message);
-    case Kind::storage: throw StorageError({}, message);
-    case Kind::interrupted: throw Interrupted();
-    case Kind::other: throw std::runtime_error(message);
+    case Kind::none:
+        return;
+    case Kind::input:
+        throw InputError({}, message);
+    case Kind::device:
+        throw DeviceError({}, message);
+    case Kind::storage:
+        throw StorageError({}, message);
+    case Kind::interrupted:
+        throw Interrupted();
+    case Kind::other:
+        throw std::runtime_error(message);
     }
 }
 

@@ -1,8 +1,8 @@
 #include "host/crew/mpi_crew.hpp"
 
 #include "base/errors/errors.hpp"
-#include "host/crew/failure.hpp"
 #include "base/programs/interrupt.hpp"
+#include "host/crew/failure.hpp"
 
 #include <fmt/format.h>
 #define OMPI_SKIP_MPICXX
@@ -179,7 +179,7 @@ private:
 
     Schedule& schedule_;
     int others_;
-    std::mutex mutex_; ///< of all below, and of the schedule
+    std::mutex mutex_;         ///< of all below, and of the schedule
     std::deque<Job> finished_; ///< by other processes, and not told yet
     Failure failure_;          ///< the first
     bool is_over_ = false;     ///< nothing more can fail
@@ -207,8 +207,7 @@ public:
     ~MpiCrew() override
     {
         if (leads()) {
-            for (int rank = 1; rank < size_; ++rank)
-                MPI_Send(nullptr, 0, MPI_BYTE, rank, farewell_tag, MPI_COMM_WORLD);
+            for (int rank = 1; rank < size_; ++rank) MPI_Send(nullptr, 0, MPI_BYTE, rank, farewell_tag, MPI_COMM_WORLD);
         } else {
             MPI_Request request = MPI_REQUEST_NULL;
             MPI_Irecv(nullptr, 0, MPI_BYTE, 0, farewell_tag, MPI_COMM_WORLD, &request);

@@ -19,8 +19,7 @@ public:
 
     static int current()
     {
-        return static_cast<int>(
-            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+        return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     }
 
 private:

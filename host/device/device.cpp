@@ -29,10 +29,8 @@ std::string why_unusable(const cl::Device& device)
     if (!device.getInfo<CL_DEVICE_COMPILER_AVAILABLE>()) return "the driver has no OpenCL C compiler";
     // "OpenCL C <major>.<minor> ..."
     const std::string language = device.getInfo<CL_DEVICE_OPENCL_C_VERSION>();
-    if (language.substr(0, 9) == "OpenCL C " && language.substr(9, 3) < "1.2")
-        return language + " is older than 1.2";
-    if (device.getInfo<CL_DEVICE_PROFILE>() != "FULL_PROFILE")
-        return "the embedded profile may lack 64-bit integers";
+    if (language.substr(0, 9) == "OpenCL C " && language.substr(9, 3) < "1.2") return language + " is older than 1.2";
+    if (device.getInfo<CL_DEVICE_PROFILE>() != "FULL_PROFILE") return "the embedded profile may lack 64-bit integers";
     if (!device.getInfo<CL_DEVICE_ENDIAN_LITTLE>()) return "the device is big-endian";
     return {};
 }
@@ -119,8 +117,7 @@ std::string build_log(const cl::Program& program, const cl::Device& device)
     }
 }
 
-cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file,
-                  const std::string& options)
+cl::Program build(DeviceImpl& impl, const std::string& text, const std::string& file, const std::string& options)
 {
     const auto start = std::chrono::steady_clock::now();
     cl::Program program;
@@ -179,8 +176,7 @@ Device Device::open(const std::string& selector, unsigned threads)
     for (const cl::Device& device : devices) infos.push_back(describe(device));
     const std::size_t chosen = choose_device(infos, selector);
     if (!infos[chosen].unusable.empty()) {
-        throw DeviceError("the OpenCL device " + infos[chosen].name +
-                          " cannot be used: " + infos[chosen].unusable);
+        throw DeviceError("the OpenCL device " + infos[chosen].name + " cannot be used: " + infos[chosen].unusable);
     }
 
     // What was opened stays open until the process ends, and is handed out again. PoCL (3.1) may still be

@@ -1,7 +1,7 @@
 // Which device is meant: by number, by name, or none in particular.
+#include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
 #include "host/device/pocl_needs.hpp"
-#include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

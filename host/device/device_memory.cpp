@@ -1,7 +1,7 @@
 #include "host/device/device_memory.hpp"
 
-#include "host/device/device.hpp"
 #include "base/errors/errors.hpp"
+#include "host/device/device.hpp"
 
 #include <fmt/format.h>
 

@@ -30,8 +30,8 @@ void Kernel::enqueue(std::size_t items, std::size_t group_size)
     if (items == 0) return;
     const std::size_t groups = (items + group_size - 1) / group_size;
     checked(*impl_, "running", [&] {
-        impl_->device->queue.enqueueNDRangeKernel(impl_->kernel, cl::NullRange,
-                                                  cl::NDRange(groups * group_size), cl::NDRange(group_size));
+        impl_->device->queue.enqueueNDRangeKernel(impl_->kernel, cl::NullRange, cl::NDRange(groups * group_size),
+                                                  cl::NDRange(group_size));
     });
 }
 

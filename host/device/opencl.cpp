@@ -4,8 +4,8 @@ namespace poissonlab {
 
 std::string opencl_error_name(cl_int code)
 {
-#define POISSONLAB_NAME(NAME)                                                                                \
-    case NAME:                                                                                               \
+#define POISSONLAB_NAME(NAME)                                                                                          \
+    case NAME:                                                                                                         \
         return #NAME;
     switch (code) {
         POISSONLAB_NAME(CL_DEVICE_NOT_FOUND)

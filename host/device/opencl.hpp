@@ -6,8 +6,8 @@
 #define CL_HPP_MINIMUM_OPENCL_VERSION 120
 #include <CL/opencl.hpp>
 
-#include "host/device/device.hpp"
 #include "base/errors/errors.hpp"
+#include "host/device/device.hpp"
 
 #include <map>
 #include <mutex>

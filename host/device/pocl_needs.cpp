@@ -1,8 +1,8 @@
 #include "host/device/pocl_needs.hpp"
 
-#include "host/device/device_memory.hpp"
-#include "base/programs/program_run.hpp"
 #include "base/files/scratch_folder.hpp"
+#include "base/programs/program_run.hpp"
+#include "host/device/device_memory.hpp"
 
 #include <fmt/format.h>
 
@@ -49,7 +49,9 @@ bool can_be_used(const fs::path& folder)
 /// Kernels are programs: a folder that others could put some into is not taken.
 bool is_of_this_user_alone(const fs::path& folder)
 {
-    struct stat info{};
+    struct stat info
+    {
+    };
     return ::lstat(folder.c_str(), &info) == 0 && S_ISDIR(info.st_mode) && info.st_uid == ::geteuid() &&
            (info.st_mode & (S_IRWXG | S_IRWXO)) == 0;
 }

@@ -1,11 +1,11 @@
 #include "host/measuring/analysis_unit.hpp"
 
 #include "analysis/spectra/spectrum_file.hpp"
-#include "base/images/square_image_file.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/images/square_image_file.hpp"
 #include "results/archives.hpp"
 #include "results/result_tables.hpp"
-#include "base/files/whole_file.hpp"
 
 #include <tbb/parallel_invoke.h>
 
@@ -91,8 +91,7 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         result.zone_plate = zone_plate_.result();
         result.analysis_seconds += zone_plate_.seconds();
     }
-    result.analysis_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.analysis_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     store.store(key, to_bytes(result), files);
 }
 

@@ -1,10 +1,10 @@
 #include "host/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
-#include "analysis/statistics/jackknife.hpp"
 #include "analysis/measures/packing_fraction.hpp"
-#include "analysis/spectra/radial_bin.hpp"
 #include "analysis/measures/torus_ball.hpp"
+#include "analysis/spectra/radial_bin.hpp"
+#include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 
@@ -53,8 +53,7 @@ void SeriesAnalysis::start()
 void SeriesAnalysis::start_pairs()
 {
     const double step = max_min_distance(begin_.points, dimension_) / bins_per_distance;
-    const double end =
-        std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
+    const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
     pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)));
 }
 
@@ -63,11 +62,10 @@ void SeriesAnalysis::start_spectrum()
     result_.spectrum_size =
         options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
     if (RadialBins(result_.spectrum_size, options_.bin_width).count() < 2)
-        throw InputError(
-            fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
-                        "size {}",
-                        label_, options_.bin_width, result_.spectrum_size / 2 - 1,
-                        dimension_ == 2 ? "annulus" : "shell", result_.spectrum_size));
+        throw InputError(fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
+                                     "size {}",
+                                     label_, options_.bin_width, result_.spectrum_size / 2 - 1,
+                                     dimension_ == 2 ? "annulus" : "shell", result_.spectrum_size));
     estimate_.emplace(dimension_, result_.spectrum_size, sizes_vary_, *options_.spectrum, options_.bin_width);
 }
 
@@ -98,8 +96,7 @@ void SeriesAnalysis::add(const PointSet& points)
     result_.relative_radius.push_back(relative_radius(distance, n, points.dimension));
     result_.covered_fraction.push_back(covered_fraction(distance, n, points.dimension));
     if (integration_) result_.measures.integration = integration_->mean();
-    result_.analysis_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result_.analysis_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
@@ -139,11 +136,10 @@ void SeriesAnalysis::measure_first()
     SeriesMeasures& measures = result_.measures;
     if (first.size() > 1) measures.packing_fraction = packing_fraction(first);
     if (first.size() > most_points_triangulated) return; // not of millions of points
-    tbb::parallel_invoke(
-        [&] { measures.largest_empty = largest_empty_ball(first); },
-        [&] {
-            if (first.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(first));
-        });
+    tbb::parallel_invoke([&] { measures.largest_empty = largest_empty_ball(first); },
+                         [&] {
+                             if (first.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(first));
+                         });
 }
 
 void SeriesAnalysis::measure_spectrum(const Spectrum& mean)

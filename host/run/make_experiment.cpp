@@ -1,10 +1,10 @@
 #include "host/run/make_experiment.hpp"
 
-#include "host/device/device.hpp"
-#include "host/crew/crew.hpp"
 #include "host/config/plan.hpp"
 #include "host/config/plan_memory.hpp"
+#include "host/crew/crew.hpp"
 #include "host/crew/thread_limit.hpp"
+#include "host/device/device.hpp"
 
 #include <fmt/format.h>
 
@@ -132,9 +132,8 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
 /// Where there is no usable device that is left to whoever needs one: everything may be stored already.
 void check_memory_of_device(const std::vector<SeriesPlan>& plan, const Config& config, const std::string& selector)
 {
-    const bool needs_device = std::ranges::any_of(plan, [](const SeriesPlan& series) {
-        return static_cast<bool>(series.sampler->device_memory);
-    });
+    const bool needs_device = std::ranges::any_of(
+        plan, [](const SeriesPlan& series) { return static_cast<bool>(series.sampler->device_memory); });
     if (!needs_device && config.constructions.empty()) return;
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) return;
@@ -159,9 +158,9 @@ std::vector<TilingTask> tiling_tasks(const Config& config, std::set<std::string>
         const std::string kind = tiling.request.kind == TileKind::wang     ? "wang"
                                  : tiling.request.kind == TileKind::corner ? "corner"
                                                                            : "cube";
-        const std::string base = fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
-                                             tiling.is_set() ? tiling.set : tiling.request.algorithm,
-                                             tiling.request.colors);
+        const std::string base =
+            fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
+                        tiling.is_set() ? tiling.set : tiling.request.algorithm, tiling.request.colors);
         tasks.push_back({unused_name(base, names), tiling});
     }
     return tasks;

@@ -1,9 +1,9 @@
 #include "host/run/result_folder.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
 #include "host/config/plan.hpp"
 #include "results/collection_file.hpp"
-#include "base/files/whole_file.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -80,8 +80,7 @@ void ResultFolder::check(const fs::path& out, const std::vector<std::string>& se
     }
 }
 
-ResultFolder::ResultFolder(const fs::path& out, const std::vector<std::string>& series)
-    : out_(out), series_(series)
+ResultFolder::ResultFolder(const fs::path& out, const std::vector<std::string>& series) : out_(out), series_(series)
 {
     check(out, series);
     previous_ = series_in(out_);

@@ -43,7 +43,7 @@ private:
     std::filesystem::path out_;
     std::filesystem::path staging_;
     std::vector<std::string> series_;
-    std::vector<std::string> previous_;          ///< series of the result that is there
+    std::vector<std::string> previous_; ///< series of the result that is there
 };
 
 }

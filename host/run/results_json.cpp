@@ -111,12 +111,10 @@ Json measures_json(const SeriesMeasures& measures, int realizations)
         if (realizations > 1) json["peak_anisotropy"]["standard_error_db"] = peak->standard_error_db;
     }
     if (const auto& low = measures.low_frequency_power)
-        json["low_frequency_power"] = {{"exponent", low->exponent},
-                                       {"exponent_standard_error", low->exponent_standard_error},
-                                       {"intercept", low->intercept},
-                                       {"intercept_standard_error", low->intercept_standard_error},
-                                       {"begin", low->begin},
-                                       {"end", low->end}};
+        json["low_frequency_power"] = {
+            {"exponent", low->exponent},   {"exponent_standard_error", low->exponent_standard_error},
+            {"intercept", low->intercept}, {"intercept_standard_error", low->intercept_standard_error},
+            {"begin", low->begin},         {"end", low->end}};
     if (const auto& peaks = measures.lattice_peaks)
         json["lattice_peaks"] = {{"tiles", peaks->tiles},
                                  {"max_ratio", peaks->max_ratio},
@@ -198,8 +196,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
         json["radial"] = {{"file", task.name + "/radial.csv"},
                           {"background_anisotropy_db", background_anisotropy_db(count) + 0.0}} /* no -0 */;
     }
-    if (result.has_pair_correlation)
-        json["pair_correlation"] = {{"file", task.name + "/pair-correlation.csv"}};
+    if (result.has_pair_correlation) json["pair_correlation"] = {{"file", task.name + "/pair-correlation.csv"}};
     if (!result.iterations.empty()) json["iterations"] = iterations_json(task, result.iterations);
     if (result.zone_plate) json["zone_plate"] = zone_plate_json(task, *result.zone_plate);
     json["point_files"] = result.point_files;
@@ -211,10 +208,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     return json;
 }
 
-Json frequency_json(const FrequencyTest& test)
-{
-    return {{"chi_square", test.chi_square}, {"p_value", test.p_value}};
-}
+Json frequency_json(const FrequencyTest& test) { return {{"chi_square", test.chi_square}, {"p_value", test.p_value}}; }
 
 Json statistics_json(const TilingTask& task, const TilingStatistics& statistics)
 {
@@ -238,9 +232,9 @@ Json statistics_json(const TilingTask& task, const TilingStatistics& statistics)
 /// After how many tiles the hash function of a direct tiling repeats along x and y; 0: not at all.
 Json hash_period_json(const TilingRequest& request)
 {
-    const HashPeriod period = period_of(request.kind == TileKind::cube
-                                            ? make_color_hash(request.hash, request.colors, request.seed)
-                                            : make_direct_tiling(request).hash());
+    const HashPeriod period =
+        period_of(request.kind == TileKind::cube ? make_color_hash(request.hash, request.colors, request.seed)
+                                                 : make_direct_tiling(request).hash());
     return {period.x, period.y};
 }
 
@@ -254,7 +248,9 @@ Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& 
     const bool cube = request.kind == TileKind::cube;
     Json json = {{"name", task.name},
                  {"label", config.label},
-                 {"kind", cube ? "cube" : request.kind == TileKind::wang ? "wang" : "corner"},
+                 {"kind", cube                             ? "cube"
+                          : request.kind == TileKind::wang ? "wang"
+                                                           : "corner"},
                  {"colors", set.colors().horizontal},
                  {"tiles", set.size()},
                  {"file", task.name + "/tiles.txt"}};
@@ -300,8 +296,7 @@ Json construction_json(const ConstructionTask& task, const SceneSummary& scene)
 
 }
 
-std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results,
-                         const Machine& machine,
+std::string results_json(const Experiment& experiment, const std::vector<SeriesResult>& results, const Machine& machine,
                          const std::vector<std::optional<TilingStatistics>>& statistics,
                          const std::vector<SceneSummary>& scenes)
 {

@@ -171,9 +171,12 @@ bool RunWork::all_shares_are_done(bool split) const
 std::string RunWork::label(const Job& job) const
 {
     switch (job.kind) {
-    case Job::Kind::tiling: return experiment_.tilings.at(job.item).config.label;
-    case Job::Kind::constructions: return "constructions";
-    default: return series_.at(job.item).task().label;
+    case Job::Kind::tiling:
+        return experiment_.tilings.at(job.item).config.label;
+    case Job::Kind::constructions:
+        return "constructions";
+    default:
+        return series_.at(job.item).task().label;
     }
 }
 
@@ -189,11 +192,16 @@ void RunWork::execute(const Job& job, const WorkListener& listener)
 void RunWork::execute_in_memory(const Job& job, const WorkListener& listener)
 {
     switch (job.kind) {
-    case Job::Kind::series: return series_.at(job.item).finish(listener);
-    case Job::Kind::part: return series_.at(job.item).analyse(job.first, listener);
-    case Job::Kind::sample: return series_.at(job.item).sample({job.first, job.count}, listener);
-    case Job::Kind::tiling: return pictures_.make_tiling(experiment_.tilings.at(job.item));
-    case Job::Kind::constructions: return pictures_.make_constructions();
+    case Job::Kind::series:
+        return series_.at(job.item).finish(listener);
+    case Job::Kind::part:
+        return series_.at(job.item).analyse(job.first, listener);
+    case Job::Kind::sample:
+        return series_.at(job.item).sample({job.first, job.count}, listener);
+    case Job::Kind::tiling:
+        return pictures_.make_tiling(experiment_.tilings.at(job.item));
+    case Job::Kind::constructions:
+        return pictures_.make_constructions();
     }
 }
 
@@ -220,10 +228,7 @@ std::uint64_t RunWork::realizations_to_analyse() const
     return count;
 }
 
-std::uint64_t RunWork::realizations_made_by(const Job& job) const
-{
-    return job.count;
-}
+std::uint64_t RunWork::realizations_made_by(const Job& job) const { return job.count; }
 
 std::uint64_t RunWork::realizations_analysed_by(const Job& job) const
 {

@@ -1,8 +1,8 @@
 // All the work of one experiment: its jobs, and its results once they are done.
 #pragma once
 
-#include "host/series/picture_units.hpp"
 #include "host/crew/schedule.hpp"
+#include "host/series/picture_units.hpp"
 #include "host/series/series_work.hpp"
 
 #include <cstdint>

@@ -24,8 +24,7 @@ std::string summary(const SeriesTask& task, const SeriesResult& result)
     const auto [fewest, most] = std::ranges::minmax_element(result.points);
     const auto [smallest, largest] = std::ranges::minmax_element(result.relative_radius);
     const auto count = result.points.size();
-    std::string line =
-        fmt::format("{}: {} realization{} of {}", task.label, count, count == 1 ? "" : "s", *fewest);
+    std::string line = fmt::format("{}: {} realization{} of {}", task.label, count, count == 1 ? "" : "s", *fewest);
     if (*most != *fewest) line += fmt::format(" to {}", *most);
     line += *most == 1 ? " point" : " points";
     if (std::isfinite(*largest)) {

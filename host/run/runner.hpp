@@ -1,11 +1,11 @@
 // Runs experiments: makes the point sets, analyses them, stores every result.
 #pragma once
 
-#include "host/series/code_versions.hpp"
 #include "host/crew/crew.hpp"
-#include "host/series/experiment.hpp"
 #include "host/run/progress.hpp"
 #include "host/run/run_work.hpp"
+#include "host/series/code_versions.hpp"
+#include "host/series/experiment.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -35,7 +35,7 @@ struct RunSettings
     std::filesystem::path units; ///< folder of finished work, shared by all runs
     std::optional<Shard> shard;  ///< only a share of the work
     CodeVersions versions = CodeVersions::current();
-    bool announces_runs = false; ///< whether the user is told which run is being made
+    bool announces_runs = false;                         ///< whether the user is told which run is being made
     std::function<void(const PlannedRun&)> on_published; ///< in the order of the runs
 };
 

@@ -58,8 +58,7 @@ public:
         points.coordinates.reserve(request_.points * axes);
         for (std::size_t i = 0; i < request_.points; ++i) {
             const auto words = words_of_point(i, stream);
-            for (std::size_t axis = 0; axis < axes; ++axis)
-                points.coordinates.push_back(coordinate(words[axis]));
+            for (std::size_t axis = 0; axis < axes; ++axis) points.coordinates.push_back(coordinate(words[axis]));
         }
         return points;
     }
@@ -92,8 +91,7 @@ class JitteredSampler : public Sampler
 {
 public:
     explicit JitteredSampler(const SampleRequest& request)
-        : side_(lattice_side(request.points, request.dimension)), dimension_(request.dimension),
-          seed_(request.seed)
+        : side_(lattice_side(request.points, request.dimension)), dimension_(request.dimension), seed_(request.seed)
     {}
 
     PointSet sample(std::uint32_t realization) override
@@ -155,8 +153,7 @@ SamplerSpec random_sampler()
 SamplerSpec regular_sampler()
 {
     SamplerSpec spec = describe<RegularSampler>(
-        "regular", "Regular",
-        "a square (3D: cubic) lattice; of as many points as the nearest square (cube) number");
+        "regular", "Regular", "a square (3D: cubic) lattice; of as many points as the nearest square (cube) number");
     spec.deterministic = true;
     spec.most_points = lattice_points;
     return spec;

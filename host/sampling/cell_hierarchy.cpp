@@ -26,8 +26,7 @@ CellHierarchy cell_hierarchy(double min_distance, int dimension)
     h.size = static_cast<std::uint32_t>(cells_along_axis(min_distance, dimension));
     __extension__ using Wide = unsigned __int128;
     h.step = static_cast<std::uint64_t>(((Wide{1} << 64) + h.size - 1) / h.size);
-    while ((static_cast<std::uint64_t>(h.size) << (h.last_level + 1)) <= (std::uint64_t{1} << 32))
-        ++h.last_level;
+    while ((static_cast<std::uint64_t>(h.size) << (h.last_level + 1)) <= (std::uint64_t{1} << 32)) ++h.last_level;
     h.reach = static_cast<int>(std::ceil(min_distance * h.size * (1.0 + 1e-6)));
     return h;
 }

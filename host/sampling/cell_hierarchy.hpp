@@ -15,8 +15,7 @@ namespace poissonlab {
 /// consists of cells 2 i and 2 i + 1 of level l + 1.
 struct CellHierarchy
 {
-    std::uint32_t size =
-        0; ///< cells along each axis at level 0; their diagonal is at most the minimum distance
+    std::uint32_t size = 0; ///< cells along each axis at level 0; their diagonal is at most the minimum distance
     std::uint64_t step = 0; ///< cell width of level 0 in units of 2^-64, rounded up
     int last_level = 0;     ///< the finest level: cells of one or two coordinates along each axis
     int reach = 0;          ///< points within the minimum distance are at most so many level 0 cells apart

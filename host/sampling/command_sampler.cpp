@@ -1,12 +1,12 @@
 #include "host/sampling/command_sampler.hpp"
 
-#include "base/programs/interrupt.hpp"
-#include "base/points/point_file.hpp"
-#include "base/programs/program_run.hpp"
 #include "base/files/scratch_folder.hpp"
-#include "base/programs/shell_words.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "base/points/point_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "base/programs/program_run.hpp"
+#include "base/programs/shell_words.hpp"
 #include "base/random/random.hpp"
 
 #include <fmt/format.h>
@@ -99,8 +99,7 @@ public:
         const fs::path written = file();
         try {
             std::vector<PointSet> sets = read_points(written);
-            if (sets.size() != 1)
-                throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
+            if (sets.size() != 1) throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
             return std::move(sets.front());
         } catch (const InputError& error) {
             std::string message = error.what();
@@ -152,16 +151,16 @@ public:
     {
         const OutputFolder folder;
         const auto words = command_words(
-            parameters_.text(command_key), {request_.points, request_.dimension,
-                                            command_seed(request_.seed, realization), realization, folder.out()});
+            parameters_.text(command_key),
+            {request_.points, request_.dimension, command_seed(request_.seed, realization), realization, folder.out()});
         ProgramOutcome outcome;
         try {
             outcome = run_program(words, folder_of(parameters_), limit_, stop_if_interrupted);
             if (!outcome.succeeded()) throw InputError(failure_of(outcome, limit_));
             PointSet points = folder.read();
             if (points.dimension != request_.dimension)
-                throw InputError(fmt::format("it wrote {}D points; the experiment has dimension = {}",
-                                             points.dimension, request_.dimension));
+                throw InputError(fmt::format("it wrote {}D points; the experiment has dimension = {}", points.dimension,
+                                             request_.dimension));
             return points;
         } catch (const InputError& error) {
             const InputError what =
@@ -235,8 +234,8 @@ std::vector<std::string> command_words(const std::string& command, const Command
     bool has_out = false;
     for (std::string& word : *words) word = replaced(word, values, has_out);
     if (!has_out)
-        throw InputError(fmt::format("must have {{out}}, the file that the program writes; it may have {}",
-                                     known_fields));
+        throw InputError(
+            fmt::format("must have {{out}}, the file that the program writes; it may have {}", known_fields));
     return *std::move(words);
 }
 
@@ -256,8 +255,7 @@ SamplerSpec command_sampler()
     ParameterSpec command;
     command.key = command_key;
     command.kind = ParameterSpec::Kind::command;
-    command.help =
-        fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields);
+    command.help = fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields);
 
     ParameterSpec limit;
     limit.key = limit_key;

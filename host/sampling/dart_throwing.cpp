@@ -43,10 +43,7 @@ struct Point
     TorusPoint<D> position;
     std::uint32_t time;
 
-    bool operator<(const Point& other) const
-    {
-        return std::tie(time, position) < std::tie(other.time, other.position);
-    }
+    bool operator<(const Point& other) const { return std::tie(time, position) < std::tie(other.time, other.position); }
 };
 
 using Words = Buffer<std::uint32_t>;
@@ -64,10 +61,7 @@ std::size_t mask_words(const CellHierarchy& hierarchy, int dimension)
     return (width * width * (dimension == 2 ? 1 : width) + 31) / 32;
 }
 
-std::size_t six_deviations_above(double mean)
-{
-    return static_cast<std::size_t>(mean + 6 * std::sqrt(mean)) + 1;
-}
+std::size_t six_deviations_above(double mean) { return static_cast<std::size_t>(mean + 6 * std::sqrt(mean)) + 1; }
 
 /// No batch has more darts than the first, a Poisson number.
 std::size_t most_darts(std::size_t cells, int dimension)
@@ -105,8 +99,8 @@ public:
           squared_min_distance_(squared_threshold(request.min_distance))
     {
         const std::string file = "dart_throwing.cl";
-        const std::string options = fmt::format("-D DIMENSION={} -D REACH={} -D LARGE_DISKS={}", D,
-                                                hierarchy_.reach, request.min_distance > 0.25 ? 1 : 0);
+        const std::string options = fmt::format("-D DIMENSION={} -D REACH={} -D LARGE_DISKS={}", D, hierarchy_.reach,
+                                                request.min_distance > 0.25 ? 1 : 0);
         throw_ = device.kernel(file, "throw_darts", options);
         link_ = device.kernel(file, "link_darts", options);
         resolve_ = device.kernel(file, "resolve_conflicts", options);
@@ -172,9 +166,8 @@ private:
         for (;;) {
             throw_.run(parent_count, group_size_, b.parents, u32(parent_count), b.masks, b.slots, b.positions,
                        hierarchy_.size, hierarchy_.step, level, u32(split), u32(is_last_level), batch,
-                       squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds,
-                       threshold_count_, b.open, u32(b.open.size() / D), b.darts,
-                       u32(b.darts.size() / dart_words(D)), b.counters,
+                       squared_min_distance_, request_.stream[0], request_.stream[1], b.thresholds, threshold_count_,
+                       b.open, u32(b.open.size() / D), b.darts, u32(b.darts.size() / dart_words(D)), b.counters,
                        LocalMemory{staged * D * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{staged * dart_words(D) * sizeof(std::uint32_t)}, u32(staged),
                        LocalMemory{4 * sizeof(std::uint32_t)});
@@ -198,15 +191,15 @@ private:
         reserve(device_, b.rivals, dart_count * rival_words);
         if (first_dart_ + dart_count >= UINT32_MAX) throw DeviceError("dart throwing: more than 2^32 darts");
         // At least one work-item, which clears the counters.
-        link_.run(std::max<std::size_t>(dart_count, 1), group_size_, b.darts, u32(dart_count),
-                  u32(first_dart_), b.slots, b.next, b.states, b.counters);
+        link_.run(std::max<std::size_t>(dart_count, 1), group_size_, b.darts, u32(dart_count), u32(first_dart_),
+                  b.slots, b.next, b.states, b.counters);
         std::uint32_t rounds = 0;
         for (std::uint32_t waiting = dart_count > 0 ? 0 : 1; waiting == rounds;) {
             const std::uint32_t end = rounds + (rounds == 0 ? first_rounds : further_rounds);
             for (; rounds < end; ++rounds) {
-                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), rounds,
-                             b.slots, b.next, hierarchy_.size, squared_min_distance_, b.rivals, b.states,
-                             b.next_states, b.counters);
+                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), rounds, b.slots,
+                             b.next, hierarchy_.size, squared_min_distance_, b.rivals, b.states, b.next_states,
+                             b.counters);
                 std::swap(b.states, b.next_states);
             }
             b.counters.read({&waiting, 1}, waiting_round);
@@ -264,8 +257,7 @@ private:
 }
 
 DartThrower::DartThrower(Device device, std::size_t work_group_size)
-    : device_(std::move(device)),
-      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
+    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
       buffers_(std::make_unique<Buffers>())
 {}
 
@@ -293,7 +285,7 @@ DeviceMemory DartThrower::memory(const DartThrowingRequest& request)
     words(counter_count);
     for (int i = 0; i < 2; ++i) words(most_open_cells(cells, d) * axes);
     words(std::max(cells, darts) * dart_words(d)); // at first a cell each
-    for (int i = 0; i < 3; ++i) words(darts); // next, and the states
+    for (int i = 0; i < 3; ++i) words(darts);      // next, and the states
     words(darts * rival_words);
     return memory;
 }

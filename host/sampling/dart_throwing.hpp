@@ -6,9 +6,9 @@
 // simply not drawn.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "host/device/device.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>

@@ -66,15 +66,15 @@ void check_points(const Parameters& parameters, const SampleRequest& request, co
                          ": sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
     }
     if (parameters.has("min_distance")) {
-        throw parameters.error(
-            "min_distance", "goes with stop = \"saturation\" only; relative_radius sets the distance here");
+        throw parameters.error("min_distance",
+                               "goes with stop = \"saturation\" only; relative_radius sets the distance here");
     }
     if (is_hopeless(parameters.number("relative_radius"), request)) {
-        throw parameters.error(
-            "relative_radius",
-            fmt::format("dart throwing of {} points saturates at a relative radius of about {:.4f} "
-                        "in {}D; ask for less",
-                        request.points, saturation_relative_radius(request.dimension), request.dimension));
+        throw parameters.error("relative_radius",
+                               fmt::format("dart throwing of {} points saturates at a relative radius of about {:.4f} "
+                                           "in {}D; ask for less",
+                                           request.points, saturation_relative_radius(request.dimension),
+                                           request.dimension));
     }
 }
 
@@ -96,10 +96,9 @@ void check_memory(const Parameters& parameters, const SampleRequest& request)
     for (const char* key : {"min_distance", "relative_radius"}) {
         if (!parameters.has(key)) continue;
         const double scale = parameters.number(key) / min_distance;
-        throw parameters.error(
-            key, fmt::format("needs a finer grid than memory has room for; at least {:.3g} for {} "
-                             "points in {}D",
-                             smallest * scale, request.points, request.dimension));
+        throw parameters.error(key, fmt::format("needs a finer grid than memory has room for; at least {:.3g} for {} "
+                                                "points in {}D",
+                                                smallest * scale, request.points, request.dimension));
     }
     throw parameters.error("stop", fmt::format("{} points are too many", request.points));
 }
@@ -123,8 +122,7 @@ public:
         DartThrowingRequest request = darts_of(parameters_, request_);
         request.stream = stream_key(request_.seed, Purpose::dart_throwing, realization);
         PointSet points = thrower_ ? thrower_->throw_darts(request) : reference::throw_darts(request);
-        if (!sizes_vary() && points.size() < request_.points)
-            throw saturated_early(points.size(), realization);
+        if (!sizes_vary() && points.size() < request_.points) throw saturated_early(points.size(), realization);
         return points;
     }
 
@@ -140,10 +138,9 @@ private:
         const double share = static_cast<double>(reached) / static_cast<double>(request_.points);
         return parameters_.error(
             "relative_radius",
-            fmt::format(
-                "realization {} is saturated with {} of {} points: no further one fits; a relative radius of "
-                "about {:.4f} can be reached",
-                realization, reached, request_.points, asked * std::pow(share, 1.0 / request_.dimension)));
+            fmt::format("realization {} is saturated with {} of {} points: no further one fits; a relative radius of "
+                        "about {:.4f} can be reached",
+                        realization, reached, request_.points, asked * std::pow(share, 1.0 / request_.dimension)));
     }
 
     Parameters parameters_;
@@ -165,8 +162,7 @@ SamplerSpec dart_throwing_sampler()
 
     ParameterSpec radius;
     radius.key = "relative_radius";
-    radius.help =
-        "minimum distance over that of the densest packing of as many points; at most about 0.77 in 2D";
+    radius.help = "minimum distance over that of the densest packing of as many points; at most about 0.77 in 2D";
     radius.maximum = 1;
     radius.exclusive_minimum = true;
     radius.symbol = "rho";

@@ -69,8 +69,7 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
 }
 
 /// The same for all images of the region on the torus that the movement can meet.
-void enter_images(const ConvexRegion& region, const Vector& position, const Vector& movement,
-                  Contact& contact)
+void enter_images(const ConvexRegion& region, const Vector& position, const Vector& movement, Contact& contact)
 {
     // The movement may leave the half torus around the centre and enter the region from its other side.
     Vector start;
@@ -133,8 +132,7 @@ ConvexRegion polygon_region(const Vector& centre, std::span<const std::array<dou
     return region;
 }
 
-Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement,
-                            bool slides)
+Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement, bool slides)
 {
     Vector movement = displacement;
     Vector done{};

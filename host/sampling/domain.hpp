@@ -41,8 +41,8 @@ ConvexRegion box_region(const Vector& centre, const Vector& half_widths, int dim
 /// A convex polygon with counterclockwise vertices relative to the centre, and in 3D the prism over it: along
 /// `axis` (0, 1 or 2), as far as half_height in both directions; vertices then hold the coordinates of the
 /// next two axes in cyclic order. In 2D, `axis` is 2.
-ConvexRegion polygon_region(const Vector& centre, std::span<const std::array<double, 2>> vertices,
-                            int axis = 2, double half_height = 1);
+ConvexRegion polygon_region(const Vector& centre, std::span<const std::array<double, 2>> vertices, int axis = 2,
+                            double half_height = 1);
 
 struct Domain
 {
@@ -54,7 +54,6 @@ struct Domain
 /// or, with `slides`, goes on along the boundary with the component that is left. A point that is inside of a
 /// region can leave it but not get deeper; up to 2^-46 inside counts as on the boundary. `position` in [0,
 /// 1), components of the displacement in [-1, 1].
-Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement,
-                            bool slides);
+Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement, bool slides);
 
 }

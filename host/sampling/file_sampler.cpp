@@ -1,9 +1,9 @@
 #include "host/sampling/file_sampler.hpp"
 
 #include "base/files/file_glob.hpp"
-#include "base/points/point_file.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "base/points/point_file.hpp"
 
 #include <fmt/format.h>
 
@@ -25,8 +25,7 @@ InputError path_error(const Parameters& parameters, const std::string& path, con
 /// The files that one entry of `path` stands for: at least one.
 std::vector<std::filesystem::path> resolve(const Parameters& parameters, const std::string& entry)
 {
-    const std::filesystem::path folder =
-        std::filesystem::path(parameters.location(path_key).file).parent_path();
+    const std::filesystem::path folder = std::filesystem::path(parameters.location(path_key).file).parent_path();
 
     std::vector<std::filesystem::path> files = named_files(folder, entry);
     if (files.empty()) throw path_error(parameters, entry, no_such_file(folder, entry));
@@ -69,11 +68,10 @@ std::vector<PointSet> read_realizations(const Parameters& parameters)
             const PointSet& first = realizations.front();
             const PointSet& last = realizations.back();
             if (first.size() == last.size() && first.dimension == last.dimension) continue;
-            throw path_error(
-                parameters, to_string(ParameterValue(parameters.texts(path_key))),
-                fmt::format("all realizations must be of one size, but {}, and {} (realization {})",
-                            size_in_words(first_file, first), size_in_words(file, last),
-                            realizations.size()));
+            throw path_error(parameters, to_string(ParameterValue(parameters.texts(path_key))),
+                             fmt::format("all realizations must be of one size, but {}, and {} (realization {})",
+                                         size_in_words(first_file, first), size_in_words(file, last),
+                                         realizations.size()));
         }
     }
     return realizations;
@@ -98,8 +96,7 @@ public:
 
     PointSet sample(std::uint32_t realization) override
     {
-        if (realization >= realizations_.size())
-            throw std::logic_error("more realizations asked than files hold");
+        if (realization >= realizations_.size()) throw std::logic_error("more realizations asked than files hold");
         return realizations_[realization];
     }
 
@@ -124,9 +121,7 @@ SamplerSpec file_sampler()
     spec.parameters = {path};
     spec.has_own_points = true;
     spec.check = check;
-    spec.available_realizations = [](const Parameters& parameters) {
-        return read_realizations(parameters).size();
-    };
+    spec.available_realizations = [](const Parameters& parameters) { return read_realizations(parameters).size(); };
     spec.outside_input = [](const Parameters& parameters) {
         Xxh64 hash;
         for (const std::filesystem::path& file : files_of(parameters)) {

@@ -28,11 +28,10 @@ public:
         : points_(points.size()), group_size_(group_size),
           grid_(device, points.dimension, points_, VoronoiKernels::cells_per_axis(points.dimension, points_),
                 group_size),
-          voronoi_(device, points.dimension, points_, group_size),
-          mover_(device, domain, points.dimension, group_size),
+          voronoi_(device, points.dimension, points_, group_size), mover_(device, domain, points.dimension, group_size),
           energy_sums_(device.buffer<double>(summaries())), smallest_(device.buffer<double>(summaries())),
-          summarize_(device.kernel("relaxation.cl", "summarize_points",
-                                   fmt::format("-D DIMENSION={}", points.dimension)))
+          summarize_(
+              device.kernel("relaxation.cl", "summarize_points", fmt::format("-D DIMENSION={}", points.dimension)))
     {
         grid_.load(points);
     }
@@ -70,8 +69,7 @@ private:
 }
 
 LloydRelaxation::LloydRelaxation(Device device, std::size_t work_group_size)
-    : device_(std::move(device)),
-      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
 {}
 
 LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain, const LloydRequest& request)

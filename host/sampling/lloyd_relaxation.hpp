@@ -3,9 +3,9 @@
 // Dissertation, sections 4.2.4.3 and 6.5. Cells are exact, never rasterised.
 #pragma once
 
+#include "base/geometry/point_set.hpp"
 #include "host/device/device.hpp"
 #include "host/sampling/domain.hpp"
-#include "base/geometry/point_set.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>

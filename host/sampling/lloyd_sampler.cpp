@@ -28,8 +28,7 @@ DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points,
 {
     const DeviceMemory relaxation = LloydRelaxation::memory(dimension, points);
     if (!repels(parameters)) return relaxation;
-    const RepulsionRequest repulsion =
-        repulsion_request(parameters.number("until_relative_radius"), points, dimension);
+    const RepulsionRequest repulsion = repulsion_request(parameters.number("until_relative_radius"), points, dimension);
     return either(relaxation, Repulsion::memory(dimension, points, repulsion));
 }
 
@@ -154,8 +153,7 @@ void check(const Parameters& parameters, const SampleRequest&, const SourceLocat
     const std::string place = to_string(where) + ": sampler = \"lloyd\": ";
     if (!parameters.has("iterations")) throw InputError(place + "needs iterations");
     if (repels(parameters) && !parameters.has("until_relative_radius")) {
-        throw parameters.error("repulsion",
-                               "needs until_relative_radius, the relative radius that it is to reach");
+        throw parameters.error("repulsion", "needs until_relative_radius, the relative radius that it is to reach");
     }
 }
 

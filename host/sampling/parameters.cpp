@@ -39,8 +39,7 @@ bool same_value(const ParameterValue& a, const ParameterValue& b)
     const auto* left = std::get_if<Pointer>(&a);
     const auto* right = std::get_if<Pointer>(&b);
     if (!left || !right) return a == b;
-    return (*left)->spec->name == (*right)->spec->name &&
-           same_parameters((*left)->parameters, (*right)->parameters);
+    return (*left)->spec->name == (*right)->spec->name && same_parameters((*left)->parameters, (*right)->parameters);
 }
 
 bool same_parameters(const Parameters& a, const Parameters& b)
@@ -63,15 +62,9 @@ const Parameters::Entry& Parameters::at(const std::string& key) const
 }
 
 double Parameters::number(const std::string& key) const { return std::get<double>(at(key).value); }
-std::int64_t Parameters::integer(const std::string& key) const
-{
-    return std::get<std::int64_t>(at(key).value);
-}
+std::int64_t Parameters::integer(const std::string& key) const { return std::get<std::int64_t>(at(key).value); }
 bool Parameters::flag(const std::string& key) const { return std::get<bool>(at(key).value); }
-const std::string& Parameters::text(const std::string& key) const
-{
-    return std::get<std::string>(at(key).value);
-}
+const std::string& Parameters::text(const std::string& key) const { return std::get<std::string>(at(key).value); }
 const std::vector<std::string>& Parameters::texts(const std::string& key) const
 {
     return std::get<std::vector<std::string>>(at(key).value);

@@ -39,7 +39,7 @@ struct ParameterSpec
         choice,
         paths,
         command, ///< a program with its arguments
-        sampler ///< another method with its parameters: a table in the config
+        sampler  ///< another method with its parameters: a table in the config
     };
 
     std::string key;

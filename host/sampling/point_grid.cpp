@@ -86,16 +86,15 @@ void PointGrid::sort()
     const auto points = static_cast<std::uint32_t>(size_);
     const auto cells = static_cast<std::uint32_t>(cells_);
     const auto chunks = static_cast<std::uint32_t>(totals_.size());
-    count_.run(size_, work_group_size_, unsorted_positions_, points, cells_per_axis_, counts_, point_cells_,
-               places_);
+    count_.run(size_, work_group_size_, unsorted_positions_, points, cells_per_axis_, counts_, point_cells_, places_);
     scan_.run(chunks, work_group_size_, counts_, cells, chunk_, starts_, totals_);
     if (chunks > 1) {
         scan_totals_.run(1, 1, totals_, chunks);
         add_totals_.run(cells_ + 1, work_group_size_, starts_, cells, chunk_, totals_);
     }
     place_.run(size_, work_group_size_, point_cells_, places_, points, starts_, order_);
-    gather_.run(cells_, work_group_size_, unsorted_positions_, unsorted_ids_, cells, starts_, order_,
-                positions_, ids_, fixed_point_, stride_);
+    gather_.run(cells_, work_group_size_, unsorted_positions_, unsorted_ids_, cells, starts_, order_, positions_, ids_,
+                fixed_point_, stride_);
 }
 
 PointSet PointGrid::points() const

@@ -2,8 +2,8 @@
 // kernels/point_grid.cl.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "base/geometry/point_set.hpp"
+#include "host/device/device.hpp"
 
 #include <cstddef>
 #include <cstdint>

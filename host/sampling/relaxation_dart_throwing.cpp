@@ -128,8 +128,7 @@ template <int D, typename Buffers>
 class Throwing
 {
 public:
-    Throwing(Device& device, Buffers& buffers, const RelaxationDartThrowingRequest& request,
-             std::size_t group_size)
+    Throwing(Device& device, Buffers& buffers, const RelaxationDartThrowingRequest& request, std::size_t group_size)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
           limits_(grid_limits(request.points, D)), window_(request)
     {
@@ -178,13 +177,11 @@ private:
         Buffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        throw_.run(batch_ / darts_a_block(D) / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y,
-                   b.flags);
-        find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points,
-                  grid_bits_, key_x, key_y, b.candidates);
-        settle_.run(1, 1, b.state, b.candidates, words, key_x, key_y, b.thresholds, window_.level(),
-                    request_.attempts, u32(request_.points), u32(levels_ahead_), b.heads, b.points,
-                    grid_bits_);
+        throw_.run(batch_ / darts_a_block(D) / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
+        find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points, grid_bits_,
+                  key_x, key_y, b.candidates);
+        settle_.run(1, 1, b.state, b.candidates, words, key_x, key_y, b.thresholds, window_.level(), request_.attempts,
+                    u32(request_.points), u32(levels_ahead_), b.heads, b.points, grid_bits_);
         update_table();
     }
 
@@ -208,11 +205,9 @@ private:
         grid_bits_ = bits;
         Buffers& b = buffers_;
         const std::size_t cells = std::size_t{1} << D * bits;
-        const std::size_t rows = std::size_t{1}
-                                 << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
+        const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
         clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells));
-        link_.run(std::max<std::size_t>(1, state_[points]), group_size_, b.state, b.heads, b.points,
-                  grid_bits_);
+        link_.run(std::max<std::size_t>(1, state_[points]), group_size_, b.state, b.heads, b.points, grid_bits_);
         update_table();
     }
 
@@ -274,8 +269,7 @@ private:
 }
 
 RelaxationDartThrower::RelaxationDartThrower(Device device, std::size_t work_group_size)
-    : device_(std::move(device)),
-      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
+    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
       buffers_(std::make_unique<Buffers>())
 {}
 

@@ -9,9 +9,9 @@
 // counter j, in 3D dart j is the first three: coordinates in units of 2^-32.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "host/device/device.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>

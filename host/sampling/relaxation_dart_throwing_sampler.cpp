@@ -20,16 +20,15 @@ RelaxationDartThrowingRequest request_for(const Parameters& parameters, const Sa
     result.points = request.points;
     if (parameters.has("initial_radius")) result.initial_radius = parameters.number("initial_radius");
     if (parameters.has("factor")) result.factor = parameters.number("factor");
-    if (parameters.has("attempts"))
-        result.attempts = static_cast<std::uint64_t>(parameters.integer("attempts"));
+    if (parameters.has("attempts")) result.attempts = static_cast<std::uint64_t>(parameters.integer("attempts"));
     return result;
 }
 
 /// The darts that fail before the radius is that of a saturated set, from below: `attempts` a level.
 double least_darts(const RelaxationDartThrowingRequest& request)
 {
-    const double final_radius = 0.5 * min_distance_for(saturation_relative_radius(request.dimension),
-                                                       request.points, request.dimension);
+    const double final_radius =
+        0.5 * min_distance_for(saturation_relative_radius(request.dimension), request.points, request.dimension);
     const double levels = std::log(final_radius / request.initial_radius) / std::log(request.factor);
     return std::max(levels, 0.0) * static_cast<double>(request.attempts);
 }
@@ -38,9 +37,8 @@ void check_effort(const Parameters& parameters, const SampleRequest& request, co
 {
     const double darts = least_darts(request_for(parameters, request));
     if (darts <= most_darts) return;
-    const std::string problem =
-        fmt::format("{} points would take some {:.0e} darts; take a smaller factor or fewer attempts",
-                    request.points, darts);
+    const std::string problem = fmt::format(
+        "{} points would take some {:.0e} darts; take a smaller factor or fewer attempts", request.points, darts);
     for (const char* key : {"factor", "attempts"}) {
         if (parameters.has(key)) throw parameters.error(key, problem);
     }
@@ -112,9 +110,8 @@ SamplerSpec relaxation_dart_throwing_sampler()
     SamplerSpec spec;
     spec.name = "relaxation-dart-throwing";
     spec.title = "Relaxation dart throwing";
-    spec.summary =
-        "dart throwing with a radius that is reduced where darts keep failing; every prefix of a set is "
-        "well spread";
+    spec.summary = "dart throwing with a radius that is reduced where darts keep failing; every prefix of a set is "
+                   "well spread";
     spec.dimensions = {2, 3};
     spec.parameters = parameter_specs();
     spec.check = check_effort;

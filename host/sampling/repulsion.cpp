@@ -58,22 +58,19 @@ struct Repulsion::Buffers
 };
 
 Repulsion::Repulsion(Device device, std::size_t work_group_size)
-    : device_(std::move(device)),
-      work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
 {}
 
 Repulsion::~Repulsion() = default;
 
-RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain,
-                                 const RepulsionRequest& request)
+RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request)
 {
     const std::size_t n = points.size();
     const auto count = static_cast<std::uint32_t>(n);
     const RepulsionPass pass = repulsion_pass(request, n, points.dimension);
     if (!buffers_ || buffers_->dimension != points.dimension || buffers_->grid.size() != n ||
         buffers_->grid.cells_per_axis() != pass.cells_per_axis) {
-        buffers_ =
-            std::make_unique<Buffers>(device_, points.dimension, n, pass.cells_per_axis, work_group_size_);
+        buffers_ = std::make_unique<Buffers>(device_, points.dimension, n, pass.cells_per_axis, work_group_size_);
     }
     Buffers& b = *buffers_;
     PointGrid& grid = b.grid;
@@ -84,9 +81,9 @@ RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain,
     RepulsionResult result{{points.dimension, std::vector<double>(points.coordinates.size())}, 0, -1};
     for (;; ++result.passes) {
         grid.sort();
-        b.push.run(n, work_group_size_, grid.positions(), grid.ids(), count, grid.starts(),
-                   pass.cells_per_axis, pass.reach, pass.distance, pass.limit, held.is_fixed, held.has_fixed,
-                   b.displacements, b.squared_near);
+        b.push.run(n, work_group_size_, grid.positions(), grid.ids(), count, grid.starts(), pass.cells_per_axis,
+                   pass.reach, pass.distance, pass.limit, held.is_fixed, held.has_fixed, b.displacements,
+                   b.squared_near);
         b.summarize.run(b.runs, 1, b.squared_near, b.squared_near, count, run_of_points, b.sums, b.smallest);
         const std::vector<double> smallest = b.smallest.read(0, b.runs);
         const double reached = std::sqrt(*std::min_element(smallest.begin(), smallest.end()));

@@ -8,9 +8,9 @@
 // x, the lower id to the left.
 #pragma once
 
+#include "base/geometry/point_set.hpp"
 #include "host/device/device.hpp"
 #include "host/sampling/domain.hpp"
-#include "base/geometry/point_set.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -4,8 +4,8 @@
 // Config keys, checks, help, series names and the report follow from the description.
 #pragma once
 
-#include "host/device/device_memory.hpp"
 #include "base/geometry/point_set.hpp"
+#include "host/device/device_memory.hpp"
 #include "host/sampling/parameters.hpp"
 #include "results/records/sample_records.hpp"
 
@@ -115,8 +115,7 @@ struct SamplerSpec
     /// lets it be said). Empty: that number.
     std::function<std::size_t(const Parameters&, const SampleRequest&)> most_points;
 
-    std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine,
-                                           const DeviceProvider&)>
+    std::function<std::unique_ptr<Sampler>(const Parameters&, const SampleRequest&, Engine, const DeviceProvider&)>
         create;
 };
 
@@ -127,7 +126,6 @@ using SamplerRegistry = std::vector<SamplerSpec>;
 const SamplerRegistry& basic_samplers();
 
 /// The sampler of that name, or null.
-const SamplerSpec* find_sampler(const std::string& name,
-                                const SamplerRegistry& registry = basic_samplers());
+const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& registry = basic_samplers());
 
 }

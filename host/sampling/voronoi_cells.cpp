@@ -50,19 +50,17 @@ void VoronoiKernels::find_cells(PointGrid& grid)
     const std::uint32_t cells = grid.cells_per_axis();
     const float margin = std::nextafter(static_cast<float>(0x1p32 / cells), 0.0f);
     forget_slow_.run(1, 1, slow_count_);
-    find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(),
-                   grid.starts(), cells, margin, volumes_, displacements_, energies_, squared_near_, slow_,
-                   slow_count_);
-    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, slow_, slow_count_,
-                   volumes_, displacements_, energies_, squared_near_);
+    find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(),
+                   cells, margin, volumes_, displacements_, energies_, squared_near_, slow_, slow_count_);
+    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, slow_, slow_count_, volumes_,
+                   displacements_, energies_, squared_near_);
 }
 
 VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size)
 {
     const std::size_t n = points.size();
     const auto d = static_cast<std::size_t>(points.dimension);
-    PointGrid grid(device, points.dimension, n, VoronoiKernels::cells_per_axis(points.dimension, n),
-                   work_group_size);
+    PointGrid grid(device, points.dimension, n, VoronoiKernels::cells_per_axis(points.dimension, n), work_group_size);
     VoronoiKernels kernels(device, points.dimension, n, work_group_size);
     grid.load(points);
     grid.sort();

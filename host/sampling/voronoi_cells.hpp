@@ -1,8 +1,8 @@
 // The Voronoi cells of points on the unit torus: what Lloyd relaxation needs of them.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "base/geometry/point_set.hpp"
+#include "host/device/device.hpp"
 #include "host/sampling/point_grid.hpp"
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 #include "host/scenes/construction_parts.hpp"
 
 #include "host/scenes/construction_tiling.hpp"
-#include "tiles/poisson/tile_pieces.hpp"
 #include "host/tile_construction/piece_store.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -33,8 +33,7 @@ private:
     void add_list()
     {
         for (const auto& [axes, variant] : wanted_pieces(config_))
-            scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant)
-                                                         : listed_piece(axes, variant));
+            scene_.panels.push_back(axes == all_axes(d_) ? listed_tile(variant) : listed_piece(axes, variant));
         scene_.columns = list_columns(scene_.panels.size());
     }
 
@@ -58,8 +57,7 @@ private:
         for (int k = 0; k < d_; ++k) {
             const bool is_own = axes >> k & 1;
             panel.window.low[k] = (is_own ? extent.end : -extent.reach) - panel_margin;
-            panel.window.size[k] =
-                (is_own ? tile_units - 2 * extent.end : 2 * extent.reach) + 2 * panel_margin;
+            panel.window.size[k] = (is_own ? tile_units - 2 * extent.end : 2 * extent.reach) + 2 * panel_margin;
         }
         panel.part = panel.window;
         panel.pieces.push_back(piece_at(axes, {}, variant));
@@ -89,8 +87,7 @@ private:
         panel.pieces = pieces_of_a_tile(tile);
         panel.of(PointClass::held) = shown(made.problem.held, {}, panel.part);
         for (const TilePosition& point : made.filled.active)
-            panel.of(cell_of(point).axes == all_axes(d_) ? PointClass::inner : PointClass::held)
-                .push_back(point);
+            panel.of(cell_of(point).axes == all_axes(d_) ? PointClass::inner : PointClass::held).push_back(point);
         return panel;
     }
 
@@ -113,8 +110,7 @@ private:
                 if (!with_regions) continue;
                 panel.tiles.push_back({x, y, 0});
                 // The tiles of a template have their own colours.
-                if (p_.kind == PoissonTileKind::frame)
-                    panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
+                if (p_.kind == PoissonTileKind::frame) panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
                 for (ScenePiece piece : pieces_of_a_tile(tile)) {
                     piece.base[0] += x;
                     piece.base[1] += y;

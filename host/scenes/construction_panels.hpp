@@ -3,9 +3,9 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.
 #pragma once
 
-#include "results/pictures/construction_scene.hpp"
 #include "host/config/construction_table.hpp"
 #include "host/tile_construction/tile_construction.hpp"
+#include "results/pictures/construction_scene.hpp"
 
 #include <cstdint>
 #include <map>

@@ -15,8 +15,7 @@ std::vector<std::uint32_t> colors_of(const PoissonTileParameters& p, std::uint8_
     if (p.kind == PoissonTileKind::frame) return {};
     if (axes == all_axes(p.dimension)) return {};
     const bool is_edge_based = p.kind == PoissonTileKind::edge;
-    std::vector<std::uint32_t> colors(is_edge_based ? (axes == 0 ? 4 : 1)
-                                                    : std::size_t{1} << std::popcount(axes));
+    std::vector<std::uint32_t> colors(is_edge_based ? (axes == 0 ? 4 : 1) : std::size_t{1} << std::popcount(axes));
     for (std::uint32_t& color : colors) {
         color = variant % p.colors;
         variant /= p.colors;
@@ -63,8 +62,7 @@ ScenePanel PanelParts::tile_panel(const std::string& caption) const
     return panel;
 }
 
-ScenePiece PanelParts::piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base,
-                                std::uint32_t variant) const
+ScenePiece PanelParts::piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base, std::uint32_t variant) const
 {
     return {axes, base, colors_of(p_, axes, variant), false};
 }
@@ -83,15 +81,14 @@ const MadePiece& PanelParts::made_piece(std::uint8_t axes, std::uint32_t variant
 }
 
 std::vector<TilePosition> PanelParts::shown(std::span<const TilePosition> points,
-                                            const std::array<std::int8_t, 3>& base,
-                                            const SceneBox& window) const
+                                            const std::array<std::int8_t, 3>& base, const SceneBox& window) const
 {
     std::vector<TilePosition> result;
     for (const TilePosition& point : points) {
         TilePosition place{};
         for (int k = 0; k < d_; ++k)
-            place[k] = window.low[k] +
-                       wrapped(point[k] - base[static_cast<std::size_t>(k)] * tile_units - window.low[k]);
+            place[k] =
+                window.low[k] + wrapped(point[k] - base[static_cast<std::size_t>(k)] * tile_units - window.low[k]);
         if (window.holds(place, d_)) result.push_back(place);
     }
     return result;

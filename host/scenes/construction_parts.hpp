@@ -26,8 +26,7 @@ protected:
     /// A tile with its border.
     ScenePanel tile_panel(const std::string& caption) const;
 
-    ScenePiece piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base,
-                        std::uint32_t variant) const;
+    ScenePiece piece_at(std::uint8_t axes, const std::array<std::int32_t, 3>& base, std::uint32_t variant) const;
 
     /// The pieces around a tile at the origin.
     std::vector<ScenePiece> pieces_of_a_tile(std::uint32_t tile) const;
@@ -35,8 +34,8 @@ protected:
     const MadePiece& made_piece(std::uint8_t axes, std::uint32_t variant) const;
 
     /// Points of a torus relative to a cell of it, those that the window shows.
-    std::vector<TilePosition> shown(std::span<const TilePosition> points,
-                                    const std::array<std::int8_t, 3>& base, const SceneBox& window) const;
+    std::vector<TilePosition> shown(std::span<const TilePosition> points, const std::array<std::int8_t, 3>& base,
+                                    const SceneBox& window) const;
 
     /// The cell whose region a position is in, of the unbounded lattice.
     ScenePiece cell_of(const TilePosition& position) const;

@@ -28,11 +28,10 @@ private:
     {
         scene_.columns = 2;
         for (const bool modified : {false, true}) {
-            ScenePanel panel =
-                tile_panel(modified ? "The modified regions: corner regions are enlarged such that edge "
-                                      "regions are two radii apart."
-                                    : "Strips of the radius' width: corner regions, edge regions, and "
-                                      "the interior.");
+            ScenePanel panel = tile_panel(modified ? "The modified regions: corner regions are enlarged such that edge "
+                                                     "regions are two radii apart."
+                                                   : "Strips of the radius' width: corner regions, edge regions, and "
+                                                     "the interior.");
             panel.modified = modified;
             panel.pieces = pieces_of_a_tile(shown_tile());
             panel.pieces.push_back(piece_at(all_axes(d_), {}, 0));
@@ -56,8 +55,8 @@ private:
         scene_.is_solid = true;
         const std::vector<ScenePiece> around = pieces_of_a_tile(shown_tile());
         const ScenePiece interior = piece_at(all_axes(d_), {}, 0);
-        const std::array<const char*, 4> names{"The corner regions.", "The edge regions.",
-                                               "The face regions.", "The interior region."};
+        const std::array<const char*, 4> names{"The corner regions.", "The edge regions.", "The face regions.",
+                                               "The interior region."};
         for (int count = 0; count <= 3; ++count) {
             ScenePanel panel = tile_panel(names[static_cast<std::size_t>(count)]);
             for (const ScenePiece& piece : around)
@@ -87,8 +86,8 @@ private:
     {
         scene_.columns = 4;
         scene_.is_solid = true;
-        const std::array<const char*, 4> names{"Corner tiles: great rhombicuboctahedra.", "Edge tiles.",
-                                               "Face tiles.", "Interior tiles."};
+        const std::array<const char*, 4> names{"Corner tiles: great rhombicuboctahedra.", "Edge tiles.", "Face tiles.",
+                                               "Interior tiles."};
         for (int count = 0; count <= 3; ++count) {
             ScenePanel panel = new_panel();
             panel.caption = names[static_cast<std::size_t>(count)];
@@ -112,9 +111,6 @@ private:
 
 }
 
-Scene region_scene(const ConstructionConfig& config, const MadeTiles& made)
-{
-    return RegionScene(config, made).make();
-}
+Scene region_scene(const ConstructionConfig& config, const MadeTiles& made) { return RegionScene(config, made).make(); }
 
 }

@@ -34,8 +34,7 @@ Wanted wanted_of(std::span<const ConstructionConfig> configs, const PoissonTileP
     return wanted;
 }
 
-MadeTiles make_tiles(const PoissonTileParameters& parameters, const Wanted& wanted,
-                     const FillerFactory& make_filler,
+MadeTiles make_tiles(const PoissonTileParameters& parameters, const Wanted& wanted, const FillerFactory& make_filler,
                      const std::function<void(const std::string&)>& progress)
 {
     MadeTiles made;
@@ -43,8 +42,7 @@ MadeTiles make_tiles(const PoissonTileParameters& parameters, const Wanted& want
     ConstructionOptions options;
     options.progress = [&](const std::string& stage, std::size_t done, std::size_t total) {
         stop_if_interrupted();
-        if (progress)
-            progress(fmt::format("{} Poisson tiles: {} {} of {}", kind_name(parameters), stage, done, total));
+        if (progress) progress(fmt::format("{} Poisson tiles: {} {} of {}", kind_name(parameters), stage, done, total));
     };
     // Pieces that are made again replace those before.
     options.record = [&](const ConstructionRecord& record) {
@@ -63,8 +61,7 @@ MadeTiles make_tiles(const PoissonTileParameters& parameters, const Wanted& want
 
 }
 
-std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs,
-                                    const FillerFactory& make_filler,
+std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs, const FillerFactory& make_filler,
                                     const std::function<void(const std::string&)>& progress)
 {
     std::vector<Scene> scenes(configs.size());
@@ -73,8 +70,7 @@ std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs,
         if (done[first]) continue;
         const PoissonTileParameters& parameters = configs[first].parameters;
         try {
-            const MadeTiles made =
-                make_tiles(parameters, wanted_of(configs, parameters), make_filler, progress);
+            const MadeTiles made = make_tiles(parameters, wanted_of(configs, parameters), make_filler, progress);
             for (std::size_t i = first; i < configs.size(); ++i) {
                 if (!(configs[i].parameters == parameters)) continue;
                 scenes[i] = make_scene(configs[i], made);

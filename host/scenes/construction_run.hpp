@@ -17,8 +17,7 @@ using FillerFactory = std::function<std::unique_ptr<TileFiller>(const FillSettin
 /// One scene for each config. Configs with the same parameters share one construction, which goes no further
 /// than the pieces that they show. `progress` is told of steps. Throws InputError for tile sets that cannot
 /// be made.
-std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs,
-                                    const FillerFactory& make_filler,
+std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs, const FillerFactory& make_filler,
                                     const std::function<void(const std::string&)>& progress);
 
 }

@@ -42,14 +42,13 @@ private:
     }
 
     /// Pieces of a torus relative to a cell of it, wherever the window shows them.
-    std::vector<ScenePiece> shown_pieces(std::span<const PlacedPiece> pieces,
-                                         const std::array<std::int8_t, 3>& base, const SceneBox& window) const
+    std::vector<ScenePiece> shown_pieces(std::span<const PlacedPiece> pieces, const std::array<std::int8_t, 3>& base,
+                                         const SceneBox& window) const
     {
         std::vector<ScenePiece> result;
         for (const PlacedPiece& piece : pieces)
             for (int turn = 0; turn < (d_ == 2 ? 9 : 27); ++turn) {
-                const std::array<std::int32_t, 3> turns{turn % 3 - 1, turn / 3 % 3 - 1,
-                                                        d_ == 2 ? 0 : turn / 9 - 1};
+                const std::array<std::int32_t, 3> turns{turn % 3 - 1, turn / 3 % 3 - 1, d_ == 2 ? 0 : turn / 9 - 1};
                 std::array<std::int32_t, 3> place{};
                 bool is_seen = true;
                 for (std::size_t k = 0; k < static_cast<std::size_t>(d_); ++k) {
@@ -84,8 +83,7 @@ private:
         for (const PlacedPiece& piece : neighbours)
             assembled.pieces.push_back(
                 piece_at(piece.axes, {piece.base[0], piece.base[1], piece.base[2]}, piece.variant));
-        assembled.of(PointClass::held) =
-            near(shown(made.problem.held, made.base, empty.window), assembled.pieces);
+        assembled.of(PointClass::held) = near(shown(made.problem.held, made.base, empty.window), assembled.pieces);
         assembled.pieces.push_back(own);
         scene_.panels.push_back(assembled);
 
@@ -109,21 +107,18 @@ private:
     }
 
     /// The points in the regions of some pieces.
-    std::vector<TilePosition> near(std::vector<TilePosition> points,
-                                   const std::vector<ScenePiece>& pieces) const
+    std::vector<TilePosition> near(std::vector<TilePosition> points, const std::vector<ScenePiece>& pieces) const
     {
         std::erase_if(points, [&](const TilePosition& point) {
             const ScenePiece cell = cell_of(point);
-            return std::ranges::none_of(pieces, [&](const ScenePiece& piece) {
-                return piece.axes == cell.axes && piece.base == cell.base;
-            });
+            return std::ranges::none_of(
+                pieces, [&](const ScenePiece& piece) { return piece.axes == cell.axes && piece.base == cell.base; });
         });
         return points;
     }
 
     /// Points of a torus that are not held, by whether they are in the piece that is made.
-    void add_free(ScenePanel& panel, std::span<const TilePosition> points,
-                  const std::array<std::int8_t, 3>& base) const
+    void add_free(ScenePanel& panel, std::span<const TilePosition> points, const std::array<std::int8_t, 3>& base) const
     {
         for (const TilePosition& point : shown(points, base, panel.window)) {
             const ScenePiece cell = cell_of(point);
@@ -137,8 +132,7 @@ private:
     /// How far around a tile there are points while its interior is made.
     std::int32_t surroundings_margin() const
     {
-        return std::max(regions_.pair_one,
-                        std::min(tile_units / 2 - panel_margin, surrounding_radii * regions_.width));
+        return std::max(regions_.pair_one, std::min(tile_units / 2 - panel_margin, surrounding_radii * regions_.width));
     }
 
     void add_tile_stages()
@@ -167,12 +161,10 @@ private:
         if (d_ == 3) scene_.panels.push_back(thrown);
         thrown.of(PointClass::surroundings) = shown(made.filled.surroundings, {}, thrown.part);
         if (d_ == 3)
-            thrown.caption =
-                "Dart throwing fills the exterior, so that relaxation does not draw points there.";
+            thrown.caption = "Dart throwing fills the exterior, so that relaxation does not draw points there.";
         else if (!thrown.of(PointClass::surroundings).empty())
-            thrown.caption =
-                "Dart throwing fills the interior, and what is around the tile, so that relaxation does "
-                "not draw points there.";
+            thrown.caption = "Dart throwing fills the interior, and what is around the tile, so that relaxation does "
+                             "not draw points there.";
         scene_.panels.push_back(thrown);
 
         ScenePanel relaxed = thrown;
@@ -229,8 +221,7 @@ private:
         ScenePanel master = tile_panel("The master tile.");
         master.pieces = pieces_of_a_tile(0);
         for (const TilePosition& point : made.filled.active)
-            master.of(cell_of(point).axes == all_axes(d_) ? PointClass::outer : PointClass::held)
-                .push_back(point);
+            master.of(cell_of(point).axes == all_axes(d_) ? PointClass::outer : PointClass::held).push_back(point);
         ScenePanel frame = master;
         frame.caption = "The tile template: points farther from the border than the radius are discarded.";
         frame.of(PointClass::outer).clear();
@@ -240,9 +231,6 @@ private:
 
 }
 
-Scene stage_scene(const ConstructionConfig& config, const MadeTiles& made)
-{
-    return StageScene(config, made).make();
-}
+Scene stage_scene(const ConstructionConfig& config, const MadeTiles& made) { return StageScene(config, made).make(); }
 
 }

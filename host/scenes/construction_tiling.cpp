@@ -34,8 +34,8 @@ std::uint32_t ConstructionTiling::edge_based_tile(const Tiling& wang, std::int64
         return wang_tile(wang.tile(x + dx, y + dy), {parameters_.colors, parameters_.colors});
     };
     const WangTile own = at(0, 0), north = at(0, 1), east = at(1, 0), south = at(0, -1), west = at(-1, 0);
-    return edge_tile_of({own.north, own.east, own.south, own.west, east.north, north.east, east.south,
-                         south.east, west.south, south.west, west.north, north.west},
+    return edge_tile_of({own.north, own.east, own.south, own.west, east.north, north.east, east.south, south.east,
+                         west.south, south.west, west.north, north.west},
                         parameters_.colors);
 }
 

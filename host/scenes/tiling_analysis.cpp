@@ -15,8 +15,7 @@ constexpr std::uint64_t statistics_samples = statistics_size * statistics_size /
 struct Survey
 {
     std::vector<ColorField> fields;
-    std::vector<std::uint64_t>
-        tiles; ///< by position in the set, at even places; empty: too many tiles to count
+    std::vector<std::uint64_t> tiles; ///< by position in the set, at even places; empty: too many tiles to count
 };
 
 /// The colours that a tile brings to the fields: of its lower left corner, or of its southern and western
@@ -39,26 +38,22 @@ Survey survey_of(const TilingConfig& config)
     window.width = window.height = statistics_size;
     window.depth = 1;
     Survey survey;
-    const bool counted =
-        static_cast<double>(statistics_samples) >= least_expected * static_cast<double>(set.size());
+    const bool counted = static_cast<double>(statistics_samples) >= least_expected * static_cast<double>(set.size());
     if (counted) survey.tiles.resize(set.size());
     const std::size_t count = request.kind == TileKind::wang ? 2 : 1;
-    survey.fields.assign(count, {request.colors, statistics_size,
-                                 std::vector<std::uint8_t>(statistics_size * statistics_size)});
-    stream_tiles(request, window,
-                 [&](std::int64_t x, std::int64_t y, auto, std::span<const TileIndex> tiles) {
-                     const auto row = static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(window.y);
-                     auto column = static_cast<std::uint64_t>(x) - static_cast<std::uint64_t>(window.x);
-                     for (const TileIndex tile : tiles) {
-                         const auto colors = colors_of(request.kind, tile, request.colors);
-                         for (std::size_t f = 0; f < count; ++f)
-                             survey.fields[f].values[row * statistics_size + column] =
-                                 static_cast<std::uint8_t>(colors[f]);
-                         if (counted && row % 2 == 0 && column % 2 == 0)
-                             ++survey.tiles.at(set.position(tile).value());
-                         ++column;
-                     }
-                 });
+    survey.fields.assign(
+        count, {request.colors, statistics_size, std::vector<std::uint8_t>(statistics_size * statistics_size)});
+    stream_tiles(request, window, [&](std::int64_t x, std::int64_t y, auto, std::span<const TileIndex> tiles) {
+        const auto row = static_cast<std::uint64_t>(y) - static_cast<std::uint64_t>(window.y);
+        auto column = static_cast<std::uint64_t>(x) - static_cast<std::uint64_t>(window.x);
+        for (const TileIndex tile : tiles) {
+            const auto colors = colors_of(request.kind, tile, request.colors);
+            for (std::size_t f = 0; f < count; ++f)
+                survey.fields[f].values[row * statistics_size + column] = static_cast<std::uint8_t>(colors[f]);
+            if (counted && row % 2 == 0 && column % 2 == 0) ++survey.tiles.at(set.position(tile).value());
+            ++column;
+        }
+    });
     return survey;
 }
 
@@ -69,8 +64,7 @@ std::string tiles_text(const TilingConfig& config)
     std::string text;
     if (config.is_set()) {
         const TileSet set = make_tile_set(config.request.kind, config.request.colors, config.set);
-        for (std::uint64_t i = 0; i < set.size(); ++i)
-            text += fmt::format("{}{}", i == 0 ? "" : " ", set.index(i));
+        for (std::uint64_t i = 0; i < set.size(); ++i) text += fmt::format("{}{}", i == 0 ? "" : " ", set.index(i));
         return text + "\n";
     }
     const std::int64_t end = stepped(config.window.x, config.window.width);
@@ -79,8 +73,7 @@ std::string tiles_text(const TilingConfig& config)
                  [&](std::int64_t x, auto, std::int64_t z, std::span<const TileIndex> tiles) {
                      if (z != layer) text += "\n";
                      layer = z;
-                     text += fmt::format("{}{}", fmt::join(tiles, " "),
-                                         stepped(x, tiles.size()) == end ? "\n" : " ");
+                     text += fmt::format("{}{}", fmt::join(tiles, " "), stepped(x, tiles.size()) == end ? "\n" : " ");
                  });
     return text;
 }
@@ -97,8 +90,7 @@ TilingStatistics tiling_statistics(const TilingConfig& config)
         statistics.colors.push_back({survey.fields.size() == 1 ? "corners"
                                      : f == 0                  ? "horizontal edges"
                                                                : "vertical edges",
-                                     counts, test_frequencies(counts),
-                                     color_autocorrelation(field, statistics_lags)});
+                                     counts, test_frequencies(counts), color_autocorrelation(field, statistics_lags)});
     }
     return statistics;
 }

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "host/config/analysis_options.hpp"
-#include "host/scenes/construction_run.hpp"
-#include "results/method_grid.hpp"
-#include "results/series_result.hpp"
 #include "host/config/tiling_table.hpp"
 #include "host/sampling/sampler.hpp"
+#include "host/scenes/construction_run.hpp"
 #include "host/store/unit_key.hpp"
+#include "results/method_grid.hpp"
+#include "results/series_result.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -28,8 +28,8 @@ struct SeriesTask
     Parameters parameters;
     bool deterministic = false;
     std::uint32_t realizations = 0;
-    std::size_t points = 0; ///< as asked of each set, 0: not known
-    bool is_timed = true; ///< false: sets that are there already; reading a file is not sampling
+    std::size_t points = 0;         ///< as asked of each set, 0: not known
+    bool is_timed = true;           ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
     /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work
     /// begins; empty: name and sampler say enough.
@@ -84,13 +84,13 @@ struct Experiment
     std::string engine;                 ///< "opencl" or "reference"
     int dimension = 2;
     AnalysisOptions analysis;
-    std::uint32_t realizations = 0; ///< K as asked for
-    std::uint32_t timing_runs = 1;  ///< the least number of times that each series is timed
+    std::uint32_t realizations = 0;  ///< K as asked for
+    std::uint32_t timing_runs = 1;   ///< the least number of times that each series is timed
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
     std::vector<ConstructionTask> constructions;
-    FillerFactory make_filler;        ///< of constructions
+    FillerFactory make_filler;                                            ///< of constructions
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
 };
 

@@ -1,10 +1,10 @@
 #include "host/series/imported_points.hpp"
 
+#include "base/files/xxh64_bytes.hpp"
+#include "base/points/point_file.hpp"
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "host/crew/thread_limit.hpp"
-#include "base/points/point_file.hpp"
-#include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
 
@@ -25,16 +25,14 @@ private:
 };
 
 /// Checks a set against the first one. `place` names it in messages.
-void check_set(const PointSet& points, const std::string& place, const PointSet& first,
-               const std::string& first_place)
+void check_set(const PointSet& points, const std::string& place, const PointSet& first, const std::string& first_place)
 {
     if (points.dimension != first.dimension)
-        throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, points.dimension,
-                                     first_place, first.dimension));
+        throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, points.dimension, first_place,
+                                     first.dimension));
     if (points.size() != first.size())
-        throw InputError(
-            fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
-                        points.size(), first_place, first.size()));
+        throw InputError(fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
+                                     points.size(), first_place, first.size()));
 }
 
 /// All coordinates decide; the names of the files are written into what is stored.
@@ -78,8 +76,8 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
             check_set(sets->back(), places.back(), sets->front(), places.front());
         }
         if (sets->size() > static_cast<std::size_t>(max_realizations))
-            throw InputError(fmt::format("{}: with this file there are more than {} realizations",
-                                         file.string(), max_realizations));
+            throw InputError(
+                fmt::format("{}: with this file there are more than {} realizations", file.string(), max_realizations));
         paths.push_back(file.string());
     }
 

@@ -1,8 +1,8 @@
 // Point sets made elsewhere as an experiment of one series, analysed exactly like sets made here.
 #pragma once
 
-#include "host/series/experiment.hpp"
 #include "base/points/point_file.hpp"
+#include "host/series/experiment.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,10 +1,10 @@
 #include "host/series/picture_units.hpp"
 
-#include "base/images/square_image_file.hpp"
-#include "results/pictures/archive.hpp"
-#include "host/scenes/construction_run.hpp"
-#include "base/programs/interrupt.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/images/square_image_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/scenes/construction_run.hpp"
+#include "results/pictures/archive.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
@@ -17,10 +17,7 @@ std::string window_text(const CubeWindow& w)
     return fmt::format("{} {} {} {} {} {}", w.x, w.y, w.z, w.width, w.height, w.depth);
 }
 
-bool has_statistics(const TilingConfig& config)
-{
-    return !config.is_set() && config.request.period == Period{};
-}
+bool has_statistics(const TilingConfig& config) { return !config.is_set() && config.request.period == Period{}; }
 
 std::map<std::string, std::string> image_metadata(const TilingConfig& config)
 {

@@ -1,9 +1,9 @@
 // Tile sets, tilings and constructions of an experiment as units of work.
 #pragma once
 
+#include "host/scenes/tiling_analysis.hpp"
 #include "host/series/code_versions.hpp"
 #include "host/series/experiment.hpp"
-#include "host/scenes/tiling_analysis.hpp"
 #include "host/store/unit_store.hpp"
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace poissonlab {
 /// What is stored of a tile set or tiling.
 struct TilingUnit
 {
-    std::optional<TilingStatistics> statistics; ///< of tilings that do not close; without autocorrelations
+    std::optional<TilingStatistics> statistics;         ///< of tilings that do not close; without autocorrelations
     std::map<std::string, std::filesystem::path> files; ///< by their names in the output folder
 };
 

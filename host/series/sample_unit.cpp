@@ -1,7 +1,7 @@
 #include "host/series/sample_unit.hpp"
 
-#include "results/records/archive.hpp"
 #include "base/points/point_file.hpp"
+#include "results/records/archive.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 // A realization as a unit of work: its points, the time they took, and what the sampler said of them.
 #pragma once
 
-#include "host/series/experiment.hpp"
 #include "host/sampling/sampler.hpp"
+#include "host/series/experiment.hpp"
 #include "host/store/unit_store.hpp"
 
 #include <cstddef>

@@ -28,10 +28,7 @@ SeriesUnits::SeriesUnits(const SeriesTask& task, const AnalysisOptions& options,
       identity_(identity_of(task, versions))
 {}
 
-std::uint32_t SeriesUnits::parts() const
-{
-    return (realizations_ + realizations_per_part - 1) / realizations_per_part;
-}
+std::uint32_t SeriesUnits::parts() const { return (realizations_ + realizations_per_part - 1) / realizations_per_part; }
 
 RealizationRange SeriesUnits::part(std::uint32_t number) const
 {

@@ -1,10 +1,10 @@
 #include "host/series/series_work.hpp"
 
-#include "host/measuring/analysis_unit.hpp"
-#include "results/records/archive.hpp"
-#include "base/programs/interrupt.hpp"
-#include "results/iteration_records.hpp"
 #include "base/points/point_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/measuring/analysis_unit.hpp"
+#include "results/iteration_records.hpp"
+#include "results/records/archive.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
@@ -64,8 +64,8 @@ std::map<std::string, std::string> SeriesWork::image_metadata() const
 /// Somebody has removed or damaged what this run had stored or found.
 StorageError SeriesWork::is_gone(const std::string& what) const
 {
-    return StorageError(fmt::format("{}: {} is gone or damaged; the same command makes it again",
-                                    store_.folder().string(), what));
+    return StorageError(
+        fmt::format("{}: {} is gone or damaged; the same command makes it again", store_.folder().string(), what));
 }
 
 // Realizations.

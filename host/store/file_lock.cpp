@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include <sys/file.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -44,10 +44,7 @@ bool lock(int descriptor, int operation, const std::filesystem::path& file)
 
 }
 
-FileLock::FileLock(const std::filesystem::path& file) : descriptor_(opened(file))
-{
-    lock(descriptor_, LOCK_EX, file);
-}
+FileLock::FileLock(const std::filesystem::path& file) : descriptor_(opened(file)) { lock(descriptor_, LOCK_EX, file); }
 
 std::optional<FileLock> FileLock::try_lock(const std::filesystem::path& file)
 {

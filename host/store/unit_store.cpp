@@ -118,10 +118,7 @@ std::optional<Manifest> read_manifest(const fs::path& file)
     return manifest;
 }
 
-fs::path with_ending(const fs::path& base, std::string_view ending)
-{
-    return base.string() + std::string(ending);
-}
+fs::path with_ending(const fs::path& base, std::string_view ending) { return base.string() + std::string(ending); }
 
 /// The file of a unit that `base` starts the name of.
 fs::path data_file(const fs::path& base, std::string_view name) { return with_ending(base, "." + std::string(name)); }

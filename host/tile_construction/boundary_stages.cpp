@@ -28,8 +28,7 @@ std::vector<std::uint32_t> colors_of(std::uint32_t variant, std::uint8_t axes, s
 std::vector<PlacedPiece> everywhere(std::uint8_t axes, std::uint32_t variant, int dimension)
 {
     std::vector<PlacedPiece> pieces;
-    for (unsigned base = 0; base < 1u << dimension; ++base)
-        pieces.push_back({axes, lattice_point(base), variant});
+    for (unsigned base = 0; base < 1u << dimension; ++base) pieces.push_back({axes, lattice_point(base), variant});
     return pieces;
 }
 
@@ -148,8 +147,7 @@ std::vector<BoundaryStage> boundary_stages(const PoissonTileParameters& p)
     return stages;
 }
 
-std::vector<PlacedPiece> earlier_neighbours(const PoissonTileParameters& p, std::uint8_t axes,
-                                            std::uint32_t variant)
+std::vector<PlacedPiece> earlier_neighbours(const PoissonTileParameters& p, std::uint8_t axes, std::uint32_t variant)
 {
     if (p.kind == PoissonTileKind::edge) {
         if (axes != 0) return {};

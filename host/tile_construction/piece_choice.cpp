@@ -5,8 +5,8 @@
 
 namespace poissonlab {
 
-PieceChoice::PieceChoice(const PoissonTileParameters& parameters, const TileRegions& regions,
-                         const PieceStore& pieces, bool is_last)
+PieceChoice::PieceChoice(const PoissonTileParameters& parameters, const TileRegions& regions, const PieceStore& pieces,
+                         bool is_last)
     : parameters_(parameters), regions_(regions), pieces_(pieces), is_last_(is_last),
       wanted_(asked_squared_distance(parameters))
 {}
@@ -86,8 +86,7 @@ double PieceChoice::carried(const std::vector<PlacedPiece>& neighbours, const st
             if (!extends && piece.base[k] == tile[k]) part |= 1u << k;
         }
         if (!touches) continue;
-        const PartCounts counts =
-            part_counts(pieces_.at(piece.axes, piece.variant), piece.axes, parameters_.dimension);
+        const PartCounts counts = part_counts(pieces_.at(piece.axes, piece.variant), piece.axes, parameters_.dimension);
         // A corner touches two edges of its tile (three faces), an edge two corners (two faces).
         const int sharing =
             parameters_.kind == PoissonTileKind::edge ? 2 : parameters_.dimension - std::popcount(piece.axes);

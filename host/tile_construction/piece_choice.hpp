@@ -69,8 +69,7 @@ private:
     bool is_last_;
     std::uint64_t wanted_;
     std::uint64_t best_failure_ = 0;
-    std::map<std::pair<std::uint8_t, std::uint32_t>, std::vector<Candidate>>
-        candidates_; ///< by axes and variant
+    std::map<std::pair<std::uint8_t, std::uint32_t>, std::vector<Candidate>> candidates_; ///< by axes and variant
 };
 
 }

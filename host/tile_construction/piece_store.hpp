@@ -1,8 +1,8 @@
 // The points of the pieces of a tile set while it is constructed.
 #pragma once
 
-#include "tiles/poisson/tile_pieces.hpp"
 #include "host/tile_construction/tile_torus.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
 
 #include <array>
 #include <cstddef>

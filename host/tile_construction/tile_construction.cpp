@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace poissonlab {
@@ -33,10 +33,9 @@ constexpr std::uint32_t interior_stage = 9;
 class Construction
 {
 public:
-    Construction(const PoissonTileParameters& parameters, TileFiller& filler,
-                 const ConstructionOptions& options)
-        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)),
-          pieces_(parameters), interiors_(parameters.tiles), wanted_(asked_squared_distance(parameters))
+    Construction(const PoissonTileParameters& parameters, TileFiller& filler, const ConstructionOptions& options)
+        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)), pieces_(parameters),
+          interiors_(parameters.tiles), wanted_(asked_squared_distance(parameters))
     {}
 
     ConstructedTileSet run()
@@ -79,12 +78,10 @@ private:
         std::vector<std::size_t> open(tori.size());
         std::iota(open.begin(), open.end(), std::size_t{0});
         for (std::uint32_t attempt = 0; !open.empty(); ++attempt) {
-            if (attempt == max_piece_attempts)
-                give_up_piece(stage, tori[open.front()], choice.best_failure());
+            if (attempt == max_piece_attempts) give_up_piece(stage, tori[open.front()], choice.best_failure());
             std::vector<FillProblem> problems;
             for (const std::size_t i : open) problems.push_back(piece_problem(tori[i], i));
-            std::vector<FilledTorus> filled =
-                filler_.fill(fill_stage, problems, round * attempts_a_round + attempt);
+            std::vector<FilledTorus> filled = filler_.fill(fill_stage, problems, round * attempts_a_round + attempt);
             count(filled);
             for (std::size_t i = 0; i < open.size(); ++i)
                 choice.consider(tori[open[i]], std::move(problems[i]), std::move(filled[i]));
@@ -118,15 +115,13 @@ private:
         double best = 1e300;
         std::uint64_t reached = 0;
         for (std::uint32_t attempt = 0; attempt < max_piece_attempts && best == 1e300; ++attempt) {
-            const std::vector<FilledTorus> filled =
-                filler_.fill(stage, problems, round * attempts_a_round + attempt);
+            const std::vector<FilledTorus> filled = filler_.fill(stage, problems, round * attempts_a_round + attempt);
             count(filled);
             for (std::size_t i = 0; i < filled.size(); ++i) {
                 reached = std::max(reached, filled[i].squared_min_distance);
                 if (filled[i].squared_min_distance < wanted_) continue;
                 const PiecePoints interior = cut_out(filled[i].active, regions_, all_axes(2), {}, true);
-                const double miss =
-                    std::abs(static_cast<double>(p_.points_per_tile - interior.size()) - expected);
+                const double miss = std::abs(static_cast<double>(p_.points_per_tile - interior.size()) - expected);
                 if (miss >= best) continue;
                 best = miss;
                 interiors_[0] = interior;
@@ -150,8 +145,7 @@ private:
         for (std::uint32_t attempt = 0; attempt < max_tile_attempts && !open.empty(); ++attempt) {
             std::vector<FillProblem> problems;
             for (const std::uint32_t tile : open) problems.push_back(interior_problem(tile));
-            const std::vector<FilledTorus> filled =
-                filler_.fill(stage, problems, round * attempts_a_round + attempt);
+            const std::vector<FilledTorus> filled = filler_.fill(stage, problems, round * attempts_a_round + attempt);
             count(filled);
             std::vector<std::uint32_t> left;
             for (std::size_t i = 0; i < open.size(); ++i) {
@@ -162,12 +156,8 @@ private:
                 }
                 interiors_[open[i]] = cut_out(filled[i].active, regions_, all_axes(p_.dimension), {}, false);
                 if (options_.record) {
-                    options_.record({all_axes(p_.dimension),
-                                     open[i],
-                                     {},
-                                     pieces_around(p_, open[i]),
-                                     &problems[i],
-                                     &filled[i]});
+                    options_.record(
+                        {all_axes(p_.dimension), open[i], {}, pieces_around(p_, open[i]), &problems[i], &filled[i]});
                 }
             }
             open = left;
@@ -197,10 +187,9 @@ private:
         FillProblem problem;
         problem.held = pieces_.placed(pieces_around(p_, tile));
         problem.stream = tile;
-        const auto inside =
-            static_cast<std::uint32_t>(std::ranges::count_if(problem.held, [&](const TilePosition& h) {
-                return h[0] < tile_units && h[1] < tile_units && h[2] < tile_units;
-            }));
+        const auto inside = static_cast<std::uint32_t>(std::ranges::count_if(problem.held, [&](const TilePosition& h) {
+            return h[0] < tile_units && h[1] < tile_units && h[2] < tile_units;
+        }));
         if (inside > p_.points_per_tile) too_many_held_.insert(tile);
         problem.active = p_.points_per_tile - std::min(inside, p_.points_per_tile);
         if (p_.lloyd_iterations == 0) return problem;
@@ -213,8 +202,7 @@ private:
     }
 
     /// New last pieces for tiles that could not be filled, one each. Returns all tiles that have these.
-    std::vector<std::uint32_t> remake_boundaries(const std::vector<std::uint32_t>& failed,
-                                                 std::uint32_t round)
+    std::vector<std::uint32_t> remake_boundaries(const std::vector<std::uint32_t>& failed, std::uint32_t round)
     {
         too_many_held_.clear();
         std::vector<std::uint32_t> open;
@@ -235,18 +223,14 @@ private:
             if (!stage.is_last) continue;
             std::vector<BoundaryTorus> tori;
             for (BoundaryTorus torus : stage.tori) {
-                std::erase_if(torus.made, [&](const PlacedPiece& m) {
-                    return !remade.contains({m.axes, m.variant});
-                });
+                std::erase_if(torus.made, [&](const PlacedPiece& m) { return !remade.contains({m.axes, m.variant}); });
                 if (!torus.made.empty()) tori.push_back(torus);
             }
             if (!tori.empty()) make_pieces(stage, tori, round);
         }
         for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
             const std::vector<PlacedPiece> last = last_pieces(tile);
-            if (std::ranges::any_of(last, [&](const PlacedPiece& l) {
-                    return remade.contains({l.axes, l.variant});
-                }))
+            if (std::ranges::any_of(last, [&](const PlacedPiece& l) { return remade.contains({l.axes, l.variant}); }))
                 open.push_back(tile);
         }
         return open;
@@ -272,8 +256,7 @@ private:
         PoissonTileSet set{p_, 0, {}};
         for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
             for (const TilePosition& point : pieces_.placed(pieces_around(p_, tile))) {
-                if (point[0] < tile_units && point[1] < tile_units && point[2] < tile_units)
-                    append(set, point);
+                if (point[0] < tile_units && point[1] < tile_units && point[2] < tile_units) append(set, point);
             }
             for (const TilePosition& point : interiors_[tile]) append(set, point);
         }
@@ -299,31 +282,27 @@ private:
         if (options_.progress) options_.progress(stage, done, total);
     }
 
-    [[noreturn]] void give_up(const std::string& what, std::uint32_t attempts,
-                              std::uint64_t squared_reached) const
+    [[noreturn]] void give_up(const std::string& what, std::uint32_t attempts, std::uint64_t squared_reached) const
     {
-        const std::string reached =
-            squared_reached == 0 ? "its points did not fit"
-                                 : fmt::format("reached {:.4f}", relative_radius_of(squared_reached, p_));
-        const std::string advice = p_.repulsion
-                                       ? "a smaller relative_radius"
-                                       : "repulsion, more lloyd_iterations or a smaller relative_radius";
-        throw InputError(
-            fmt::format("relative_radius = {}: {} of the {} tile set {} after {} attempts; {} may help",
-                        p_.relative_radius, what, kind_name(p_), reached, attempts, advice));
+        const std::string reached = squared_reached == 0
+                                        ? "its points did not fit"
+                                        : fmt::format("reached {:.4f}", relative_radius_of(squared_reached, p_));
+        const std::string advice = p_.repulsion ? "a smaller relative_radius"
+                                                : "repulsion, more lloyd_iterations or a smaller relative_radius";
+        throw InputError(fmt::format("relative_radius = {}: {} of the {} tile set {} after {} attempts; {} may help",
+                                     p_.relative_radius, what, kind_name(p_), reached, attempts, advice));
     }
 
     [[noreturn]] void give_up_piece(const BoundaryStage& stage, const BoundaryTorus& torus,
                                     std::uint64_t squared_reached) const
     {
-        give_up(fmt::format("one of the {} (number {})", stage.name, torus.made.front().variant),
-                max_piece_attempts, squared_reached);
+        give_up(fmt::format("one of the {} (number {})", stage.name, torus.made.front().variant), max_piece_attempts,
+                squared_reached);
     }
 
     [[noreturn]] void give_up_tile(const std::vector<std::uint32_t>& failed) const
     {
-        give_up(fmt::format("tile {}", failed.front()), max_rounds * max_tile_attempts,
-                reached_.at(failed.front()));
+        give_up(fmt::format("tile {}", failed.front()), max_rounds * max_tile_attempts, reached_.at(failed.front()));
     }
 
     const PoissonTileParameters p_;

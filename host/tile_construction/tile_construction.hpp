@@ -9,9 +9,9 @@
 // edge (face, corner), together with all that have it.
 #pragma once
 
+#include "host/tile_construction/tile_filling.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
-#include "host/tile_construction/tile_filling.hpp"
 
 #include <algorithm>
 #include <cstddef>

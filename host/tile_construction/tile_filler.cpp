@@ -135,8 +135,7 @@ private:
         }
         groups_ = filled.size();
         problem_numbers_.write(filled);
-        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts,
-                    all_targets_);
+        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts, all_targets_);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
         download(problems, active_ends, thrown, filled, results);
@@ -147,8 +146,7 @@ private:
         const std::size_t n = problems.size();
         const std::size_t per_problem = axes() * capacity_;
         std::vector<std::int32_t> points(n * per_problem);
-        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n),
-            all_targets(n);
+        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n), all_targets(n);
         for (std::size_t i = 0; i < n; ++i) {
             const FillProblem& problem = problems[i];
             put_held(problem.held, points.data() + i * per_problem);
@@ -164,9 +162,8 @@ private:
         reserve(device_, kept_, n * per_problem);
         reserve(device_, doubles_, n * per_problem);
         reserve(device_, lists_, std::max<std::size_t>(1, n * max_active_ * list_words(settings_.dimension)));
-        for (Buffer<std::uint32_t>* buffer :
-             {&problem_numbers_, &streams_, &held_, &active_, &active_targets_, &all_targets_, &counts_,
-              &levels_, &squared_kept_})
+        for (Buffer<std::uint32_t>* buffer : {&problem_numbers_, &streams_, &held_, &active_, &active_targets_,
+                                              &all_targets_, &counts_, &levels_, &squared_kept_})
             reserve(device_, *buffer, n);
         points_.write(points);
         problem_numbers_.write(numbers);
@@ -191,15 +188,14 @@ private:
         }
     }
 
-    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
-                     std::uint32_t attempts, const Buffer<std::uint32_t>& targets)
+    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number, std::uint32_t attempts,
+                     const Buffer<std::uint32_t>& targets)
     {
-        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt,
-                   zone_number, settings_.stream[0], settings_.stream[1],
-                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
-                   zone.cells, zone.low, zone.extent, distances_,
-                   static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts, targets, points_,
-                   counts_, levels_);
+        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,
+                   settings_.stream[0], settings_.stream[1], static_cast<std::uint32_t>(capacity_),
+                   static_cast<std::uint32_t>(copies_), region_values_, zone.cells, zone.low, zone.extent, distances_,
+                   static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts, targets, points_, counts_,
+                   levels_);
     }
 
     void relax(const FillStage& stage)
@@ -207,8 +203,8 @@ private:
         relax_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
                    static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
                    stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations,
-                   static_cast<std::uint32_t>(settings_.repulsion_passes > 0), settings_.wanted,
-                   reach_values_, static_cast<std::uint32_t>(reaches_.size()),
+                   static_cast<std::uint32_t>(settings_.repulsion_passes > 0), settings_.wanted, reach_values_,
+                   static_cast<std::uint32_t>(reaches_.size()),
                    static_cast<std::int32_t>(list_slack * settings_.spacing), settings_.spacing, lists_,
                    static_cast<std::uint32_t>(max_active_), points_, doubles_, moved_, kept_, squared_kept_);
     }
@@ -222,14 +218,13 @@ private:
     }
 
     /// `count` points of a problem from number `first` on, `images` apart.
-    std::vector<TilePosition> points_of(const std::vector<std::int32_t>& all, std::size_t problem,
-                                        std::size_t first, std::size_t count, std::size_t images) const
+    std::vector<TilePosition> points_of(const std::vector<std::int32_t>& all, std::size_t problem, std::size_t first,
+                                        std::size_t count, std::size_t images) const
     {
         std::vector<TilePosition> points(count);
         const std::int32_t* from = all.data() + problem * axes() * capacity_;
         for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t k = 0; k < axes(); ++k)
-                points[i][k] = from[k * capacity_ + (first + i) * images];
+            for (std::size_t k = 0; k < axes(); ++k) points[i][k] = from[k * capacity_ + (first + i) * images];
         }
         return points;
     }
@@ -273,14 +268,13 @@ private:
     Buffer<std::int32_t> points_, moved_, kept_;
     Buffer<double> doubles_;
     Buffer<std::uint16_t> lists_;
-    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_,
-        levels_, squared_kept_;
+    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_, levels_,
+        squared_kept_;
 };
 
 }
 
-std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
-                                             std::size_t work_group_size)
+std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device, std::size_t work_group_size)
 {
     return std::make_unique<DeviceFiller>(settings, std::move(device), work_group_size);
 }

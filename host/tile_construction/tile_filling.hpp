@@ -6,10 +6,10 @@
 // repulsion. A batch of tori is filled at once.
 #pragma once
 
-#include "host/device/device.hpp"
-#include "tiles/poisson/poisson_tile_set.hpp"
 #include "base/random/random.hpp"
+#include "host/device/device.hpp"
 #include "host/tile_construction/tile_torus.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -18,20 +18,14 @@ inline constexpr std::int32_t torus_units = 2 * tile_units;
 constexpr std::int32_t wrapped(std::int32_t coordinate) { return coordinate & (torus_units - 1); }
 
 /// The shortest difference that is a multiple of the torus away, -tile_units to tile_units - 1.
-constexpr std::int32_t shortest(std::int32_t difference)
-{
-    return wrapped(difference + tile_units) - tile_units;
-}
+constexpr std::int32_t shortest(std::int32_t difference) { return wrapped(difference + tile_units) - tile_units; }
 
 /// Exact.
 std::uint64_t squared_distance(const TilePosition& a, const TilePosition& b, int dimension);
 
 /// The number of a cell of the torus' lattice: its axes, and above them the coordinates of its lowest corner,
 /// a bit an axis.
-constexpr unsigned cell_number(unsigned axes, unsigned base, int dimension)
-{
-    return base << dimension | axes;
-}
+constexpr unsigned cell_number(unsigned axes, unsigned base, int dimension) { return base << dimension | axes; }
 
 /// Cells as bits by their numbers.
 using CellSet = std::uint64_t;

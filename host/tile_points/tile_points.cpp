@@ -45,8 +45,8 @@ Reciprocal reciprocal_of(std::uint32_t width)
 std::array<std::uint32_t, 3> first_place(const TileBlock& block, const TileRun& run)
 {
     const std::uint64_t row = run.first / block.size[0];
-    return {static_cast<std::uint32_t>(run.first % block.size[0]),
-            static_cast<std::uint32_t>(row % block.size[1]), static_cast<std::uint32_t>(row / block.size[1])};
+    return {static_cast<std::uint32_t>(run.first % block.size[0]), static_cast<std::uint32_t>(row % block.size[1]),
+            static_cast<std::uint32_t>(row / block.size[1])};
 }
 
 }
@@ -56,29 +56,24 @@ void check(const TileBlock& block, int dimension)
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t size = block.size[axis];
         if (size < 1 || size > max_block_size)
-            throw InputError(
-                fmt::format("a window of {} tiles along an axis: must be 1 to {}", size, max_block_size));
+            throw InputError(fmt::format("a window of {} tiles along an axis: must be 1 to {}", size, max_block_size));
         if (std::int64_t{block.lowest[axis]} + size > INT32_MAX)
-            throw InputError(
-                fmt::format("a window from {} on: places of tiles have 32 bits", block.lowest[axis]));
+            throw InputError(fmt::format("a window from {} on: places of tiles have 32 bits", block.lowest[axis]));
     }
     if (dimension == 2 && (block.lowest[2] != 0 || block.size[2] != 1))
         throw InputError("a window with layers: the tiles are two-dimensional");
 }
 
-void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period,
-                         std::vector<double>& coordinates)
+void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates)
 {
     const double side = 65536.0 * period;
     for (const std::uint32_t unit : units) coordinates.push_back(unit / side);
 }
 
-TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles,
-                                       std::size_t work_group_size)
+TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles, std::size_t work_group_size)
     : device_(std::move(device)), parameters_(tiles.parameters),
       work_group_size_(work_group_size == 0 ? 256 : work_group_size),
-      values_per_tile_(std::size_t{parameters_.points_per_tile} *
-                       static_cast<std::size_t>(parameters_.dimension)),
+      values_per_tile_(std::size_t{parameters_.points_per_tile} * static_cast<std::size_t>(parameters_.dimension)),
       units_(device_.buffer<std::uint16_t>(tiles.points.size())),
       look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float"))),
       place_floats_(device_.kernel("tile_points.cl", "place_points", options("float"))),
@@ -92,8 +87,8 @@ TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tile
 std::string TilePointGenerator::options(const char* value) const
 {
     return fmt::format("-D KIND={} -D DIMENSION={} -D COLORS={}u -D TILES={}u -D POINTS={}u -D VALUE={}",
-                       static_cast<std::uint32_t>(parameters_.kind), parameters_.dimension,
-                       parameters_.colors, parameters_.tiles, parameters_.points_per_tile, value);
+                       static_cast<std::uint32_t>(parameters_.kind), parameters_.dimension, parameters_.colors,
+                       parameters_.tiles, parameters_.points_per_tile, value);
 }
 
 void TilePointGenerator::look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run)
@@ -110,13 +105,12 @@ void TilePointGenerator::place_values(Kernel& place, const PoissonTiling& tiling
                                       const TileRun& run, Buffer<Value>& points)
 {
     check(block, parameters_.dimension);
-    if (run.count > max_run)
-        throw InputError(fmt::format("a run of {} tiles: must be at most {}", run.count, max_run));
+    if (run.count > max_run) throw InputError(fmt::format("a run of {} tiles: must be at most {}", run.count, max_run));
     look_up(tiling, block, run);
     const auto [x, y, z] = first_place(block, run);
     const auto [factor, shift] = reciprocal_of(block.size[0]);
-    place.run(run.count, work_group_size_, tiles_, units_, block.size[0], factor, shift, block.size[1], x, y,
-              z, run.count, points);
+    place.run(run.count, work_group_size_, tiles_, units_, block.size[0], factor, shift, block.size[1], x, y, z,
+              run.count, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
@@ -154,9 +148,8 @@ PointSet TilePointGenerator::generate_torus(std::uint32_t seed, std::uint32_t pe
     const TileBlock block{{}, {period, period, parameters_.dimension == 3 ? period : 1}};
     check(block, parameters_.dimension);
     set.coordinates.reserve(block.tiles() * values_per_tile_);
-    stream({seed, static_cast<std::int32_t>(period)}, block, [&](std::span<const std::uint32_t> units) {
-        append_torus_points(units, period, set.coordinates);
-    });
+    stream({seed, static_cast<std::int32_t>(period)}, block,
+           [&](std::span<const std::uint32_t> units) { append_torus_points(units, period, set.coordinates); });
     return set;
 }
 

@@ -6,8 +6,8 @@
 // as 32-bit integers in units of 1/65,536 of a tile, which do not.
 #pragma once
 
-#include "host/device/device.hpp"
 #include "base/geometry/point_set.hpp"
+#include "host/device/device.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 
 #include <array>
@@ -40,13 +40,11 @@ struct TileRun
 };
 
 /// Integer positions of a torus of `period` tiles as coordinates in [0, 1): each divided by 65,536 period.
-void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period,
-                         std::vector<double>& coordinates);
+void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates);
 
 namespace reference {
 /// All points of a block, coordinate after coordinate.
-std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling,
-                               const TileBlock& block);
+std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block);
 std::vector<std::uint32_t> exact_tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling,
                                              const TileBlock& block);
 /// All points of the toroidal tiling with this period.
@@ -69,10 +67,8 @@ public:
 
     /// Enqueues the positions of a part of a block; `points` has room for them and may be reused, which is
     /// much faster than memory that nothing was written to before. The block is checked.
-    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
-               Buffer<float>& points);
-    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
-               Buffer<std::uint32_t>& points);
+    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<float>& points);
+    void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<std::uint32_t>& points);
 
     /// Hands all exact positions of a block to `sink`, in pieces of whole tiles: memory does not depend on
     /// the block.

@@ -1,11 +1,11 @@
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include "base/geometry/lattice.hpp"
-#include "tiles/poisson/poisson_tile_set.hpp"
 #include "base/random/random.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <fmt/format.h>
 
@@ -50,8 +50,7 @@ class TileSampler final : public Sampler
 public:
     TileSampler(const PoissonTileParameters& parameters, const SampleRequest& request, Engine engine,
                 const DeviceProvider& device)
-        : seed_(request.seed),
-          side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
+        : seed_(request.seed), side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
     {
         if (engine == Engine::opencl) {
             device_ = &device();
@@ -69,8 +68,7 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
-        return generator_ ? generator_->generate_torus(tiling, side_)
-                          : reference::torus_points(tiles_, tiling, side_);
+        return generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
     }
 
     std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
@@ -89,8 +87,7 @@ private:
     std::optional<TilePointGenerator> generator_;
 };
 
-ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum,
-                           std::string symbol)
+ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum, std::string symbol)
 {
     ParameterSpec spec;
     spec.key = std::move(key);
@@ -108,10 +105,9 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
     if (method.kind == PoissonTileKind::frame) {
         specs.push_back(integer_spec("tiles", "T, tiles of the set", 1, max_tiles, "T"));
     } else {
-        const char* what = method.kind == PoissonTileKind::edge
-                               ? "C, colours of edges; the set has C^12 tiles"
-                           : method.dimension == 3 ? "C, colours of corners; the set has C^8 tiles"
-                                                   : "C, colours of corners; the set has C^4 tiles";
+        const char* what = method.kind == PoissonTileKind::edge ? "C, colours of edges; the set has C^12 tiles"
+                           : method.dimension == 3              ? "C, colours of corners; the set has C^8 tiles"
+                                                                : "C, colours of corners; the set has C^4 tiles";
         const double most = method.kind == PoissonTileKind::edge ? 3 : method.dimension == 3 ? 4 : 32;
         specs.push_back(integer_spec("colors", what, 1, most, "C"));
     }
@@ -146,10 +142,7 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
 }
 
 /// The size of the tile set is what every config has to name.
-const char* size_key(const TileMethod& method)
-{
-    return method.kind == PoissonTileKind::frame ? "tiles" : "colors";
-}
+const char* size_key(const TileMethod& method) { return method.kind == PoissonTileKind::frame ? "tiles" : "colors"; }
 
 /// Where a parameter was set or, where its default holds, the size of the tile set.
 const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const TileMethod& method)
@@ -173,9 +166,8 @@ void check_parameters(const TileMethod& method, const std::string& sampler, cons
         throw InputError(to_string(place_of(parameters, key, method)) + ": " + message);
     }
     if (tiling_side(request.points, tiles.points_per_tile, method.dimension) > 65'536)
-        throw InputError(
-            fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
-                        to_string(where), sampler, request.points));
+        throw InputError(fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
+                                     to_string(where), sampler, request.points));
 }
 
 /// The number of tiles of a set's tiling.
@@ -218,11 +210,10 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
     spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {
-            return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request,
-                                                 engine, device);
+            return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request, engine,
+                                                 device);
         } catch (const InputError& error) { // the radius could not be reached
-            throw InputError(to_string(place_of(parameters, "relative_radius", method)) + ": " +
-                             error.what());
+            throw InputError(to_string(place_of(parameters, "relative_radius", method)) + ": " + error.what());
         }
     };
     return spec;
@@ -235,22 +226,20 @@ std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int
     const auto wanted = static_cast<double>(points) / points_per_tile;
     const double root = std::floor(dimension == 2 ? std::sqrt(wanted) : std::cbrt(wanted));
     const double below = std::max(1.0, root);
-    const bool above_is_nearer =
-        std::pow(below + 1, dimension) - wanted < wanted - std::pow(below, dimension);
+    const bool above_is_nearer = std::pow(below + 1, dimension) - wanted < wanted - std::pow(below, dimension);
     return static_cast<std::uint32_t>(above_is_nearer ? below + 1 : below);
 }
 
 std::vector<SamplerSpec> tile_samplers()
 {
-    return {
-        tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
-                     "a tiling with Poisson disk tiles by the colours of their corners"),
-        tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
-                     "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
-        tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
-                     "a tiling with tiles that have the same points near their borders"),
-        tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
-                     "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
+    return {tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
+                         "a tiling with Poisson disk tiles by the colours of their corners"),
+            tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
+                         "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
+            tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
+                         "a tiling with tiles that have the same points near their borders"),
+            tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
+                         "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
 }
 
 }

@@ -27,8 +27,7 @@ void write_build_record(const std::filesystem::path& tile_set_file, const TileSe
                        {"build_seconds", build.seconds},
                        {"device", build.device},
                        {"threads", build.threads}};
-    write_whole_file(build_record_file(tile_set_file),
-                     json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_whole_file(build_record_file(tile_set_file), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<TileSetBuild> read_build_record(const std::filesystem::path& tile_set_file)

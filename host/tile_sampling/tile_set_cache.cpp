@@ -1,13 +1,13 @@
 #include "host/tile_sampling/tile_set_cache.hpp"
 
-#include "code_hashes.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "code_hashes.hpp"
+#include "host/store/file_lock.hpp"
+#include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
-#include "host/store/file_lock.hpp"
-#include "host/tile_sampling/tile_set_build.hpp"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -27,15 +27,13 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file,
-                                         const PoissonTileParameters& parameters)
+std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file, const PoissonTileParameters& parameters)
 {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
     try {
         PoissonTileSet set = read_tile_set(file);
-        if (set.parameters == parameters && set.squared_min_distance >= asked_squared_distance(parameters))
-            return set;
+        if (set.parameters == parameters && set.squared_min_distance >= asked_squared_distance(parameters)) return set;
     } catch (const InputError&) {
         // Built again below, which replaces it.
     }
@@ -72,7 +70,9 @@ std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters&
     build.threads = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
     const double compiled_before = compile_seconds();
     const auto begin = Clock::now();
-    PoissonTileSet set = build_tile_set(parameters, engine, [=]() -> Device& { return *opened; }, options).set;
+    PoissonTileSet set = build_tile_set(
+                             parameters, engine, [=]() -> Device& { return *opened; }, options)
+                             .set;
     build.seconds = std::max(0.0, seconds_since(begin) - (compile_seconds() - compiled_before));
     return {std::move(set), std::move(build)};
 }
@@ -115,13 +115,13 @@ CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBui
 
 }
 
-ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                                  const DeviceProvider& device, const ConstructionOptions& options)
+ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
+                                  const ConstructionOptions& options)
 {
     check(parameters);
     const FillSettings settings = fill_settings(parameters);
-    const auto filler = engine == Engine::opencl ? make_tile_filler(settings, device())
-                                                 : reference::make_tile_filler(settings);
+    const auto filler =
+        engine == Engine::opencl ? make_tile_filler(settings, device()) : reference::make_tile_filler(settings);
     ConstructedTileSet built = construct_tile_set(parameters, *filler, options);
     built.set.squared_min_distance = certify(built.set).squared_min_distance;
     if (built.set.squared_min_distance < asked_squared_distance(parameters))
@@ -148,14 +148,14 @@ std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* de
         device ? fmt::format("opencl-{:08x}", xxh64_bytes(device->identity()) & 0xFFFFFFFFU) : "reference";
     return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-{}.ptiles", kind_name(p),
                        p.kind == PoissonTileKind::frame ? "t" : "c",
-                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile,
-                       p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
-                       p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed,
-                       maker, POISSONLAB_CONSTRUCTION_VERSION);
+                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile, p.relative_radius,
+                       p.filling == TileFilling::dart_throwing ? "darts" : "relaxation", p.attempts, p.factor,
+                       p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed, maker,
+                       POISSONLAB_CONSTRUCTION_VERSION);
 }
 
-CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                              const DeviceProvider& device, const std::filesystem::path& folder,
+CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
+                              const std::filesystem::path& folder,
                               const std::function<void(const std::string& what)>& on_step)
 {
     const DeviceInfo* const info = engine == Engine::opencl ? &device().info() : nullptr;

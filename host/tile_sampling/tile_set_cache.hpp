@@ -2,9 +2,9 @@
 #pragma once
 
 #include "host/device/device.hpp"
-#include "tiles/poisson/poisson_tile_set.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -14,8 +14,8 @@ namespace poissonlab {
 
 /// Constructs a tile set and proves its minimum distance, which the set then states. Throws InputError where
 /// construct_tile_set() does.
-ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine,
-                                  const DeviceProvider& device, const ConstructionOptions& options = {});
+ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
+                                  const ConstructionOptions& options = {});
 
 /// Where built tile sets are kept: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else
 /// ~/.cache/poissonlab; empty where the environment has none of these.

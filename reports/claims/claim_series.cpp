@@ -1,9 +1,9 @@
 #include "reports/claims/claim_series.hpp"
 
 #include "analysis/zone_plate/false_rings.hpp"
-#include "base/images/square_image_file.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/errors/errors.hpp"
+#include "base/images/square_image_file.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

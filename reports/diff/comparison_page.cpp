@@ -3,9 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/diff/comparison_text.hpp"
-#include "reports/pages/page_frame.hpp"
 #include "reports/layout/series_pictures.hpp"
 #include "reports/layout/site.hpp"
+#include "reports/pages/page_frame.hpp"
 
 #include <fmt/format.h>
 

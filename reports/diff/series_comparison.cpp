@@ -1,7 +1,7 @@
 // Which numbers of a series are compared, each with its unit and which way is better.
+#include "reports/diff/run_comparison.hpp"
 #include "results/pair_correlation_table.hpp"
 #include "results/radial_table.hpp"
-#include "reports/diff/run_comparison.hpp"
 
 namespace poissonlab {
 

@@ -12,9 +12,8 @@ namespace {
 constexpr double picture_width = 860;
 constexpr double widest_panel = 400; // and highest
 constexpr double margin = 14;
-constexpr double gap = 26; // more than two disks at the borders of panels
-constexpr double label_space =
-    22; // from a row of panels to the middle of its letters, and on to the next row
+constexpr double gap = 26;         // more than two disks at the borders of panels
+constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
 
 DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
 {
@@ -39,17 +38,15 @@ std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& siz
     }
     const auto count = static_cast<double>(columns);
     const double room = (picture_width - 2 * margin - (count - 1) * gap) / count;
-    const double scale = columns == 1
-                             ? room / widest
-                             : std::min({room, widest_panel, widest_panel * widest / highest}) / widest;
+    const double scale =
+        columns == 1 ? room / widest : std::min({room, widest_panel, widest_panel * widest / highest}) / widest;
     const double pitch = scale * widest;
     std::vector<PanelPlace> places;
     double y = margin;
     for (std::size_t first = 0; first < scene.panels.size(); first += columns) {
         const std::size_t end = std::min(first + columns, scene.panels.size());
         double high = 0;
-        for (std::size_t i = first; i < end; ++i)
-            high = std::max(high, scale * panel_size(scene, scene.panels[i])[1]);
+        for (std::size_t i = first; i < end; ++i) high = std::max(high, scale * panel_size(scene, scene.panels[i])[1]);
         for (std::size_t i = first; i < end; ++i) {
             const DrawingPoint own = panel_size(scene, scene.panels[i]);
             const double x = margin + static_cast<double>(i - first) * (pitch + gap);

@@ -56,8 +56,7 @@ struct Block
 
 DrawingPoint project(const DrawingPoint& origin, const Place& place)
 {
-    const auto x = static_cast<double>(place[0]), y = static_cast<double>(place[1]),
-               z = static_cast<double>(place[2]);
+    const auto x = static_cast<double>(place[0]), y = static_cast<double>(place[1]), z = static_cast<double>(place[2]);
     return {origin[0] + (x + y) * half_sqrt3 * edge_length, origin[1] + ((x - y) / 2 - z) * edge_length};
 }
 
@@ -71,8 +70,7 @@ struct Extent
 
 Extent extent_of(const Place& size)
 {
-    const auto x = static_cast<double>(size[0]), y = static_cast<double>(size[1]),
-               z = static_cast<double>(size[2]);
+    const auto x = static_cast<double>(size[0]), y = static_cast<double>(size[1]), z = static_cast<double>(size[2]);
     return {(x + y) * half_sqrt3 * edge_length, ((x + y) / 2 + z) * edge_length, (y / 2 + z) * edge_length};
 }
 
@@ -87,8 +85,7 @@ Face face_of(const Block& block, const Side& side, const Place& cube, Color colo
     const CornerCube tile = cube_tile(index, colors);
     Face face{&side, {}, {}, {}};
     for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            face.lattice[i][axis] = cube[axis] + side.corners[i][axis];
+        for (std::size_t axis = 0; axis < 3; ++axis) face.lattice[i][axis] = cube[axis] + side.corners[i][axis];
         face.colors[i] = color_at(tile, side.corners[i]);
     }
     const DrawingPoint corner = project(block.origin, face.lattice[0]);
@@ -103,13 +100,11 @@ std::vector<Face> faces_of(const Block& block, Color colors)
     const auto& [nx, ny, nz] = block.size;
     std::vector<Face> faces;
     for (std::size_t y = 0; y < ny; ++y)
-        for (std::size_t x = 0; x < nx; ++x)
-            faces.push_back(face_of(block, sides[0], {x, y, nz - 1}, colors));
+        for (std::size_t x = 0; x < nx; ++x) faces.push_back(face_of(block, sides[0], {x, y, nz - 1}, colors));
     for (std::size_t z = 0; z < nz; ++z)
         for (std::size_t x = 0; x < nx; ++x) faces.push_back(face_of(block, sides[1], {x, 0, z}, colors));
     for (std::size_t z = 0; z < nz; ++z)
-        for (std::size_t y = 0; y < ny; ++y)
-            faces.push_back(face_of(block, sides[2], {nx - 1, y, z}, colors));
+        for (std::size_t y = 0; y < ny; ++y) faces.push_back(face_of(block, sides[2], {nx - 1, y, z}, colors));
     return faces;
 }
 
@@ -119,8 +114,7 @@ std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
     const auto& [nx, ny, nz] = grid.size;
     if (nx == 0 || ny == 0 || nz == 0 || grid.cubes.size() > nx * ny * nz ||
         (!grid.has_gaps && grid.cubes.size() < nx * ny * nz))
-        throw std::logic_error(
-            fmt::format("{} cubes in a block of {} x {} x {}", grid.cubes.size(), nx, ny, nz));
+        throw std::logic_error(fmt::format("{} cubes in a block of {} x {} x {}", grid.cubes.size(), nx, ny, nz));
     const Extent extent = extent_of(grid.has_gaps ? Place{1, 1, 1} : grid.size);
     const std::size_t columns = grid.has_gaps ? nx : 1;
     const std::size_t count = grid.has_gaps ? grid.cubes.size() : 1;
@@ -130,18 +124,15 @@ std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
     std::vector<Block> blocks;
     for (std::size_t i = 0; i < count; ++i) {
         const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-        blocks.push_back({grid.has_gaps ? Place{1, 1, 1} : grid.size,
-                          {margin + column * (extent.width + gap_size),
-                           margin + row * (extent.height + gap_size) + extent.ascent},
-                          grid.cubes.data() + i});
+        blocks.push_back(
+            {grid.has_gaps ? Place{1, 1, 1} : grid.size,
+             {margin + column * (extent.width + gap_size), margin + row * (extent.height + gap_size) + extent.ascent},
+             grid.cubes.data() + i});
     }
     return blocks;
 }
 
-std::string shaded(const std::string& color, const Side& side)
-{
-    return mixed_color(color, "#000000", side.shade);
-}
+std::string shaded(const std::string& color, const Side& side) { return mixed_color(color, "#000000", side.shade); }
 
 std::vector<DrawingPoint> circle(const DrawingPoint& center, double radius)
 {
@@ -179,8 +170,7 @@ void add_plain_faces(std::vector<Shape>& shapes, const std::vector<Face>& faces)
 {
     std::vector<Shape> plain;
     plain.reserve(faces.size());
-    for (const Face& face : faces)
-        plain.push_back({face.square.outline(), shaded("#ffffff", *face.side), {}});
+    for (const Face& face : faces) plain.push_back({face.square.outline(), shaded("#ffffff", *face.side), {}});
     group_by_fill(plain);
     shapes.insert(shapes.end(), plain.begin(), plain.end());
 }
@@ -196,11 +186,9 @@ CubeGrid cube_set_grid(const TileSet& cubes, std::size_t columns)
 {
     if (cubes.kind() != TileKind::cube) throw std::logic_error("only cubes are drawn as cubes");
     check_drawn_count(cubes.size());
-    if (columns == 0)
-        columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(cubes.size()))));
+    if (columns == 0) columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(cubes.size()))));
     CubeGrid grid{cubes.colors().horizontal, {columns, (cubes.size() + columns - 1) / columns, 1}, {}, true};
-    for (std::uint64_t position = 0; position < cubes.size(); ++position)
-        grid.cubes.push_back(cubes.index(position));
+    for (std::uint64_t position = 0; position < cubes.size(); ++position) grid.cubes.push_back(cubes.index(position));
     return grid;
 }
 
@@ -209,8 +197,7 @@ CubeGrid cube_tiling_grid(const CubeTiling& tiling, const CubeWindow& window)
     check_drawn_count(std::max({window.width, window.height, window.depth}));
     check_drawn_count(window.width * window.height);
     check_drawn_count(window.width * window.height * window.depth);
-    CubeGrid grid{
-        tiling.tile_set().colors().horizontal, {window.width, window.height, window.depth}, {}, false};
+    CubeGrid grid{tiling.tile_set().colors().horizontal, {window.width, window.height, window.depth}, {}, false};
     for (std::uint64_t z = 0; z < window.depth; ++z)
         for (std::uint64_t y = 0; y < window.height; ++y)
             for (std::uint64_t x = 0; x < window.width; ++x)
@@ -256,8 +243,7 @@ Drawing draw_cube_regions(const CubeGrid& grid, double radius)
         throw InputError(fmt::format("tile regions for the Poisson sphere radius {}: must be above 0 and at "
                                      "most {:.4f} of the cube's side",
                                      radius, max_sphere_region_radius));
-    const RegionSizes sizes{std::min(0.5, radius * (1 + 2 * std::numbers::sqrt2)),
-                            radius * (1 + std::numbers::sqrt2)};
+    const RegionSizes sizes{std::min(0.5, radius * (1 + 2 * std::numbers::sqrt2)), radius * (1 + std::numbers::sqrt2)};
     Drawing drawing;
     std::vector<Face> faces;
     for (const Block& block : blocks_of(grid, drawing))

@@ -47,8 +47,7 @@ std::string mixed_color(const std::string& first, const std::string& second, dou
 
 void check_drawing(const Drawing& drawing)
 {
-    if (!(drawing.width > 0 && drawing.height > 0 && is_drawable(drawing.width) &&
-          is_drawable(drawing.height)))
+    if (!(drawing.width > 0 && drawing.height > 0 && is_drawable(drawing.width) && is_drawable(drawing.height)))
         throw std::logic_error(fmt::format("a drawing of {} x {}", drawing.width, drawing.height));
     for (const Shape& shape : drawing.shapes) {
         if (!shape.fill.empty()) color_channels(shape.fill);

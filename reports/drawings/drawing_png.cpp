@@ -44,8 +44,8 @@ public:
     {
         if (polygon.empty()) return;
         const auto [top, bottom] = std::ranges::minmax(polygon, {}, [](const auto& p) { return p[1]; });
-        for (int row = std::max(first_, first_center(top[1]));
-             row < std::min(first_ + rows_, first_center(bottom[1])); ++row) {
+        for (int row = std::max(first_, first_center(top[1])); row < std::min(first_ + rows_, first_center(bottom[1]));
+             ++row) {
             find_crossings(polygon, row + 0.5);
             int turns = 0;
             for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
@@ -71,8 +71,7 @@ public:
 private:
     std::size_t index(int column, int row) const
     {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-               static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
 
     /// The first sample whose centre is at `coordinate` or beyond; far outside, any that is outside.
@@ -169,8 +168,7 @@ public:
                 y *= scale_;
             }
             if (!shape.fill.empty()) band.paint(outline, rgb(shape.fill));
-            if (!shape.stroke.empty())
-                paint_stroke(band, outline, shape.stroke_width * scale_, rgb(shape.stroke));
+            if (!shape.stroke.empty()) paint_stroke(band, outline, shape.stroke_width * scale_, rgb(shape.stroke));
         }
     }
 
@@ -189,8 +187,8 @@ void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing
     constexpr double rounding = 1e-9; // an exact fit is not a pixel more
     const double pixels_high = std::max(1.0, std::ceil(drawing.height * scale * (1 - rounding)));
     if (pixels_wide < 1 || pixels_wide > max_drawing_pixels || pixels_high > max_drawing_pixels)
-        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way",
-                                     path.string(), pixels_wide, pixels_high, max_drawing_pixels));
+        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way", path.string(),
+                                     pixels_wide, pixels_high, max_drawing_pixels));
     const int height = static_cast<int>(pixels_high);
     const Painter painter(drawing, scale * samples);
     PngLayout layout{pixels_wide, height, 3};

@@ -52,13 +52,11 @@ public:
         if (panel_.modified || panel_.has_points()) return;
         for (const StoredPiece& piece : panel_.pieces) {
             if (piece.axes != 0) continue;
-            const ShapeVector middle{double(piece.base[0]) * tile_units, double(piece.base[1]) * tile_units,
-                                     0};
+            const ShapeVector middle{double(piece.base[0]) * tile_units, double(piece.base[1]) * tile_units, 0};
             for (std::size_t i = 0; i < arc_points; ++i) {
                 const ShapeVector a = around(middle, scene_.width, i, arc_points);
                 const ShapeVector b = around(middle, scene_.width, i + 1, arc_points);
-                if (is_in_part(a) && is_in_part(b))
-                    shapes_.push_back({{at(a), at(b)}, {}, region_outline, 0.7});
+                if (is_in_part(a) && is_in_part(b)) shapes_.push_back({{at(a), at(b)}, {}, region_outline, 0.7});
             }
         }
     }
@@ -122,16 +120,14 @@ private:
     std::vector<DrawingPoint> circle(const ShapeVector& middle, double radius, std::size_t points) const
     {
         std::vector<DrawingPoint> result;
-        for (std::size_t i = 0; i < points; ++i)
-            result.push_back(at(around(middle, radius / scale_, i, points)));
+        for (std::size_t i = 0; i < points; ++i) result.push_back(at(around(middle, radius / scale_, i, points)));
         return result;
     }
 
     bool is_in_part(const ShapeVector& place) const
     {
         const auto low = panel_.part.low, high = panel_.part.high();
-        return place[0] >= low[0] - 1 && place[0] <= high[0] + 1 && place[1] >= low[1] - 1 &&
-               place[1] <= high[1] + 1;
+        return place[0] >= low[0] - 1 && place[0] <= high[0] + 1 && place[1] >= low[1] - 1 && place[1] <= high[1] + 1;
     }
 
     std::vector<Shape>& shapes_;
@@ -143,10 +139,7 @@ private:
 
 }
 
-DrawingPoint plane_panel_size(const StoredPanel& panel)
-{
-    return {panel.window.size[0], panel.window.size[1]};
-}
+DrawingPoint plane_panel_size(const StoredPanel& panel) { return {panel.window.size[0], panel.window.size[1]}; }
 
 void add_plane_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
                      const DrawingPoint& origin, double scale)

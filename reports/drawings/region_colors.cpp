@@ -67,9 +67,8 @@ std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
 
 std::string wire_color(const StoredPiece& piece)
 {
-    const bool one = !piece.colors.empty() && std::ranges::all_of(piece.colors, [&](std::uint32_t c) {
-        return c == piece.colors.front();
-    });
+    const bool one = !piece.colors.empty() &&
+                     std::ranges::all_of(piece.colors, [&](std::uint32_t c) { return c == piece.colors.front(); });
     return one ? mixed_color(tile_color(piece.colors.front()), "#000000", 0.3) : "#808080";
 }
 

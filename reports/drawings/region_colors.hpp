@@ -15,7 +15,7 @@ namespace poissonlab {
 struct ColoredPart
 {
     std::vector<ShapeHalfSpace> bounds; ///< that cut it out of the region
-    std::string fill;              ///< "#rrggbb"
+    std::string fill;                   ///< "#rrggbb"
 };
 
 /// All parts of a piece's region.

@@ -70,8 +70,7 @@ class SpacePanel
 public:
     SpacePanel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
                const DrawingPoint& origin, double scale)
-        : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), corner_(extent(panel)[0]),
-          scale_(scale)
+        : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), corner_(extent(panel)[0]), scale_(scale)
     {
         for (const StoredPiece& piece : panel.pieces) {
             RegionShape body = shown_region(scene, panel, piece);
@@ -104,8 +103,7 @@ public:
                     RegionShape piece{{face}};
                     for (const ShapeHalfSpace& bound : part.bounds) piece = clipped(piece, bound);
                     if (!piece.faces.empty())
-                        shapes_.push_back(
-                            {outline(piece.faces.front()), mixed_color(part.fill, "#000000", shade), {}});
+                        shapes_.push_back({outline(piece.faces.front()), mixed_color(part.fill, "#000000", shade), {}});
                 }
                 shapes_.push_back({outline(face), {}, body_outline, 0.7});
             }
@@ -139,16 +137,14 @@ public:
         };
         std::vector<Sphere> spheres;
         for (std::size_t kind = 0; kind < panel_.points.size(); ++kind)
-            for (const ShapeVector& point : panel_.points[kind])
-                spheres.push_back({nearness(point), point, kind});
+            for (const ShapeVector& point : panel_.points[kind]) spheres.push_back({nearness(point), point, kind});
         if (spheres.empty()) return;
         std::ranges::stable_sort(spheres, {}, &Sphere::near);
         const auto [farthest, nearest] = ends_of_sight();
         for (const Sphere& sphere : spheres) {
             const double radius = sphere_parts.at(sphere.kind) * scene_.radius * scale_;
             const double depth = std::clamp((nearest - sphere.near) / (nearest - farthest), 0.0, 1.0);
-            const std::string color =
-                mixed_color(point_color(sphere.kind).fill, "#ffffff", farthest_paleness * depth);
+            const std::string color = mixed_color(point_color(sphere.kind).fill, "#ffffff", farthest_paleness * depth);
             const DrawingPoint middle = at(sphere.place);
             shapes_.push_back({circle(middle, radius), color, mixed_color(color, "#000000", 0.3), 0.5});
             const DrawingPoint shine{middle[0] - 0.3 * radius, middle[1] - 0.35 * radius};

@@ -41,8 +41,8 @@ bool is_outside(const RegionShape& body, const ShapeFace& face)
 {
     const double limit = dot(face.normal, face.corners.front()) - tolerance * length(face.normal);
     return std::ranges::all_of(body.faces, [&](const ShapeFace& other) {
-        return std::ranges::all_of(
-            other.corners, [&](const ShapeVector& corner) { return dot(face.normal, corner) >= limit; });
+        return std::ranges::all_of(other.corners,
+                                   [&](const ShapeVector& corner) { return dot(face.normal, corner) >= limit; });
     });
 }
 
@@ -82,8 +82,7 @@ bool is_behind(const RegionShape& a, const RegionShape& b)
 DrawingPoint projected(const ShapeVector& p)
 {
     const double back = p[1] * std::cos(turn) - p[0] * std::sin(turn);
-    return {p[0] * std::cos(turn) + p[1] * std::sin(turn),
-            -back * std::sin(elevation) - p[2] * std::cos(elevation)};
+    return {p[0] * std::cos(turn) + p[1] * std::sin(turn), -back * std::sin(elevation) - p[2] * std::cos(elevation)};
 }
 
 double nearness(const ShapeVector& place) { return dot(place, to_viewer); }
@@ -99,8 +98,7 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
 {
     std::vector<std::vector<bool>> behind(bodies.size(), std::vector<bool>(bodies.size()));
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (std::size_t j = 0; j < bodies.size(); ++j)
-            behind[i][j] = i != j && is_behind(bodies[i], bodies[j]);
+        for (std::size_t j = 0; j < bodies.size(); ++j) behind[i][j] = i != j && is_behind(bodies[i], bodies[j]);
     std::vector<std::size_t> order;
     std::vector<bool> done(bodies.size());
     while (order.size() < bodies.size()) {
@@ -111,8 +109,7 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
         for (std::size_t i = 0; i < bodies.size(); ++i) {
             if (done[i]) continue;
             bool hides_none = true;
-            for (std::size_t j = 0; j < bodies.size(); ++j)
-                hides_none = hides_none && (done[j] || !behind[j][i]);
+            for (std::size_t j = 0; j < bodies.size(); ++j) hides_none = hides_none && (done[j] || !behind[j][i]);
             const double near = nearness(middle_of(bodies[i]));
             if ((hides_none && !is_free) || (hides_none == is_free && near < best)) {
                 next = i;

@@ -5,8 +5,8 @@
 // hides another, and lattices of points do not fall into lines.
 #pragma once
 
-#include "tiles/poisson/region_shapes.hpp"
 #include "reports/drawings/drawing.hpp"
+#include "tiles/poisson/region_shapes.hpp"
 
 #include <cstddef>
 #include <vector>

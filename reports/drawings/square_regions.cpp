@@ -10,11 +10,10 @@ constexpr double outline_width = 0.4;
 constexpr double paleness = 0.6;
 
 /// From `start` to `end` along an edge.
-std::vector<DrawingPoint> strip(const DrawnSquare& square, std::size_t edge, double start, double end,
-                                double width)
+std::vector<DrawingPoint> strip(const DrawnSquare& square, std::size_t edge, double start, double end, double width)
 {
-    return {square.beside_edge(edge, start, 0), square.beside_edge(edge, end, 0),
-            square.beside_edge(edge, end, width), square.beside_edge(edge, start, width)};
+    return {square.beside_edge(edge, start, 0), square.beside_edge(edge, end, 0), square.beside_edge(edge, end, width),
+            square.beside_edge(edge, start, width)};
 }
 
 }
@@ -33,14 +32,11 @@ DrawingPoint DrawnSquare::beside_edge(std::size_t edge, double along, double inw
     }
 }
 
-Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner,
-                    const std::string& color)
+Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner, const std::string& color)
 {
-    const auto place = [&](double along, double inwards) {
-        return square.beside_edge(corner, along, inwards);
-    };
-    return {{place(0, 0), place(sizes.reach, 0), place(sizes.reach, sizes.width),
-             place(sizes.width, sizes.reach), place(0, sizes.reach)},
+    const auto place = [&](double along, double inwards) { return square.beside_edge(corner, along, inwards); };
+    return {{place(0, 0), place(sizes.reach, 0), place(sizes.reach, sizes.width), place(sizes.width, sizes.reach),
+             place(0, sizes.reach)},
             color,
             {}};
 }
@@ -55,9 +51,7 @@ Shape half_edge_region(const DrawnSquare& square, RegionSizes sizes, std::size_t
 {
     const double middle = 0.5;
     return {
-        strip(square, edge, second ? middle : sizes.reach, second ? 1 - sizes.reach : middle, sizes.width),
-        color,
-        {}};
+        strip(square, edge, second ? middle : sizes.reach, second ? 1 - sizes.reach : middle, sizes.width), color, {}};
 }
 
 std::string edge_tint(const std::string& color) { return mixed_color(color, "#ffffff", paleness); }

@@ -52,8 +52,7 @@ constexpr std::array<Color, 4> edge_colors(const WangTile& tile)
     return {tile.south, tile.east, tile.north, tile.west};
 }
 
-Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner,
-                    const std::string& color);
+Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner, const std::string& color);
 Shape edge_region(const DrawnSquare& square, RegionSizes sizes, std::size_t edge, const std::string& color);
 
 /// The half of an edge region on the side of the edge's first or second corner.

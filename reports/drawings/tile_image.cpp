@@ -33,10 +33,9 @@ void add_wang_tile(std::vector<Shape>& shapes, const WangTile& tile, const Drawn
 {
     const auto colors = edge_colors(tile);
     for (std::size_t edge = 0; edge < 4; ++edge)
-        shapes.push_back(
-            {{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
-             tile_color(colors[edge]),
-             {}});
+        shapes.push_back({{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
+                          tile_color(colors[edge]),
+                          {}});
 }
 
 /// A quarter of a disk around each corner.
@@ -59,8 +58,7 @@ void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const D
 void check_drawn_count(std::uint64_t tiles)
 {
     if (tiles > max_drawn_tiles)
-        throw InputError(
-            fmt::format("a picture of {} tiles: at most {} can be drawn", tiles, max_drawn_tiles));
+        throw InputError(fmt::format("a picture of {} tiles: at most {} can be drawn", tiles, max_drawn_tiles));
 }
 
 std::string tile_color(Color color)
@@ -69,18 +67,15 @@ std::string tile_color(Color color)
                                                   "#0000ff", "#ff00ff", "#ff8000", "#808080"};
     if (color < known.size()) return known[color];
     const double turns = color * 0.6180339887498949; // golden section: far from those before
-    return fmt::format("#{:02x}{:02x}{:02x}", channel(turns), channel(turns - 1.0 / 3),
-                       channel(turns - 2.0 / 3));
+    return fmt::format("#{:02x}{:02x}{:02x}", channel(turns), channel(turns - 1.0 / 3), channel(turns - 2.0 / 3));
 }
 
 TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns)
 {
     check_drawn_count(tiles.size());
-    const auto nearly_square =
-        static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
+    const auto nearly_square = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
     TileGrid grid{tiles.kind(), tiles.colors(), columns > 0 ? columns : nearly_square, {}, true};
-    for (std::uint64_t position = 0; position < tiles.size(); ++position)
-        grid.tiles.push_back(tiles.index(position));
+    for (std::uint64_t position = 0; position < tiles.size(); ++position) grid.tiles.push_back(tiles.index(position));
     return grid;
 }
 
@@ -111,9 +106,8 @@ DrawnSquare tile_square(const TileGrid& grid, std::size_t tile)
 {
     const auto column = static_cast<double>(tile % grid.columns);
     const auto row = static_cast<double>(tile / grid.columns);
-    return {{gap_size + column * pitch(grid), gap_size + row * pitch(grid) + tile_size},
-            {tile_size, 0},
-            {0, -tile_size}};
+    return {
+        {gap_size + column * pitch(grid), gap_size + row * pitch(grid) + tile_size}, {tile_size, 0}, {0, -tile_size}};
 }
 
 void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double width)
@@ -129,8 +123,7 @@ Drawing draw_tiles(const TileGrid& grid)
         if (grid.kind == TileKind::wang)
             add_wang_tile(drawing.shapes, wang_tile(grid.tiles[i], grid.colors), tile_square(grid, i));
         else
-            add_corner_tile(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal),
-                            tile_square(grid, i));
+            add_corner_tile(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal), tile_square(grid, i));
     }
     group_by_fill(drawing.shapes);
     add_tile_borders(drawing.shapes, grid, 1);

@@ -12,8 +12,7 @@ namespace {
 
 const std::string shared_corner_color = "#d0d0d0";
 
-void add_wang_regions(std::vector<Shape>& shapes, const WangTile& tile, const DrawnSquare& square,
-                      RegionSizes sizes)
+void add_wang_regions(std::vector<Shape>& shapes, const WangTile& tile, const DrawnSquare& square, RegionSizes sizes)
 {
     const auto colors = edge_colors(tile);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -46,11 +45,10 @@ Drawing draw_tile_regions(const TileGrid& grid, double radius)
     Drawing drawing = empty_tile_drawing(grid);
     for (std::size_t i = 0; i < grid.tiles.size(); ++i) {
         if (grid.kind == TileKind::wang)
-            add_wang_regions(drawing.shapes, wang_tile(grid.tiles[i], grid.colors), tile_square(grid, i),
-                             sizes);
+            add_wang_regions(drawing.shapes, wang_tile(grid.tiles[i], grid.colors), tile_square(grid, i), sizes);
         else
-            add_corner_regions(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal),
-                               tile_square(grid, i), sizes);
+            add_corner_regions(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal), tile_square(grid, i),
+                               sizes);
     }
     group_by_fill(drawing.shapes);
     for (std::size_t i = 0; i < grid.tiles.size(); ++i)

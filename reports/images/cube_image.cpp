@@ -60,28 +60,26 @@ double power_at(const std::vector<Spectrum>& planes, const Hit& hit)
 
 }
 
-GreyImage draw_spectrum_cube(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
-                             double scale)
+GreyImage draw_spectrum_cube(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping, double scale)
 {
     const double pixels = scale * planes.front().size / 2; // of a unit length
-    GreyImage image(static_cast<int>(std::ceil(width * pixels)) + 2,
-                    static_cast<int>(std::ceil(height * pixels)) + 2, 255);
+    GreyImage image(static_cast<int>(std::ceil(width * pixels)) + 2, static_cast<int>(std::ceil(height * pixels)) + 2,
+                    255);
     // Surfaces of neighbouring pixels: where they differ, there is an edge.
     const int nothing = 6;
     const auto surface_of = [&](const std::optional<Hit>& hit) {
         return hit ? static_cast<int>(hit->axis) + (hit->position[hit->axis] > 0.5 ? 3 : 0) : nothing;
     };
     const auto hit_at = [&](int column, int row) {
-        const double a = (column + 0.5 - 0.5 * image.width) / pixels,
-                     b = (0.5 * image.height - row - 0.5) / pixels;
+        const double a = (column + 0.5 - 0.5 * image.width) / pixels, b = (0.5 * image.height - row - 0.5) / pixels;
         return first_hit({-across * a - up * b, across * a - up * b, 2 * up * b});
     };
     for (int row = 0; row < image.height; ++row)
         for (int column = 0; column < image.width; ++column) {
             const auto hit = hit_at(column, row);
             const int surface = surface_of(hit);
-            const bool edge = surface != surface_of(hit_at(column + 1, row)) ||
-                              surface != surface_of(hit_at(column, row + 1));
+            const bool edge =
+                surface != surface_of(hit_at(column + 1, row)) || surface != surface_of(hit_at(column, row + 1));
             if (edge)
                 image.at(column, row) = 0;
             else if (hit)

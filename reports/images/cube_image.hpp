@@ -14,7 +14,6 @@ namespace poissonlab {
 /// planes. `planes` begin with the coordinate planes xy, xz, yz and the outer faces at -M/2, as
 /// shown_planes() does (a set's spectrum is the same at f and -f). Edges are black, the rest is white. The
 /// picture is about 1.5 M wide and 1.7 M high, with `scale` 2 twice that.
-GreyImage draw_spectrum_cube(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
-                             double scale = 1);
+GreyImage draw_spectrum_cube(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping, double scale = 1);
 
 }

@@ -40,7 +40,7 @@ private:
 
     std::filesystem::path folder_;
     std::filesystem::path list_;
-    std::string program_; ///< a hash of this program; empty where it cannot be read
+    std::string program_;                      ///< a hash of this program; empty where it cannot be read
     std::map<std::string, std::string> known_; ///< by a picture's path in the folder
     std::map<std::string, std::string> noted_;
     mutable std::mutex mutex_;

@@ -26,8 +26,7 @@ void draw_letter(GreyImage& image, char letter, int left, int top, int scale)
         for (int x = 0; x < letter_width * scale; ++x) {
             const unsigned bit = 1U << (letter_width - 1 - x / scale);
             const bool inside = left + x < image.width && top + y < image.height;
-            if (inside && (rows.at(static_cast<std::size_t>(y / scale)) & bit))
-                image.at(left + x, top + y) = 0;
+            if (inside && (rows.at(static_cast<std::size_t>(y / scale)) & bit)) image.at(left + x, top + y) = 0;
         }
 }
 
@@ -35,8 +34,7 @@ void copy(const GreyImage& from, GreyImage& to, int left, int top)
 {
     GreyImage source = from;
     for (int row = 0; row < from.height; ++row)
-        for (int column = 0; column < from.width; ++column)
-            to.at(left + column, top + row) = source.at(column, row);
+        for (int column = 0; column < from.width; ++column) to.at(left + column, top + row) = source.at(column, row);
 }
 
 }
@@ -76,8 +74,7 @@ GreyImage draw_planes(const std::vector<NamedPlane>& planes, const ToneMapping& 
 
 }
 
-GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
-                               int block)
+GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping, int block)
 {
     return draw_planes({{planes.at(0), "xy", 0, 1}, {planes.at(1), "xz", 0, 0}, {planes.at(2), "yz", 1, 0}},
                        tone_mapping, block);
@@ -87,8 +84,7 @@ GreyImage draw_plane_row(const std::vector<Spectrum>& planes, const std::vector<
                          const ToneMapping& tone_mapping, int block)
 {
     std::vector<NamedPlane> row;
-    for (std::size_t i = 0; i < planes.size(); ++i)
-        row.push_back({planes[i], names.at(i), static_cast<int>(i), 0});
+    for (std::size_t i = 0; i < planes.size(); ++i) row.push_back({planes[i], names.at(i), static_cast<int>(i), 0});
     return draw_planes(row, tone_mapping, block);
 }
 

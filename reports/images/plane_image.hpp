@@ -14,8 +14,7 @@ namespace poissonlab {
 /// The coordinate planes as two faces of a cube above a third: xz and yz in the upper row, z upwards in both;
 /// xy below xz, with the same x. Each has its name above it. `planes` begin with these, as shown_planes()
 /// does.
-GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping,
-                               int block = 1);
+GreyImage draw_spectrum_planes(const std::vector<Spectrum>& planes, const ToneMapping& tone_mapping, int block = 1);
 
 /// Planes side by side, named. `planes` and `names` (of the letters x, y and z) have the same size.
 GreyImage draw_plane_row(const std::vector<Spectrum>& planes, const std::vector<std::string>& names,

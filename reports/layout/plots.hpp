@@ -1,8 +1,8 @@
 // All plots of a report's series: of each one, and of several together.
 #pragma once
 
-#include "reports/plots/gnuplot.hpp"
 #include "reports/layout/report_layout.hpp"
+#include "reports/plots/gnuplot.hpp"
 
 #include <cstddef>
 #include <filesystem>

@@ -151,15 +151,16 @@ std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>
         for (const auto& integral : series[i].stored->measures.integration) {
             const auto place = places.try_emplace({firsts[i], integral.integrand}, curves.size()).first->second;
             if (place == curves.size())
-                curves.push_back({firsts[i], label_without_points(series[i].label, series[i].stored->points),
-                                  integral.integrand, {}});
-            curves[place].samples.push_back({static_cast<double>(series[i].stored->points), integral.rms_error,
-                                             integral.standard_error});
+                curves.push_back({firsts[i],
+                                  label_without_points(series[i].label, series[i].stored->points),
+                                  integral.integrand,
+                                  {}});
+            curves[place].samples.push_back(
+                {static_cast<double>(series[i].stored->points), integral.rms_error, integral.standard_error});
         }
     for (auto& curve : curves) std::ranges::sort(curve.samples, {}, &IntegrationSample::points);
-    std::erase_if(curves, [](const auto& curve) {
-        return curve.samples.front().points == curve.samples.back().points;
-    });
+    std::erase_if(curves,
+                  [](const auto& curve) { return curve.samples.front().points == curve.samples.back().points; });
     std::map<std::size_t, std::size_t> numbers; // of the methods that are left
     for (auto& curve : curves) curve.index = numbers.try_emplace(curve.index, numbers.size()).first->second;
     return curves;

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "reports/drawings/cells_image.hpp"
+#include "reports/drawings/points_image.hpp"
 #include "reports/layout/construction_pictures.hpp"
+#include "reports/layout/tiling_pictures.hpp"
 #include "reports/plots/curves.hpp"
 #include "reports/plots/integration_curves.hpp"
 #include "reports/plots/iteration_curves.hpp"
 #include "reports/plots/pair_correlation_curves.hpp"
-#include "reports/drawings/points_image.hpp"
 #include "reports/plots/region_curves.hpp"
-#include "results/stored_results.hpp"
-#include "reports/layout/tiling_pictures.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
+#include "results/stored_results.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -43,12 +43,12 @@ struct ReportSeries
 {
     const StoredRun* run = nullptr; ///< the runs outlive this
     const StoredSeries* stored = nullptr;
-    std::string label;      ///< as stored, numbers of points formatted
-    std::string full_label; ///< the same, with the run's folder where several runs use that label
+    std::string label;              ///< as stored, numbers of points formatted
+    std::string full_label;         ///< the same, with the run's folder where several runs use that label
     std::filesystem::path pictures; ///< folder of its pictures and its page
     Curve curve;
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
-    std::vector<ErrorBin> zone_plate; ///< empty for series without the sampling test
+    std::vector<ErrorBin> zone_plate;                 ///< empty for series without the sampling test
     PointsView view;
     std::optional<CellsView> cells; ///< 2D only
 };

@@ -2,19 +2,19 @@
 
 #include "analysis/spectra/spectrum_file.hpp"
 #include "analysis/spectra/spectrum_planes.hpp"
-#include "base/images/square_image_file.hpp"
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "base/files/whole_file.hpp"
-#include "reports/images/cube_image.hpp"
-#include "reports/drawings/drawing_pictures.hpp"
 #include "base/images/grey_image.hpp"
-#include "results/pair_correlation_table.hpp"
+#include "base/images/square_image_file.hpp"
+#include "base/points/point_file.hpp"
+#include "reports/drawings/drawing_pictures.hpp"
+#include "reports/images/cube_image.hpp"
 #include "reports/images/plane_image.hpp"
-#include "results/radial_table.hpp"
 #include "reports/images/spectrum_image.hpp"
-#include "reports/layout/thumbnails.hpp"
 #include "reports/images/zone_plate_image.hpp"
+#include "reports/layout/thumbnails.hpp"
+#include "results/pair_correlation_table.hpp"
+#include "results/radial_table.hpp"
 #include "results/zone_plate_table.hpp"
 
 #include <fmt/format.h>
@@ -40,8 +40,7 @@ void read_curves(ReportSeries& series)
     if (stored.has_spectrum()) curve.bins = read_radial_table(series.run->folder / stored.radial_file);
     curve.background_db = stored.background_anisotropy_db;
     curve.realizations = stored.realizations;
-    if (stored.min_distance && stored.min_distance->mean > 0)
-        curve.principal_frequency = 1 / stored.min_distance->mean;
+    if (stored.min_distance && stored.min_distance->mean > 0) curve.principal_frequency = 1 / stored.min_distance->mean;
     if (stored.spectrum_size > 0)
         curve.max_frequency = stored.spectrum_size / 2;
     else if (stored.has_spectrum())

@@ -47,8 +47,7 @@ std::filesystem::path page_of(const ReportRun& run) { return run.root / "index.h
 Site make_site(const std::vector<StoredRun>& runs, const std::filesystem::path& out, const std::string& title)
 {
     Site site{out, title.empty() ? title_of(runs) : title, lay_out(runs, out), {{overview_page, "Overview"}}};
-    for (auto& run : site.runs)
-        tbb::parallel_for_each(run.series, [](ReportSeries& series) { read_curves(series); });
+    for (auto& run : site.runs) tbb::parallel_for_each(run.series, [](ReportSeries& series) { read_curves(series); });
     if (site.has_curves_to_compare()) site.pages.push_back({compare_page, "Compare"});
     return site;
 }

@@ -1,10 +1,10 @@
 #include "reports/layout/tiling_pictures.hpp"
 
-#include "base/images/square_image_file.hpp"
 #include "base/errors/errors.hpp"
+#include "base/images/grey_image.hpp"
+#include "base/images/square_image_file.hpp"
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/drawing_pictures.hpp"
-#include "base/images/grey_image.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "reports/drawings/tile_regions_image.hpp"
 

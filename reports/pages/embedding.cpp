@@ -17,8 +17,7 @@ std::string base64(std::string_view bytes)
         std::uint32_t group = 0;
         for (std::size_t j = 0; j < 3; ++j)
             group = group << 8 | (i + j < bytes.size() ? static_cast<std::uint8_t>(bytes[i + j]) : 0U);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += i + j <= bytes.size() ? alphabet[group >> (18 - 6 * j) & 63U] : '=';
+        for (std::size_t j = 0; j < 4; ++j) text += i + j <= bytes.size() ? alphabet[group >> (18 - 6 * j) & 63U] : '=';
     }
     return text;
 }
@@ -32,8 +31,7 @@ std::string data_uri(const std::filesystem::path& picture)
 std::string relative_link(const std::filesystem::path& from_folder, const std::filesystem::path& file)
 {
     namespace fs = std::filesystem;
-    const auto path =
-        fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(from_folder)).generic_string();
+    const auto path = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(from_folder)).generic_string();
     std::string link;
     for (const char c : path) {
         const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||

@@ -1,7 +1,7 @@
 // The panel of Voronoi cells: the picture, and what its colours mean.
 #include "reports/drawings/cells_image.hpp"
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The page that holds the paper's claims against what was measured.
+#include "reports/claims/paper_claims.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/claims/paper_claims.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // The compare page: curves of all series as data for its script, and what works without it.
+#include "reports/layout/plots.hpp"
 #include "reports/pages/embedding.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/layout/plots.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -94,9 +94,9 @@ std::string quoted(const std::string& text)
 std::string series_json(const Site& site, const ReportSeries& series, std::size_t run, Abscissae& abscissae)
 {
     const Curve& curve = series.curve;
-    auto text = fmt::format("{{\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}",
-                            quoted(series.label), run, curve.dimension, curve.points,
-                            quoted(relative_link(site.out, page_of(series))));
+    auto text =
+        fmt::format("{{\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", quoted(series.label), run,
+                    curve.dimension, curve.points, quoted(relative_link(site.out, page_of(series))));
     if (curve.principal_frequency) text += ",\"principal\":" + short_number(*curve.principal_frequency);
     if (!curve.bins.empty())
         text += fmt::format(",\"frequencies\":{},\"background\":{},\"power\":{},\"anisotropy\":{}",

@@ -1,10 +1,10 @@
 // The page's section on the construction of Poisson tile sets.
 #include "reports/drawings/construction_image.hpp"
-#include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
-#include "reports/pages/page_parts.hpp"
 #include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/region_colors.hpp"
+#include "reports/pages/embedding.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,9 +45,8 @@ std::string caption_of(const ReportConstruction& construction)
     std::string text;
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {
         if (scene.panels[i].caption.empty()) continue;
-        const std::string letter = scene.panels.size() > 1 && i < most_panel_letters
-                                       ? fmt::format("({}) ", static_cast<char>('a' + i))
-                                       : "";
+        const std::string letter =
+            scene.panels.size() > 1 && i < most_panel_letters ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";
         text += (text.empty() ? "" : " ") + letter + scene.panels[i].caption;
     }
     if (text.empty() && scene.panels.size() > 1) text = fmt::format("{} of them.", scene.panels.size());
@@ -67,9 +66,8 @@ PageData facts_of(const StoredConstruction& stored)
                       : stored.kind == "sphere" ? "corner-based Poisson sphere tiles"
                       : is_template             ? "template Poisson disk tiles"
                                                 : "corner-based Poisson disk tiles");
-    facts << PageData(is_template
-                          ? fmt::format("{} tiles", format_count(stored.tiles))
-                          : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
+    facts << PageData(is_template ? fmt::format("{} tiles", format_count(stored.tiles))
+                                  : fmt::format("{} colours, {} tiles", stored.colors, format_count(stored.tiles)));
     facts << PageData(fmt::format("{} points per tile", format_count(stored.points_per_tile)));
     facts << PageData(fmt::format("relative radius {}", format_exact(stored.relative_radius)));
     if (stored.show == "regions" || stored.show == "kinds") return facts;

@@ -1,8 +1,8 @@
 // The frame of every page of the site: head, navigation, and what the page says.
 #pragma once
 
-#include "reports/pages/page_parts.hpp"
 #include "reports/layout/site.hpp"
+#include "reports/pages/page_parts.hpp"
 
 #include <filesystem>
 #include <string>

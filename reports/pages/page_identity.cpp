@@ -1,7 +1,7 @@
 // What identifies a series wherever it is mentioned, and how quantities over its realizations are shown.
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/plots/plot_style.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The panels of iterative methods: relative radius and energy over iterations.
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -16,11 +16,9 @@ std::string means_of_what(const StoredIterations& iterations)
     const auto first = static_cast<std::uint64_t>(iterations.realizations.front());
     const auto last = static_cast<std::uint64_t>(iterations.realizations.back());
     if (first == 1) return "Of one set.";
-    auto text =
-        fmt::format("Mean over {} sets, in the band from the least to the largest", format_count(first));
+    auto text = fmt::format("Mean over {} sets, in the band from the least to the largest", format_count(first));
     if (last < first)
-        text += fmt::format("; {} of them went on to the end, and means are over those that did",
-                            format_count(last));
+        text += fmt::format("; {} of them went on to the end, and means are over those that did", format_count(last));
     return text + ".";
 }
 

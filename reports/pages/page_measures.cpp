@@ -1,7 +1,7 @@
 // The measures of one series, each with its unit or scale and what it means.
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/ranking_columns.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -129,7 +129,11 @@ PageData measures_list(const ReportSeries& series)
     add_low_frequency_power(measures, list);
     add_largest_peak(measures, list);
     if (!measures.integration.empty())
-        list << measure_data({"integration", "Error of integrals", integrals_text(measures.integration), {}, "",
+        list << measure_data({"integration",
+                              "Error of integrals",
+                              integrals_text(measures.integration),
+                              {},
+                              "",
                               "mean squared error over that of as many random points: lower is better"});
     add_plate_error(series, list);
     add_cells(measures, list);

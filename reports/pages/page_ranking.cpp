@@ -1,8 +1,8 @@
 // The ranking of all series: a table that sorts, and what its columns mean.
 #include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/ranking_columns.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -137,8 +137,7 @@ PageData row_data(const Site& site, const ReportRun& run, std::size_t index,
     auto row = series_identity(series, index);
     row.set("link", relative_link(site.out, page_of(series)));
     PageData cells{PageData::type::list};
-    if (site.has_several_runs())
-        cells << text_cell("run", run.stored->title, relative_link(site.out, page_of(run)));
+    if (site.has_several_runs()) cells << text_cell("run", run.stored->title, relative_link(site.out, page_of(run)));
     const auto machine = machine_of(*run.stored);
     for (const auto* column : columns) cells << number_cell(*column, series, from.machines.letter(machine));
     if (from.machines.any())

@@ -1,10 +1,10 @@
 // What a run's page shows, which is a part of the overview where there is one run only.
+#include "reports/layout/small_pictures.hpp"
 #include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
-#include "reports/layout/small_pictures.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -71,8 +71,7 @@ PageData neighbour(const Site& site, std::size_t index, const std::filesystem::p
 
 }
 
-std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder,
-                       PageData& page)
+std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder, PageData& page)
 {
     const OverlayPlace place{run.root, page_folder};
     set_dimension_words(page, {&run});

@@ -1,13 +1,13 @@
 // The page of a series: panels, their captions, measures, and the stored files.
 #include "base/geometry/relative_radius.hpp"
-#include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
-#include "reports/pages/page_frame.hpp"
-#include "reports/pages/page_parts.hpp"
-#include "results/radial_table.hpp"
-#include "reports/layout/series_pictures.hpp"
 #include "reports/images/spectrum_image.hpp"
 #include "reports/images/tone_mapping.hpp"
+#include "reports/layout/series_pictures.hpp"
+#include "reports/pages/embedding.hpp"
+#include "reports/pages/page_frame.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
+#include "results/radial_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -34,8 +34,7 @@ PageData points_panel(const ReportSeries& series)
     if (view.shown() != view.total)
         part = fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
     if (series.run->dimension == 3)
-        part +=
-            fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
+        part += fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
     if (view.window < 1) part += fmt::format(": the window of {} × {} at the lower left", side, side);
     if (series.stored->realizations > 1)
         part += fmt::format(" (first of {} realizations)", series.stored->realizations);
@@ -50,9 +49,8 @@ PageData principal_ticks(const Curve& curve, int size)
     PageData ticks{PageData::type::list};
     if (!curve.principal_frequency || *curve.principal_frequency >= size / 2) return ticks;
     for (const double sign : {-1.0, 1.0})
-        ticks << PageData(
-            "percent",
-            fmt::format("{:.2f}", 100 * (size / 2 + 0.5 + sign * *curve.principal_frequency) / size));
+        ticks << PageData("percent",
+                          fmt::format("{:.2f}", 100 * (size / 2 + 0.5 + sign * *curve.principal_frequency) / size));
     return ticks;
 }
 
@@ -61,9 +59,8 @@ std::string spectrum_caption(const ReportSeries& series)
     const int size = series.stored->spectrum_size;
     const auto side = format_count(static_cast<std::uint64_t>(size));
     const bool planes = series.run->dimension == 3;
-    auto caption = series.stored->is_estimate
-                       ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
-                       : std::string("Of one set,");
+    auto caption = series.stored->is_estimate ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
+                                              : std::string("Of one set,");
     caption += fmt::format(" {} × {} frequencies", side, planes ? side + " × " + side : side);
     if (planes)
         caption += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
@@ -126,8 +123,8 @@ PageData radial_panel(const ReportSeries& series)
     if (!series.stored->has_spectrum()) return false;
     const auto& curve = series.curve;
     const auto peak = peak_power(curve.bins);
-    auto caption = fmt::format("Highest {} at frequency {}. ", format_significant(peak.power, 3),
-                               format_exact(peak.frequency));
+    auto caption =
+        fmt::format("Highest {} at frequency {}. ", format_significant(peak.power, 3), format_exact(peak.frequency));
     if (!curve.principal_frequency)
         caption += "There is no principal frequency.";
     else
@@ -140,10 +137,9 @@ PageData anisotropy_panel(const ReportSeries& series)
 {
     if (!series.stored->has_spectrum()) return false;
     const auto& curve = series.curve;
-    return picture_panel(
-        series, {"anisotropy.svg", "anisotropy.png", "is_anisotropy"}, "Anisotropy",
-        fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
-                    format_fixed(curve.background_db, 1), curve.realizations));
+    return picture_panel(series, {"anisotropy.svg", "anisotropy.png", "is_anisotropy"}, "Anisotropy",
+                         fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
+                                     format_fixed(curve.background_db, 1), curve.realizations));
 }
 
 PageData pair_correlation_panel(const ReportSeries& series)
@@ -152,9 +148,9 @@ PageData pair_correlation_panel(const ReportSeries& series)
     const auto& bins = series.pair_correlation;
     const auto peak = *std::ranges::max_element(bins, {}, &PairCorrelationBin::value);
     const auto unit = max_min_distance(series.stored->points, series.run->dimension);
-    const auto caption = fmt::format("Highest {} at {} of the largest possible minimum distance, {}.",
-                                     format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
-                                     format_significant(unit, 4));
+    const auto caption =
+        fmt::format("Highest {} at {} of the largest possible minimum distance, {}.", format_significant(peak.value, 3),
+                    format_fixed(peak.distance / unit, 2), format_significant(unit, 4));
     return picture_panel(series, {"pair-correlation.svg", "pair-correlation.png", "is_pairs"}, "Pair correlation",
                          caption);
 }
@@ -167,8 +163,7 @@ PageData file_link(const std::string& text, const ReportSeries& series, const st
     return data;
 }
 
-PageData file_group(const std::string& title, const std::vector<PageData>& links,
-                    const std::string& more = {})
+PageData file_group(const std::string& title, const std::vector<PageData>& links, const std::string& more = {})
 {
     PageData data;
     data.set("group", title);
@@ -195,41 +190,36 @@ PageData file_groups(const ReportSeries& series)
     PageData groups{PageData::type::list};
     groups << file_group("Points", {picture("svg", "points.svg"), picture("png", "points.png")});
     if (series.cells) groups << file_group("Voronoi cells", {picture("svg", "cells.svg"), picture("png", "cells.png")});
-    if (!stored.spectrum_file.empty())
-        groups << file_group(spectrum_word(series), spectrum_links());
+    if (!stored.spectrum_file.empty()) groups << file_group(spectrum_word(series), spectrum_links());
     if (stored.has_spectrum()) {
-        groups << file_group(
-            "Radially averaged power",
-            {result("csv", stored.radial_file), picture("svg", "radial.svg"), picture("png", "radial.png")});
+        groups << file_group("Radially averaged power", {result("csv", stored.radial_file),
+                                                         picture("svg", "radial.svg"), picture("png", "radial.png")});
         groups << file_group("Anisotropy", {result("csv", stored.radial_file), picture("svg", "anisotropy.svg"),
                                             picture("png", "anisotropy.png")});
     }
 
     if (!stored.pair_correlation_file.empty())
-        groups << file_group("Pair correlation", {result("csv", stored.pair_correlation_file),
-                                                  picture("svg", "pair-correlation.svg"),
-                                                  picture("png", "pair-correlation.png")});
+        groups << file_group("Pair correlation",
+                             {result("csv", stored.pair_correlation_file), picture("svg", "pair-correlation.svg"),
+                              picture("png", "pair-correlation.png")});
 
     if (stored.iterations)
-        groups << file_group("Iterations",
-                             {result("csv", stored.iterations->file),
-                              picture("relative radius svg", "relative-radius.svg"),
-                              picture("png", "relative-radius.png"), picture("energy svg", "energy.svg"),
-                              picture("png", "energy.png")});
+        groups << file_group("Iterations", {result("csv", stored.iterations->file),
+                                            picture("relative radius svg", "relative-radius.svg"),
+                                            picture("png", "relative-radius.png"), picture("energy svg", "energy.svg"),
+                                            picture("png", "energy.png")});
 
     if (stored.zone_plate)
-        groups << file_group(
-            "Zone plate", {result("exr", stored.zone_plate->file), picture("png", "zone-plate.png"),
-                           result("error csv", stored.zone_plate->error_file),
-                           picture("svg", "zone-plate-error.svg"), picture("png", "zone-plate-error.png")});
+        groups << file_group("Zone plate",
+                             {result("exr", stored.zone_plate->file), picture("png", "zone-plate.png"),
+                              result("error csv", stored.zone_plate->error_file),
+                              picture("svg", "zone-plate-error.svg"), picture("png", "zone-plate-error.png")});
 
     std::vector<PageData> sets;
     for (const auto& file : stored.point_files)
-        if (sets.size() < most_point_files_linked)
-            sets.push_back(result(std::to_string(sets.size() + 1), file));
+        if (sets.size() < most_point_files_linked) sets.push_back(result(std::to_string(sets.size() + 1), file));
     const auto hidden = stored.point_files.size() - sets.size();
-    groups << file_group("Point sets", sets,
-                         hidden > 0 ? fmt::format("and {} more", format_count(hidden)) : "");
+    groups << file_group("Point sets", sets, hidden > 0 ? fmt::format("and {} more", format_count(hidden)) : "");
     return groups;
 }
 
@@ -305,8 +295,8 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     auto data = series_identity(series, index);
     set_dimension_words(data, {&run});
     data.set("overview", relative_link(series.pictures, site.out / overview_page));
-    data.set("run_link", site.has_several_runs() ? PageData(relative_link(series.pictures, page_of(run)))
-                                                 : PageData(false));
+    data.set("run_link",
+             site.has_several_runs() ? PageData(relative_link(series.pictures, page_of(run))) : PageData(false));
     data.set("previous", neighbour(run.series, index - 1, series.pictures)); // of the first there is none
     data.set("next", neighbour(run.series, index + 1, series.pictures));
     data.set("panels", panels_of(series));

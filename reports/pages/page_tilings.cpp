@@ -1,7 +1,7 @@
 // The page's section on tile sets and tilings.
 #include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,9 +13,8 @@ namespace poissonlab {
 
 namespace {
 
-PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path& page_folder,
-                        const std::string& shown, const std::string& linked, const std::string& title,
-                        const std::string& caption)
+PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path& page_folder, const std::string& shown,
+                        const std::string& linked, const std::string& title, const std::string& caption)
 {
     PageData data;
     data.set("title", title);
@@ -28,11 +27,9 @@ PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path&
 
 std::string shown_tiles(const StoredTiling& stored)
 {
-    if (!stored.set.empty())
-        return fmt::format("All {} tiles in order of their indices.", format_count(stored.tiles));
+    if (!stored.set.empty()) return fmt::format("All {} tiles in order of their indices.", format_count(stored.tiles));
     const std::size_t axes = stored.kind == TileKind::cube ? 3 : 2;
-    const std::vector<std::size_t> sizes(stored.size.begin(),
-                                         stored.size.begin() + static_cast<std::ptrdiff_t>(axes));
+    const std::vector<std::size_t> sizes(stored.size.begin(), stored.size.begin() + static_cast<std::ptrdiff_t>(axes));
     const std::vector<std::int64_t> origin(stored.origin.begin(),
                                            stored.origin.begin() + static_cast<std::ptrdiff_t>(axes));
     return fmt::format("{} tiles from ({}) on.", fmt::join(sizes, " × "), fmt::join(origin, ", "));
@@ -42,8 +39,7 @@ std::string picture_caption(const StoredTiling& stored)
 {
     if (stored.regions == 0) return shown_tiles(stored);
     return fmt::format("{} Regions of Poisson {} of radius {}.", shown_tiles(stored),
-                       stored.kind == TileKind::cube ? "spheres" : "disks",
-                       format_significant(stored.regions, 3));
+                       stored.kind == TileKind::cube ? "spheres" : "disks", format_significant(stored.regions, 3));
 }
 
 std::string period_text(const std::vector<double>& period, const char* never)
@@ -96,8 +92,7 @@ PageData measures_of(const StoredTiling& stored)
                         format_significant(statistics.tiles->chi_square, 4), format_count(stored.tiles),
                         format_count(statistics.samples)));
     for (const StoredColors& colors : statistics.colors) {
-        list << measure(fmt::format("Frequencies of colours, {}", colors.name),
-                        p_text(colors.frequencies.p_value),
+        list << measure(fmt::format("Frequencies of colours, {}", colors.name), p_text(colors.frequencies.p_value),
                         fmt::format("chi-square {} for {} colours",
                                     format_significant(colors.frequencies.chi_square, 3), colors.count));
         const bool repeats = colors.largest > colors.bound;
@@ -128,10 +123,9 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
             const auto name = autocorrelation_picture(colors);
             pictures << tiling_picture(
                 tiling, page_folder, name, name, "Autocorrelation of " + colors.name,
-                fmt::format(
-                    "Displacements up to {0} along each axis, over {1} × {1} tiles; black −{2}, white {2} "
-                    "standard deviations.",
-                    colors.lags, format_count(stored.statistics->size), format_exact(shown_z)));
+                fmt::format("Displacements up to {0} along each axis, over {1} × {1} tiles; black −{2}, white {2} "
+                            "standard deviations.",
+                            colors.lags, format_count(stored.statistics->size), format_exact(shown_z)));
         }
     data.set("autocorrelations", pictures);
     data.set("measures", measures_of(stored));

@@ -1,6 +1,6 @@
 // What a page says about its runs in a sentence, and what things are called in their dimensions.
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -53,10 +53,10 @@ std::string series_summary(const std::vector<const ReportRun*>& runs)
     const auto realizations = range_of(series, &StoredSeries::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
     const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", series.front()->run->dimension);
-    auto text = fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
-                            series.size() == 1 ? "One" : format_count(series.size()),
-                            range_of(series, &StoredSeries::points), dimension, realizations,
-                            realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
+    auto text =
+        fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
+                    series.size() == 1 ? "One" : format_count(series.size()), range_of(series, &StoredSeries::points),
+                    dimension, realizations, realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
     const auto& engine = series.front()->run->engine;
     const bool one_engine =
         std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });

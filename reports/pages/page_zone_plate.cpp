@@ -1,7 +1,7 @@
 // The panels of the sampling test: the picture of the zone plate, and its error over frequency.
 #include "reports/pages/embedding.hpp"
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -26,8 +26,7 @@ PageData zone_plate_panel(const ReportSeries& series)
 {
     if (!series.stored->zone_plate) return false;
     const auto side = format_count(static_cast<std::uint64_t>(series.stored->zone_plate->size));
-    auto caption =
-        fmt::format("{0} × {0} pixels, {1} samples", side, format_count(series.stored->points_of_first()));
+    auto caption = fmt::format("{0} × {0} pixels, {1} samples", side, format_count(series.stored->points_of_first()));
     if (series.stored->realizations > 1)
         caption += fmt::format(" (first of {} realizations)", series.stored->realizations);
     return picture_panel(series, {"zone-plate.png", "zone-plate.png", "is_plate", "plate framed", "wide"}, "Zone plate",
@@ -41,8 +40,8 @@ PageData zone_plate_error_panel(const ReportSeries& series)
     auto caption = fmt::format("RMS error {} over the picture", with_range(plate.rms_error));
     if (plate.resolved_rms_error)
         caption += fmt::format(", {} up to half a cycle per pixel", with_range(*plate.resolved_rms_error));
-    return picture_panel(series, {"zone-plate-error.svg", "zone-plate-error.png", "is_plate_error"},
-                         "Zone plate error", caption + ".");
+    return picture_panel(series, {"zone-plate-error.svg", "zone-plate-error.png", "is_plate_error"}, "Zone plate error",
+                         caption + ".");
 }
 
 PageData zone_plate_reference_panel(const ReportRun& run, const std::filesystem::path& page_folder)

@@ -1,7 +1,7 @@
 #include "reports/pages/ranking_columns.hpp"
 
-#include "reports/words/number_format.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The columns of the ranking: a quantity is its name, its unit, which way is better, and where its value is.
 #pragma once
 
-#include "results/better.hpp"
 #include "reports/layout/site.hpp"
+#include "results/better.hpp"
 
 #include <functional>
 #include <optional>

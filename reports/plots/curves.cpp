@@ -1,7 +1,7 @@
 #include "reports/plots/curves.hpp"
 
-#include "reports/words/number_format.hpp"
 #include "reports/plots/plot_style.hpp"
+#include "reports/words/number_format.hpp"
 #include "results/radial_table.hpp"
 
 #include <fmt/format.h>
@@ -48,8 +48,7 @@ std::string data_block(const Curve& curve)
 std::string power_axes(double max_frequency, const CurveScales& scales,
                        const std::string& frequency_label = unit_frequency)
 {
-    const ValueAxis power{"radially averaged power", 0, scales.max_power, scales.max_power > 2.5 ? 1 : 0.5,
-                          1.4};
+    const ValueAxis power{"radially averaged power", 0, scales.max_power, scales.max_power > 2.5 ? 1 : 0.5, 1.4};
     return axes(frequency_label, 0, max_frequency, power) + reference_line(1);
 }
 
@@ -96,8 +95,7 @@ std::string plot_alone(const Curve& curve, int column)
 double roughness(const Curve& curve)
 {
     double sum = 0;
-    for (std::size_t i = 1; i < curve.bins.size(); ++i)
-        sum += std::fabs(curve.bins[i].power - curve.bins[i - 1].power);
+    for (std::size_t i = 1; i < curve.bins.size(); ++i) sum += std::fabs(curve.bins[i].power - curve.bins[i - 1].power);
     return sum;
 }
 
@@ -116,8 +114,8 @@ GnuplotPicture overlay(const std::vector<Curve>& curves, std::string commands, i
     std::ranges::stable_sort(order, std::greater{}, [](const Curve* curve) { return roughness(*curve); });
     std::string plot;
     for (const Curve* curve : order)
-        plot += fmt::format("{}$series{} using 1:{} with lines {} notitle", plot.empty() ? "plot " : ", ",
-                            curve->index, column, line_style(curve->index));
+        plot += fmt::format("{}$series{} using 1:{} with lines {} notitle", plot.empty() ? "plot " : ", ", curve->index,
+                            column, line_style(curve->index));
     return with_key(commands, plot, key, stem);
 }
 
@@ -170,17 +168,16 @@ GnuplotPicture plot_radial_power(const Curve& curve, const CurveScales& scales, 
     const auto band = fmt::format(", $series{0} using 1:4:5 with filledcurves fc rgb '{1}' fs transparent solid 0.25 "
                                   "noborder",
                                   curve.index, curve_color(curve.index));
-    return {power_axes(curve.max_frequency, scales) + principal_frequency_marks(curve) +
-                plot_alone(curve, 2) + band,
+    return {power_axes(curve.max_frequency, scales) + principal_frequency_marks(curve) + plot_alone(curve, 2) + band,
             panel_width, panel_height, stem};
 }
 
 GnuplotPicture plot_anisotropy(const Curve& curve, const CurveScales& scales, const std::filesystem::path& stem)
 {
-    const auto text = fmt::format("set label '−10 log_{{10}} {} = {} dB' at graph 1, first {:.6g} right "
-                                  "offset 0,-1.2 textcolor rgb '{}'\n",
-                                  curve.realizations, format_fixed(curve.background_db, 1),
-                                  curve.background_db, mark_color);
+    const auto text =
+        fmt::format("set label '−10 log_{{10}} {} = {} dB' at graph 1, first {:.6g} right "
+                    "offset 0,-1.2 textcolor rgb '{}'\n",
+                    curve.realizations, format_fixed(curve.background_db, 1), curve.background_db, mark_color);
     return {anisotropy_axes(curve.max_frequency, scales) + reference_line(curve.background_db) + text +
                 principal_frequency_marks(curve) + plot_alone(curve, 3),
             panel_width, panel_height, stem};

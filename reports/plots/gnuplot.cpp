@@ -1,9 +1,9 @@
 #include "reports/plots/gnuplot.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/programs/program_run.hpp"
 #include "base/files/scratch_folder.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/programs/program_run.hpp"
 
 #include <fmt/format.h>
 
@@ -27,9 +27,8 @@ struct Terminal
     int scale;
 };
 
-const std::array terminals = {
-    Terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1},
-    Terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2}};
+const std::array terminals = {Terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1},
+                              Terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2}};
 
 std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture)
 {
@@ -88,8 +87,10 @@ std::string in_one_line(const std::string& text)
     std::string line;
     for (const char c : text) {
         const bool is_blank = static_cast<unsigned char>(c) <= ' ';
-        if (!is_blank) line += c;
-        else if (!line.empty() && line.back() != ' ') line += ' ';
+        if (!is_blank)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
     }
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }

@@ -33,7 +33,7 @@ std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curv
 
 /// All curves of an integrand in one plot with logarithmic axes, bars of one standard error and a key. Errors
 /// of 0 are left out.
-GnuplotPicture plot_integration_error(const std::vector<IntegrationCurve>& curves,
-                                      const std::string& integrand, const std::filesystem::path& stem);
+GnuplotPicture plot_integration_error(const std::vector<IntegrationCurve>& curves, const std::string& integrand,
+                                      const std::filesystem::path& stem);
 
 }

@@ -1,7 +1,7 @@
 #include "reports/plots/iteration_curves.hpp"
 
-#include "reports/words/number_format.hpp"
 #include "reports/plots/plot_style.hpp"
+#include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
 
@@ -34,10 +34,10 @@ Quantity relative_radius(const IterationScales& scales)
 
 Quantity energy(const IterationScales& scales)
 {
-    return {&StoredIterations::energy,
-            {"energy", scales.min_energy, scales.max_energy,
-             scales.max_energy - scales.min_energy > 0.5 ? 0.2 : 0.05, 1.4},
-            true};
+    return {
+        &StoredIterations::energy,
+        {"energy", scales.min_energy, scales.max_energy, scales.max_energy - scales.min_energy > 0.5 ? 0.2 : 0.05, 1.4},
+        true};
 }
 
 // Where an iteration stands on the axis: a logarithmic one starts at 1, so that iteration 0 has a place.
@@ -50,8 +50,7 @@ double position(std::size_t iteration, const IterationScales& scales)
 std::string logarithmic_ticks(std::size_t iterations)
 {
     std::string ticks = "'0' 1";
-    for (std::size_t i = 1; i <= iterations; i *= 10)
-        ticks += fmt::format(", '{}' {}", format_count(i), i + 1);
+    for (std::size_t i = 1; i <= iterations; i *= 10) ticks += fmt::format(", '{}' {}", format_count(i), i + 1);
     return "set logscale x\nset rmargin 3\nset xtics (" + ticks + ")\n"; // room for "1,000" at the end
 }
 
@@ -79,8 +78,8 @@ std::string data_block(const IterationCurve& curve, const Quantity& quantity, co
     for (std::size_t i = 0; i < values.mean.size(); ++i) {
         const bool seen = i > 0 && column(i, scales) == column(i - 1, scales);
         if (seen && i + 1 < values.mean.size()) continue;
-        fmt::format_to(std::back_inserter(block), "{:.10g} {:.6g} {:.6g} {:.6g}\n", position(i, scales),
-                       values.mean[i], values.min[i], values.max[i]);
+        fmt::format_to(std::back_inserter(block), "{:.10g} {:.6g} {:.6g} {:.6g}\n", position(i, scales), values.mean[i],
+                       values.min[i], values.max[i]);
     }
     return block + "END\n";
 }
@@ -106,18 +105,16 @@ std::string least_energy_mark(const std::vector<IterationCurve>& curves)
     return commands;
 }
 
-std::string frame(const std::vector<IterationCurve>& curves, const Quantity& quantity,
-                  const IterationScales& scales)
+std::string frame(const std::vector<IterationCurve>& curves, const Quantity& quantity, const IterationScales& scales)
 {
     auto commands = iteration_axes(scales, quantity.axis);
-    if (quantity.has_least_energy)
-        commands += "set lmargin 8.5\n" + least_energy_mark(curves); // "0.25" is wide
+    if (quantity.has_least_energy) commands += "set lmargin 8.5\n" + least_energy_mark(curves); // "0.25" is wide
     for (const auto& curve : curves) commands += data_block(curve, quantity, scales);
     return commands;
 }
 
-GnuplotPicture plot_alone(const IterationCurve& curve, const Quantity& quantity,
-                          const IterationScales& scales, const std::filesystem::path& stem)
+GnuplotPicture plot_alone(const IterationCurve& curve, const Quantity& quantity, const IterationScales& scales,
+                          const std::filesystem::path& stem)
 {
     const auto plot = fmt::format("plot $iterations{0} using 1:3:4 with filledcurves fc rgb '{1}' "
                                   "fs transparent solid 0.2 noborder, "
@@ -132,8 +129,8 @@ GnuplotPicture overlay(const std::vector<IterationCurve>& curves, const Quantity
     std::string plot;
     std::vector<KeyEntry> key;
     for (const auto& curve : curves) {
-        plot += fmt::format("{}$iterations{} using 1:2 with {} notitle", plot.empty() ? "plot " : ", ",
-                            curve.index, plot_style(curve));
+        plot += fmt::format("{}$iterations{} using 1:2 with {} notitle", plot.empty() ? "plot " : ", ", curve.index,
+                            plot_style(curve));
         key.push_back({curve.index, curve.label});
     }
     return with_key(frame(curves, quantity, scales), plot, key, stem);
@@ -177,8 +174,8 @@ GnuplotPicture plot_energy(const IterationCurve& curve, const IterationScales& s
     return plot_alone(curve, energy(scales), scales, stem);
 }
 
-GnuplotPicture overlay_relative_radius(const std::vector<IterationCurve>& curves,
-                                       const IterationScales& scales, const std::filesystem::path& stem)
+GnuplotPicture overlay_relative_radius(const std::vector<IterationCurve>& curves, const IterationScales& scales,
+                                       const std::filesystem::path& stem)
 {
     return overlay(curves, relative_radius(scales), scales, stem);
 }

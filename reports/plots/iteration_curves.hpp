@@ -45,8 +45,8 @@ GnuplotPicture plot_energy(const IterationCurve& curve, const IterationScales& s
                            const std::filesystem::path& stem);
 
 /// The means of all series in one plot, with a key.
-GnuplotPicture overlay_relative_radius(const std::vector<IterationCurve>& curves,
-                                       const IterationScales& scales, const std::filesystem::path& stem);
+GnuplotPicture overlay_relative_radius(const std::vector<IterationCurve>& curves, const IterationScales& scales,
+                                       const std::filesystem::path& stem);
 GnuplotPicture overlay_energy(const std::vector<IterationCurve>& curves, const IterationScales& scales,
                               const std::filesystem::path& stem);
 

@@ -86,8 +86,7 @@ std::string shortened(const std::string& text, double width, double share)
     // Whole words where that costs little.
     if (const auto blank = begin.rfind(' '); blank != std::string::npos && 2 * blank > begin.size())
         begin.resize(blank + 1);
-    if (const auto blank = end.find(' '); blank != std::string::npos && 3 * blank < end.size())
-        end.erase(0, blank);
+    if (const auto blank = end.find(' '); blank != std::string::npos && 3 * blank < end.size()) end.erase(0, blank);
     return begin + ellipsis + end;
 }
 
@@ -97,8 +96,7 @@ const std::vector<std::string> commas_and_blanks = {", ", " "};
 
 // Where the first line ends: behind the last of the marks that leaves it neither too wide nor very short; the
 // first kind of mark that there is decides. With `rest_width`, only where the rest is at most so wide.
-std::optional<std::size_t> line_end(const std::string& label, double width,
-                                    const std::vector<std::string>& marks,
+std::optional<std::size_t> line_end(const std::string& label, double width, const std::vector<std::string>& marks,
                                     std::optional<double> rest_width = {})
 {
     for (const std::string& mark : marks) {
@@ -118,8 +116,7 @@ std::optional<std::size_t> line_end(const std::string& label, double width,
 double second_line_width(double width) { return width - text_width(indent); }
 
 // The label in one line or two without an ellipsis; nothing where that does not do.
-std::optional<Lines> unshortened(const std::string& label, double width,
-                                 const std::vector<std::string>& marks)
+std::optional<Lines> unshortened(const std::string& label, double width, const std::vector<std::string>& marks)
 {
     if (text_width(label) <= width) return Lines{label};
     const auto end = line_end(label, width, marks, second_line_width(width));
@@ -169,8 +166,7 @@ bool all_told_apart(const std::vector<std::string>& labels, const std::vector<Li
 double text_width(const std::string& text)
 {
     double width = 0;
-    for (std::size_t at = 0; at < text.size(); at = next_character(text, at))
-        width += character_width(text, at);
+    for (std::size_t at = 0; at < text.size(); at = next_character(text, at)) width += character_width(text, at);
     return width;
 }
 
@@ -188,9 +184,8 @@ KeyLayout lay_out_key(const std::vector<std::string>& labels, const KeyRoom& roo
     for (const auto& marks : {commas, commas_and_blanks})
         for (int percent = 100; percent >= 65; percent -= 5) {
             const double scale = percent / 100.0;
-            const auto lines = line_up(labels.size(), [&](std::size_t i) {
-                return unshortened(labels[i], width_at(scale, room), marks);
-            });
+            const auto lines = line_up(
+                labels.size(), [&](std::size_t i) { return unshortened(labels[i], width_at(scale, room), marks); });
             if (lines && all_told_apart(labels, *lines)) return {scale, *lines};
         }
 
@@ -200,9 +195,8 @@ KeyLayout lay_out_key(const std::vector<std::string>& labels, const KeyRoom& roo
             line_up(labels.size(), [&](std::size_t i) { return in_two_lines(labels[i], width, share, ""); });
         if (all_told_apart(labels, *lines)) return {least_key_scale, *lines};
     }
-    const auto numbered = line_up(labels.size(), [&](std::size_t i) {
-        return in_two_lines(labels[i], width, 0.5, fmt::format(" [{}]", i + 1));
-    });
+    const auto numbered = line_up(
+        labels.size(), [&](std::size_t i) { return in_two_lines(labels[i], width, 0.5, fmt::format(" [{}]", i + 1)); });
     return {least_key_scale, *numbered};
 }
 

@@ -19,8 +19,8 @@ std::string data_block(const PairCorrelationCurve& curve)
 {
     std::string block = fmt::format("$pairs{} << END\n", curve.index);
     for (const auto& bin : curve.bins)
-        fmt::format_to(std::back_inserter(block), "{:.6g} {:.6g} {:.6g} {:.6g}\n", bin.distance / curve.unit,
-                       bin.value, bin.value - bin.standard_error, bin.value + bin.standard_error);
+        fmt::format_to(std::back_inserter(block), "{:.6g} {:.6g} {:.6g} {:.6g}\n", bin.distance / curve.unit, bin.value,
+                       bin.value - bin.standard_error, bin.value + bin.standard_error);
     return block + "END\n";
 }
 
@@ -55,25 +55,23 @@ PairCorrelationScales common_pair_correlation_scales(const std::vector<PairCorre
 GnuplotPicture plot_pair_correlation(const PairCorrelationCurve& curve, const PairCorrelationScales& scales,
                                      const std::filesystem::path& stem)
 {
-    return {
-        frame(scales) + radius_mark(curve, scales) + data_block(curve) +
-            fmt::format("plot $pairs{0} using 1:2 with lines {1}, $pairs{0} using 1:3:4 with filledcurves "
-                        "fc rgb '{2}' fs transparent solid 0.25 noborder",
-                        curve.index, line_style(curve.index), curve_color(curve.index)),
-        panel_width, panel_height, stem};
+    return {frame(scales) + radius_mark(curve, scales) + data_block(curve) +
+                fmt::format("plot $pairs{0} using 1:2 with lines {1}, $pairs{0} using 1:3:4 with filledcurves "
+                            "fc rgb '{2}' fs transparent solid 0.25 noborder",
+                            curve.index, line_style(curve.index), curve_color(curve.index)),
+            panel_width, panel_height, stem};
 }
 
 GnuplotPicture overlay_pair_correlation(const std::vector<PairCorrelationCurve>& curves,
-                                        const PairCorrelationScales& scales,
-                                        const std::filesystem::path& stem)
+                                        const PairCorrelationScales& scales, const std::filesystem::path& stem)
 {
     auto commands = frame(scales);
     std::string plot;
     std::vector<KeyEntry> key;
     for (const auto& curve : curves) {
         commands += data_block(curve);
-        plot += fmt::format("{}$pairs{} using 1:2 with lines {} notitle", plot.empty() ? "plot " : ", ",
-                            curve.index, line_style(curve.index));
+        plot += fmt::format("{}$pairs{} using 1:2 with lines {} notitle", plot.empty() ? "plot " : ", ", curve.index,
+                            line_style(curve.index));
         key.push_back({curve.index, curve.label});
     }
     return with_key(commands, plot, key, stem);

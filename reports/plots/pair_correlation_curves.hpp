@@ -15,9 +15,9 @@ namespace poissonlab {
 /// What is drawn of one series.
 struct PairCorrelationCurve
 {
-    std::size_t index = 0; ///< number of the series, for its colour
-    std::string label;     ///< for the key
-    double unit = 1;       ///< of the axis: the largest possible minimum distance, in unit lengths
+    std::size_t index = 0;                 ///< number of the series, for its colour
+    std::string label;                     ///< for the key
+    double unit = 1;                       ///< of the axis: the largest possible minimum distance, in unit lengths
     std::optional<double> relative_radius; ///< where the curve leaves 0
     std::vector<PairCorrelationBin> bins;
 };
@@ -38,7 +38,6 @@ GnuplotPicture plot_pair_correlation(const PairCorrelationCurve& curve, const Pa
 
 /// Several series in one plot, with a key.
 GnuplotPicture overlay_pair_correlation(const std::vector<PairCorrelationCurve>& curves,
-                                        const PairCorrelationScales& scales,
-                                        const std::filesystem::path& stem);
+                                        const PairCorrelationScales& scales, const std::filesystem::path& stem);
 
 }

@@ -33,8 +33,7 @@ std::string curve_color(std::size_t index) { return palette[index % palette.size
 std::string line_style(std::size_t index)
 {
     constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(10,3,2,3)"};
-    return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index),
-                       dashes[index / palette.size() % dashes.size()]);
+    return fmt::format("lw 1.3 lc rgb '{}' dt {}", curve_color(index), dashes[index / palette.size() % dashes.size()]);
 }
 
 std::string axes(const std::string& label, double low, double high, const ValueAxis& value)
@@ -47,8 +46,8 @@ std::string axes(const std::string& label, double low, double high, const ValueA
                        "set xlabel '{}' offset 0,0.4\n"
                        "set ylabel '{}' offset {:g},0\n"
                        "set lmargin 7\nset rmargin 2\nset tmargin 0.7\nunset key\n",
-                       frame_color, grid_color, low, high, value.low, value.high, value.step, label,
-                       value.label, value.label_offset);
+                       frame_color, grid_color, low, high, value.low, value.high, value.step, label, value.label,
+                       value.label_offset);
 }
 
 std::string reference_line(double height)
@@ -74,8 +73,8 @@ std::string top_axis(const std::string& label, double high)
                        high, step, label);
 }
 
-GnuplotPicture with_key(const std::string& commands, const std::string& plot,
-                        const std::vector<KeyEntry>& key, const std::filesystem::path& stem)
+GnuplotPicture with_key(const std::string& commands, const std::string& plot, const std::vector<KeyEntry>& key,
+                        const std::filesystem::path& stem)
 {
     std::vector<std::string> labels;
     for (const auto& entry : key) labels.push_back(entry.text);

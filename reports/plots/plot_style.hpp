@@ -30,8 +30,7 @@ struct ValueAxis
     double low = 0;
     double high = 1;
     double step = 1;
-    double label_offset =
-        0; ///< how far the label moves towards the axis, in characters; minus signs need room
+    double label_offset = 0; ///< how far the label moves towards the axis, in characters; minus signs need room
 };
 
 /// The commands for both axes, without a key.
@@ -55,7 +54,7 @@ struct KeyEntry
 
 /// The picture of a plot with a key below it, a line an entry or two where it is long. `commands` hold all
 /// but the key; `plot` is the plot command for the curves, without titles.
-GnuplotPicture with_key(const std::string& commands, const std::string& plot,
-                        const std::vector<KeyEntry>& key, const std::filesystem::path& stem);
+GnuplotPicture with_key(const std::string& commands, const std::string& plot, const std::vector<KeyEntry>& key,
+                        const std::filesystem::path& stem);
 
 }

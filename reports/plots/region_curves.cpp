@@ -90,10 +90,10 @@ GnuplotPicture plot_region_points(const std::vector<RegionCurve>& curves, const 
             largest_tile = std::max(largest_tile, sample.points_per_tile);
         }
         data += data_block(curve);
-        plot += fmt::format("{0}$regions{1} using 1:3 with lines {2} notitle, $regions{1} using 1:2 with points pt 7 "
-                            "ps 0.4 lc rgb '{3}' notitle",
-                            plot.empty() ? "plot " : ", ", curve.index, line_style(curve.index),
-                            curve_color(curve.index));
+        plot +=
+            fmt::format("{0}$regions{1} using 1:3 with lines {2} notitle, $regions{1} using 1:2 with points pt 7 "
+                        "ps 0.4 lc rgb '{3}' notitle",
+                        plot.empty() ? "plot " : ", ", curve.index, line_style(curve.index), curve_color(curve.index));
         key.push_back({curve.index, curve.label});
     }
     const double step = most_points > 10 ? 4 : most_points > 4 ? 2 : 1;

@@ -24,8 +24,8 @@ struct RegionSample
 /// The regions of one kind of tile sets that differ only in the number of points a tile.
 struct RegionCurve
 {
-    std::size_t index = 0; ///< number of the curve, for the colour
-    std::string label;     ///< the kind of region, and the parameters in which curves differ
+    std::size_t index = 0;             ///< number of the curve, for the colour
+    std::string label;                 ///< the kind of region, and the parameters in which curves differ
     std::vector<RegionSample> samples; ///< the number of points a tile grows
 };
 

@@ -36,12 +36,11 @@ std::string frame(const ZonePlateScales& scales)
     auto commands = axes("frequency of the plate (cycles per pixel)", 0, scales.max_frequency,
                          {"RMS error", 0, scales.max_error, 0.1, 1.4});
     if (scales.max_frequency <= finest_pixels_show) return commands;
-    return commands +
-           fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead back lw 1 "
-                       "dt (2,3) lc rgb '{1}'\n"
-                       "set label 'finest that pixels show' at first {0}, graph 0.06 left offset 0.5,0 "
-                       "textcolor rgb '{1}'\n",
-                       finest_pixels_show, mark_color);
+    return commands + fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead back lw 1 "
+                                  "dt (2,3) lc rgb '{1}'\n"
+                                  "set label 'finest that pixels show' at first {0}, graph 0.06 left offset 0.5,0 "
+                                  "textcolor rgb '{1}'\n",
+                                  finest_pixels_show, mark_color);
 }
 
 }
@@ -55,8 +54,7 @@ ZonePlateScales common_zone_plate_scales(const std::vector<ZonePlateCurve>& curv
             frequency = std::max(frequency, bin.frequency);
             error = std::max(error, bin.rms_error);
         }
-    return {std::min(frequency, most_frequency_shown),
-            std::clamp(std::ceil(error / 0.1) * 0.1, 0.1, most_error_shown)};
+    return {std::min(frequency, most_frequency_shown), std::clamp(std::ceil(error / 0.1) * 0.1, 0.1, most_error_shown)};
 }
 
 GnuplotPicture plot_zone_plate_error(const ZonePlateCurve& curve, const ZonePlateScales& scales,
@@ -67,8 +65,8 @@ GnuplotPicture plot_zone_plate_error(const ZonePlateCurve& curve, const ZonePlat
             panel_width, panel_height, stem};
 }
 
-GnuplotPicture overlay_zone_plate_error(const std::vector<ZonePlateCurve>& curves,
-                                        const ZonePlateScales& scales, const std::filesystem::path& stem)
+GnuplotPicture overlay_zone_plate_error(const std::vector<ZonePlateCurve>& curves, const ZonePlateScales& scales,
+                                        const std::filesystem::path& stem)
 {
     auto commands = frame(scales);
     const int size = curves.front().size;
@@ -78,8 +76,8 @@ GnuplotPicture overlay_zone_plate_error(const std::vector<ZonePlateCurve>& curve
     std::vector<KeyEntry> key;
     for (const auto& curve : curves) {
         commands += data_block(curve);
-        plot += fmt::format("{}$plate{} using 1:2 with lines {} notitle", plot.empty() ? "plot " : ", ",
-                            curve.index, line_style(curve.index));
+        plot += fmt::format("{}$plate{} using 1:2 with lines {} notitle", plot.empty() ? "plot " : ", ", curve.index,
+                            line_style(curve.index));
         key.push_back({curve.index, curve.label});
     }
     return with_key(commands, plot, key, stem);

@@ -36,7 +36,7 @@ GnuplotPicture plot_zone_plate_error(const ZonePlateCurve& curve, const ZonePlat
                                      const std::filesystem::path& stem);
 
 /// All series in one plot, with a key; the upper edge has distances where all pictures are of one size.
-GnuplotPicture overlay_zone_plate_error(const std::vector<ZonePlateCurve>& curves,
-                                        const ZonePlateScales& scales, const std::filesystem::path& stem);
+GnuplotPicture overlay_zone_plate_error(const std::vector<ZonePlateCurve>& curves, const ZonePlateScales& scales,
+                                        const std::filesystem::path& stem);
 
 }

@@ -2,17 +2,17 @@
 
 #include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/errors/errors.hpp"
-#include "results/collection_file.hpp"
 #include "base/files/whole_file.hpp"
-#include "reports/pages/page.hpp"
-#include "reports/images/picture_store.hpp"
 #include "reports/claims/paper_claims.hpp"
+#include "reports/images/picture_store.hpp"
+#include "reports/images/zone_plate_image.hpp"
 #include "reports/layout/plots.hpp"
 #include "reports/layout/series_pictures.hpp"
 #include "reports/layout/site.hpp"
-#include "results/stored_results.hpp"
 #include "reports/layout/thumbnails.hpp"
-#include "reports/images/zone_plate_image.hpp"
+#include "reports/pages/page.hpp"
+#include "results/collection_file.hpp"
+#include "results/stored_results.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
@@ -56,9 +56,7 @@ void draw_zone_plate_reference(const ReportRun& run)
 std::vector<GnuplotPicture> all_plots(const Site& site)
 {
     std::vector<GnuplotPicture> pictures;
-    const auto add = [&](std::vector<GnuplotPicture> more) {
-        std::ranges::move(more, std::back_inserter(pictures));
-    };
+    const auto add = [&](std::vector<GnuplotPicture> more) { std::ranges::move(more, std::back_inserter(pictures)); };
     for (const auto& run : site.runs) {
         add(series_plots(run.series));
         add(overlay_plots(run.series, run.root));

@@ -42,8 +42,7 @@ Json panel_json(const ScenePanel& panel, int dimension)
                                   {"colors", piece.colors},
                                   {"made", piece.is_made}});
     for (std::size_t i = 0; i < panel.points.size(); ++i)
-        if (!panel.points[i].empty())
-            json["points"][point_class_names[i]] = points_json(panel.points[i], dimension);
+        if (!panel.points[i].empty()) json["points"][point_class_names[i]] = points_json(panel.points[i], dimension);
     return json;
 }
 

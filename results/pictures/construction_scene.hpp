@@ -2,8 +2,8 @@
 // construction.json, see docs/output-folder.md; reports draw it.
 #pragma once
 
-#include "tiles/poisson/tile_regions.hpp"
 #include "tiles/poisson/tile_position.hpp"
+#include "tiles/poisson/tile_regions.hpp"
 
 #include <array>
 #include <cstddef>

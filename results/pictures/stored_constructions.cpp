@@ -42,8 +42,7 @@ std::vector<ShapeVector> read_places(const StoredObject& object, const std::stri
 {
     const std::vector<double> numbers = object.numbers(name);
     const auto d = static_cast<std::size_t>(dimension);
-    if (numbers.size() % d != 0)
-        throw object.error(name, fmt::format("must have {} coordinates for each place", d));
+    if (numbers.size() % d != 0) throw object.error(name, fmt::format("must have {} coordinates for each place", d));
     if (!std::ranges::all_of(numbers, [](double n) { return std::abs(n) <= largest_place; }))
         throw object.error(name, "has places that are too far away");
     std::vector<ShapeVector> places(numbers.size() / d);
@@ -82,8 +81,7 @@ StoredPiece read_piece(const StoredObject& object, int dimension)
         if (!(color >= 0 && color <= largest_place)) throw object.error("colors", "must not be negative");
         piece.colors.push_back(static_cast<std::uint32_t>(color));
     }
-    const std::size_t most =
-        dimension == 2 && piece.axes == 0 ? 4 : std::size_t{1} << std::popcount(piece.axes);
+    const std::size_t most = dimension == 2 && piece.axes == 0 ? 4 : std::size_t{1} << std::popcount(piece.axes);
     if (piece.colors.size() > 1 && piece.colors.size() != most)
         throw object.error("colors", fmt::format("must be none, one, or {}", most));
     piece.is_made = object.boolean("made");
@@ -97,8 +95,7 @@ StoredPanel read_panel(const StoredObject& object, int dimension)
     panel.modified = object.boolean("modified");
     panel.window = read_box(object.object("window"), dimension);
     panel.part = read_box(object.object("part"), dimension);
-    for (const StoredObject& piece : object.objects("pieces"))
-        panel.pieces.push_back(read_piece(piece, dimension));
+    for (const StoredObject& piece : object.objects("pieces")) panel.pieces.push_back(read_piece(piece, dimension));
     panel.tiles = read_places(object, "tiles", dimension);
     const StoredObject points = object.object("points");
     for (std::size_t i = 0; i < panel.points.size(); ++i)
@@ -118,8 +115,7 @@ std::vector<StoredConstruction> read_constructions(const StoredObject& root)
 {
     std::vector<StoredConstruction> constructions;
     if (!root.has("constructions")) return constructions;
-    for (const auto& object : root.objects("constructions"))
-        constructions.push_back(read_construction(object));
+    for (const auto& object : root.objects("constructions")) constructions.push_back(read_construction(object));
     return constructions;
 }
 
@@ -129,8 +125,7 @@ StoredScene read_scene(const std::filesystem::path& file)
     const StoredObject root(json, file);
     if (!root.has("format") || root.text("format") != "poissonlab-construction")
         throw root.error("format", "must be \"poissonlab-construction\"; this file is of another kind");
-    if (root.integer("format_version", 1) != 1)
-        throw root.error("format_version", "this program reads version 1");
+    if (root.integer("format_version", 1) != 1) throw root.error("format_version", "this program reads version 1");
     StoredScene scene;
     scene.dimension = root.small_integer("dimension", 2);
     if (scene.dimension > 3) throw root.error("dimension", "must be 2 or 3");
@@ -144,8 +139,7 @@ StoredScene read_scene(const std::filesystem::path& file)
     const std::int64_t columns = root.integer("columns", 1);
     if (columns > most_columns) throw root.error("columns", fmt::format("must be at most {}", most_columns));
     scene.columns = static_cast<std::size_t>(columns);
-    for (const StoredObject& panel : root.objects("panels"))
-        scene.panels.push_back(read_panel(panel, scene.dimension));
+    for (const StoredObject& panel : root.objects("panels")) scene.panels.push_back(read_panel(panel, scene.dimension));
     if (scene.panels.empty()) throw root.error("panels", "must hold at least one panel");
     return scene;
 }

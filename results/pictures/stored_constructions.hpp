@@ -2,8 +2,8 @@
 // Poisson tile sets come into being.
 #pragma once
 
-#include "tiles/poisson/region_shapes.hpp"
 #include "base/files/stored_object.hpp"
+#include "tiles/poisson/region_shapes.hpp"
 
 #include <array>
 #include <cstddef>
@@ -47,9 +47,8 @@ struct StoredPiece
 {
     std::uint8_t axes = 0; ///< see TileCell
     std::array<std::int32_t, 3> base{};
-    std::vector<std::uint32_t>
-        colors;           ///< none, one, one for each corner of the cell, or of a corner one for each edge
-    bool is_made = false; ///< what the picture is about
+    std::vector<std::uint32_t> colors; ///< none, one, one for each corner of the cell, or of a corner one for each edge
+    bool is_made = false;              ///< what the picture is about
 };
 
 /// Units of tile_regions.hpp.

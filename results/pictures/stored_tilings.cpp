@@ -64,8 +64,7 @@ void read_window(const StoredObject& object, StoredTiling& tiling)
         const std::int64_t size = window[axes + i];
         if (size < 1 || size > static_cast<std::int64_t>(most_tiles / tiles))
             throw object.error(
-                "window",
-                fmt::format("must have at least 1 tile along each axis and at most {} in all", most_tiles));
+                "window", fmt::format("must have at least 1 tile along each axis and at most {} in all", most_tiles));
         tiling.origin[i] = window[i];
         tiling.size[i] = static_cast<std::size_t>(size);
         tiles *= tiling.size[i];
@@ -78,8 +77,8 @@ StoredTiling read_tiling(const StoredObject& object)
     tiling.name = object.folder_name("name");
     tiling.label = object.text("label");
     tiling.kind = read_kind(object);
-    tiling.colors = static_cast<Color>(
-        object.integer("colors", 2, tiling.kind == TileKind::cube ? max_cube_colors : max_colors));
+    tiling.colors =
+        static_cast<Color>(object.integer("colors", 2, tiling.kind == TileKind::cube ? max_cube_colors : max_colors));
     tiling.tiles = static_cast<std::size_t>(object.integer("tiles", 1));
     tiling.file = object.file_name("file");
     if (object.has("regions")) tiling.regions = object.number("regions");
@@ -121,8 +120,8 @@ std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const Sto
         tiles.push_back(static_cast<TileIndex>(tile));
     }
     if (!text.eof() || tiles.size() != tiling.shown())
-        throw InputError(fmt::format("{}: must hold {} tile indices, as results.json says", file.string(),
-                                     tiling.shown()));
+        throw InputError(
+            fmt::format("{}: must hold {} tile indices, as results.json says", file.string(), tiling.shown()));
     return tiles;
 }
 

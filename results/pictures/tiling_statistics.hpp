@@ -25,9 +25,8 @@ struct ColorStatistics
 /// layer.
 struct TilingStatistics
 {
-    std::uint64_t samples = 0; ///< every second tile along x and y: these share no corners and no edges
-    std::optional<FrequencyTest>
-        tiles; ///< of the tiles of the set; not where fewer than ten of each are expected
+    std::uint64_t samples = 0;          ///< every second tile along x and y: these share no corners and no edges
+    std::optional<FrequencyTest> tiles; ///< of the tiles of the set; not where fewer than ten of each are expected
     std::vector<ColorStatistics> colors;
 };
 

@@ -14,12 +14,11 @@ TEST(Analyze, ATextFileIsReportedLikeASetMadeHere)
 {
     const TemporaryFolder folder;
     folder.write("grid.txt", "# four points\n0.25 0.25\n0.75 0.25\n0.25 0.75\n0.75 0.75\n");
-    const Outcome outcome =
-        run_program(folder.path(), {"analyze", "grid.txt", "--out", "mine", "--label", "My grid"});
+    const Outcome outcome = run_program(folder.path(), {"analyze", "grid.txt", "--out", "mine", "--label", "My grid"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_THAT(outcome.out, testing::EndsWith("\nmine/index.html\n"));
-    for (const char* file : {"index.html", "results.json", "My-grid/realization-000.dat",
-                             "My-grid/spectrum.exr", "My-grid/spectrum.png", "My-grid/radial.csv"})
+    for (const char* file : {"index.html", "results.json", "My-grid/realization-000.dat", "My-grid/spectrum.exr",
+                             "My-grid/spectrum.png", "My-grid/radial.csv"})
         EXPECT_TRUE(fs::exists(folder.path() / "mine" / file)) << file;
 
     const auto json = nlohmann::json::parse(content_of(folder.path() / "mine/results.json"));
@@ -39,8 +38,8 @@ TEST(Analyze, GivesWhatRunGave)
     folder.write("c.toml", "[analysis]\npoints = 64\nrealizations = 3\n[[method]]\nsampler = \"jittered\"\n");
     ASSERT_EQ(run_program(folder.path(), {"run", "c.toml", "--out", "made"}).status, 0);
     const std::string made = (folder.path() / "made/jittered/realization-00").string();
-    const Outcome outcome = run_program(
-        folder.path(), {"analyze", made + "0.dat", made + "1.dat", made + "2.dat", "--out", "read"});
+    const Outcome outcome =
+        run_program(folder.path(), {"analyze", made + "0.dat", made + "1.dat", made + "2.dat", "--out", "read"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(content_of(folder.path() / "read/realization-000/radial.csv"),
               content_of(folder.path() / "made/jittered/radial.csv"));

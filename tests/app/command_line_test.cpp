@@ -16,10 +16,7 @@ using ::testing::HasSubstr;
 class CommandLine : public testing::Test
 {
 protected:
-    Outcome run(const std::vector<std::string>& arguments) const
-    {
-        return run_program(folder_.path(), arguments);
-    }
+    Outcome run(const std::vector<std::string>& arguments) const { return run_program(folder_.path(), arguments); }
 
     /// Expects an exit status and this line, and nothing else.
     void expect_error(const std::vector<std::string>& arguments, int status, const std::string& message) const
@@ -31,8 +28,7 @@ protected:
     }
 
     /// Expects an exit status and one line of error that has this in it.
-    void expect_error_like(const std::vector<std::string>& arguments, int status,
-                           const std::string& part) const
+    void expect_error_like(const std::vector<std::string>& arguments, int status, const std::string& part) const
     {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, status);
@@ -42,9 +38,8 @@ protected:
     }
 
     TemporaryFolder folder_;
-    std::string config_ =
-        folder_.write("c.toml", "[analysis]\npoints = 16\nrealizations = 1\n"
-                                "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.5\n");
+    std::string config_ = folder_.write("c.toml", "[analysis]\npoints = 16\nrealizations = 1\n"
+                                                  "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.5\n");
 };
 
 TEST_F(CommandLine, HelpAndVersion)

@@ -76,8 +76,9 @@ TEST_F(KilledRun, StopsAtCtrlCAmidWorkThatTakesMinutes)
     const Seconds taken = std::chrono::steady_clock::now() - begin;
     EXPECT_EQ(WEXITSTATUS(status), 130);
     EXPECT_LT(taken.count(), 10) << "far less than the work; bench_interrupt holds the second that it should take";
-    EXPECT_THAT(log(), testing::EndsWith("poissonlab: interrupted; finished work is kept in out/c/.units: the same command "
-                                         "goes on from there (poissonlab run c.toml)\n"));
+    EXPECT_THAT(log(),
+                testing::EndsWith("poissonlab: interrupted; finished work is kept in out/c/.units: the same command "
+                                  "goes on from there (poissonlab run c.toml)\n"));
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
         EXPECT_EQ(entry.path().filename().string().find(".tmp"), std::string::npos) << entry.path();
 }

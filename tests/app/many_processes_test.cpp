@@ -79,8 +79,8 @@ TEST_F(ManyProcesses, MistakesInShards)
     for (const char* shard : {"0/3", "4/3", "1/0", "1", "1/3x", "x/3", "/", "-1/3"}) {
         const Outcome outcome = run({"run", "c.toml", "--out", "x", std::string("--shard=") + shard});
         EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.error, std::string("poissonlab: error: --shard ") + shard +
-                                     ": must be i/n, with i from 1 to n\n");
+        EXPECT_EQ(outcome.error,
+                  std::string("poissonlab: error: --shard ") + shard + ": must be i/n, with i from 1 to n\n");
     }
     EXPECT_EQ(run({"merge", "c.toml", "--out", "x"}).error,
               "poissonlab: error: merge: c.toml: has no .units folder; output folders of `run --shard` are needed\n");
@@ -94,8 +94,8 @@ const std::string mpirun = quoted(mpiexec_file()) + " --allow-run-as-root --over
 
 Outcome run_ranks(const fs::path& folder, int ranks, const std::string& arguments)
 {
-    return run_in_shell(folder, mpirun + "-n " + std::to_string(ranks) + " " + quoted(program_file()) + " " +
-                                    arguments);
+    return run_in_shell(folder,
+                        mpirun + "-n " + std::to_string(ranks) + " " + quoted(program_file()) + " " + arguments);
 }
 
 /// One line of ours, whatever mpirun adds.
@@ -164,8 +164,8 @@ TEST_F(ManyProcesses, FailureBeforeTheWorkIsSaidOnce)
 TEST_F(ManyProcesses, RanksWithDifferentDevicesAreRefused)
 {
     const std::string program = quoted(program_file()) + " run c.toml --out differ";
-    const Outcome outcome = run_in_shell(
-        folder_->path(), mpirun + "-n 1 " + program + " : -n 1 env OCL_ICD_VENDORS=/nothing " + program);
+    const Outcome outcome =
+        run_in_shell(folder_->path(), mpirun + "-n 1 " + program + " : -n 1 env OCL_ICD_VENDORS=/nothing " + program);
     expect_one_error(outcome, "");
     EXPECT_THAT(outcome.error, HasSubstr("would not do the same work as the first one: \"device = none\" is not"));
 }

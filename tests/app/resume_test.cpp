@@ -1,10 +1,10 @@
 // Runs that go on where others stopped, inside the process, with samplers that count.
-#include "results/archives.hpp"
-#include "base/programs/interrupt.hpp"
-#include "tests/app/lasting_results.hpp"
-#include "host/run/runner.hpp"
-#include "host/measuring/series_analysis.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/measuring/series_analysis.hpp"
+#include "host/run/runner.hpp"
+#include "results/archives.hpp"
+#include "tests/app/lasting_results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -185,7 +185,8 @@ TEST_F(Resuming, PartsPutTogetherAreTheWhole)
     for (const RadialBin& bin : whole.radial_curve(mean)) {
         ASSERT_TRUE(std::getline(lines, line));
         double frequency = 0, power = 0, anisotropy = 0, samples = 0, error = 0;
-        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &frequency, &power, &anisotropy, &samples, &error), 5);
+        ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf,%lf", &frequency, &power, &anisotropy, &samples, &error),
+                  5);
         EXPECT_NEAR(power, bin.power, 1e-12 * std::max(1.0, bin.power));
         EXPECT_NEAR(error, bin.power_error, 1e-10 * std::max(1.0, bin.power));
     }
@@ -242,9 +243,9 @@ TEST_F(Resuming, AnotherAnalysisMakesNoPointsAgain)
 TEST_F(Resuming, TimesAreThoseOfTheMachineAtHand)
 {
     const auto times = [&] {
-        return nlohmann::json::parse(content_of(folder_.path() / "out/results.json"))["series"][0]["timing"]
-                             ["sample_seconds"]
-                                 .size();
+        return nlohmann::json::parse(
+                   content_of(folder_.path() / "out/results.json"))["series"][0]["timing"]["sample_seconds"]
+            .size();
     };
     Experiment first = experiment(3);
     first.timing_runs = 5;
@@ -302,11 +303,13 @@ TEST_F(Resuming, AnotherRunMayBeFaster)
     for (const std::uint32_t moment : {0U, 1U, 31U, 32U, 40U, 69U}) {
         bool is_over = false;
         const std::string out = "raced-" + std::to_string(moment);
-        run(experiment(70, [&](std::uint32_t realization) {
-            if (realization != moment || is_over) return;
-            is_over = true;
-            run(experiment(70), out);
-        }), out);
+        run(experiment(70,
+                       [&](std::uint32_t realization) {
+                           if (realization != moment || is_over) return;
+                           is_over = true;
+                           run(experiment(70), out);
+                       }),
+            out);
         EXPECT_EQ(lasting_results(folder_.path() / out), wanted) << moment;
         for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / out / ".units"))
             EXPECT_NE(entry.path().extension(), ".part") << "nobody needs " << entry.path();

@@ -1,7 +1,7 @@
 // `poissonlab run`, from the config to the report, in a pipe.
 #include "tests/app/lasting_results.hpp"
-#include "tests/support/program.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,10 +24,9 @@ protected:
     }
 
     TemporaryFolder folder_;
-    fs::path config_ =
-        folder_.write("tiny.toml", "title = \"Tiny\"\n[analysis]\npoints = 64\nrealizations = 2\n"
-                                   "[[method]]\nsampler = \"random\"\n"
-                                   "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.60\n");
+    fs::path config_ = folder_.write("tiny.toml", "title = \"Tiny\"\n[analysis]\npoints = 64\nrealizations = 2\n"
+                                                  "[[method]]\nsampler = \"random\"\n"
+                                                  "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.60\n");
     fs::path out_ = folder_.path() / "out/tiny";
 };
 
@@ -36,10 +35,9 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     const Outcome outcome = run();
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
-    for (const char* file :
-         {"index.html", "results.json", "random/realization-000.dat", "random/realization-001.dat",
-          "random/spectrum.exr", "random/spectrum.png", "random/radial.csv",
-          "dart-throwing-rho-0.60/realization-000.dat", "dart-throwing-rho-0.60/radial.csv"})
+    for (const char* file : {"index.html", "results.json", "random/realization-000.dat", "random/realization-001.dat",
+                             "random/spectrum.exr", "random/spectrum.png", "random/radial.csv",
+                             "dart-throwing-rho-0.60/realization-000.dat", "dart-throwing-rho-0.60/radial.csv"})
         EXPECT_TRUE(fs::exists(out_ / file)) << file;
     for (const auto& entry : fs::directory_iterator(out_))
         EXPECT_TRUE(entry.path().filename() == ".units" || !entry.path().filename().string().starts_with("."))
@@ -50,8 +48,7 @@ TEST_F(Run, WritesEverythingThatTheDocumentationLists)
     EXPECT_EQ(json["config"], content_of(config_));
     for (const auto& series : json["series"]) {
         EXPECT_EQ(series["timing"]["sample_seconds"].size(), 5U);
-        for (const auto& file : series["point_files"])
-            EXPECT_TRUE(fs::exists(out_ / file.get<std::string>()));
+        for (const auto& file : series["point_files"]) EXPECT_TRUE(fs::exists(out_ / file.get<std::string>()));
     }
     EXPECT_NEAR(json["series"][1]["relative_radius"]["min"].get<double>(), 0.6, 0.05);
     EXPECT_GE(json["series"][1]["relative_radius"]["min"].get<double>(), 0.6 - 1e-6);
@@ -79,8 +76,8 @@ TEST_F(Run, InAPipeSaysOneLineASeriesAndThePath)
     EXPECT_EQ(std::ranges::count(out, '\n'), 3) << out;
     EXPECT_EQ(out.find_first_of("\r\033"), std::string::npos);
     EXPECT_THAT(out, testing::StartsWith("Random: 2 realizations of 64 points, relative radius "));
-    EXPECT_THAT(out, testing::HasSubstr(
-                         "\nDart throwing, rho = 0.60: 2 realizations of 64 points, relative radius 0.6"));
+    EXPECT_THAT(out,
+                testing::HasSubstr("\nDart throwing, rho = 0.60: 2 realizations of 64 points, relative radius 0.6"));
     EXPECT_THAT(out, testing::EndsWith("\nout/tiny/index.html\n"));
     EXPECT_EQ(run({"run", "tiny.toml", "--quiet"}).out, "out/tiny/index.html\n");
 }
@@ -122,12 +119,11 @@ TEST_F(Run, ThatFailsLeavesThePreviousResultAlone)
     const auto before = files_below(out_);
     // A radius that most sets of this size reach and some do not: the first series is done when the second
     // fails.
-    const Outcome outcome = run(
-        {"run", "tiny.toml", "--set", "method.1.relative_radius=0.79", "--set", "analysis.realizations=40"});
+    const Outcome outcome =
+        run({"run", "tiny.toml", "--set", "method.1.relative_radius=0.79", "--set", "analysis.realizations=40"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error, testing::HasSubstr("relative_radius = 0.79"));
-    EXPECT_THAT(outcome.out, testing::HasSubstr("Random: 40 realizations"))
-        << "it failed too early to show anything";
+    EXPECT_THAT(outcome.out, testing::HasSubstr("Random: 40 realizations")) << "it failed too early to show anything";
     EXPECT_EQ(files_below(out_), before);
 }
 

@@ -11,8 +11,7 @@ namespace {
 TEST(ShippedConfigs, ArePlannable)
 {
     int count = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(source_folder() + "/configs")) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() + "/configs")) {
         if (entry.is_directory() || entry.path().filename() == "your-method.awk") continue;
         SCOPED_TRACE(entry.path());
         EXPECT_EQ(entry.path().extension(), ".toml");

@@ -21,10 +21,7 @@ using testing::HasSubstr;
 class Space : public testing::Test
 {
 protected:
-    Outcome run(const std::vector<std::string>& arguments) const
-    {
-        return run_program(folder_.path(), arguments);
-    }
+    Outcome run(const std::vector<std::string>& arguments) const { return run_program(folder_.path(), arguments); }
 
     nlohmann::json results(const std::string& out) const
     {
@@ -109,8 +106,8 @@ TEST_F(Space, FilesAreAnalysedLikeSetsMadeHere)
     folder_.write("c.toml", "[analysis]\npoints = 64\nrealizations = 2\ndimension = 3\n"
                             "[[method]]\nsampler = \"jittered\"\n");
     ASSERT_EQ(run({"run", "c.toml", "--out", "made"}).status, 0);
-    const Outcome outcome = run({"analyze", "made/jittered/realization-000.dat",
-                                 "made/jittered/realization-001.dat", "--out", "read"});
+    const Outcome outcome =
+        run({"analyze", "made/jittered/realization-000.dat", "made/jittered/realization-001.dat", "--out", "read"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(results("read")["dimension"], 3);
     EXPECT_EQ(content_of(folder_.path() / "read/realization-000/radial.csv"),

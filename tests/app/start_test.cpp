@@ -1,8 +1,8 @@
 // Parameters whose values are flags or samplers: `repulsion = true`, `start = { sampler = "...", ... }`.
-#include "host/run/make_experiment.hpp"
-#include "tests/support/message_of.hpp"
 #include "host/config/plan.hpp"
+#include "host/run/make_experiment.hpp"
 #include "tests/host/run/relaxing_sampler.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -17,8 +17,8 @@ using ::testing::HasSubstr;
 /// The plan of a config whose only method is "relax" with these lines.
 std::vector<SeriesPlan> plan_of(const std::string& lines, const std::vector<std::string>& overrides = {})
 {
-    return make_plan(parse_config("[[method]]\nsampler = \"relax\"\n" + lines + "\n", "c.toml", overrides,
-                                  registry_with_relax()));
+    return make_plan(
+        parse_config("[[method]]\nsampler = \"relax\"\n" + lines + "\n", "c.toml", overrides, registry_with_relax()));
 }
 
 std::string error_of(const std::string& lines, const std::vector<std::string>& overrides = {})
@@ -76,14 +76,12 @@ TEST(Start, CanBeATableOfItsOwn)
 
 TEST(Start, ListsMakeOneSeriesAValue)
 {
-    const auto plan =
-        plan_of("iterations = [1, 2]\nkeep = \"best\"\n"
-                "start = [\"random\", { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }]");
+    const auto plan = plan_of("iterations = [1, 2]\nkeep = \"best\"\n"
+                              "start = [\"random\", { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }]");
     EXPECT_THAT(names(plan),
                 ElementsAre("relax-i-1-random-keep-best", "relax-i-1-dart-throwing-rho-0.6-keep-best",
                             "relax-i-1-dart-throwing-rho-0.7-keep-best", "relax-i-2-random-keep-best",
-                            "relax-i-2-dart-throwing-rho-0.6-keep-best",
-                            "relax-i-2-dart-throwing-rho-0.7-keep-best"));
+                            "relax-i-2-dart-throwing-rho-0.6-keep-best", "relax-i-2-dart-throwing-rho-0.7-keep-best"));
     EXPECT_THAT(labels(plan_of("label = \"L\"\niterations = 3\n"
                                "start = { sampler = \"dart-throwing\", relative_radius = [0.6, 0.7] }")),
                 ElementsAre("L, start = Dart throwing (rho = 0.6)", "L, start = Dart throwing (rho = 0.7)"))
@@ -94,8 +92,7 @@ TEST(Start, FlagsAreNamedWhereTheyAreTrue)
 {
     const auto plan = plan_of("start = \"random\"\nrepulsion = [false, true]");
     EXPECT_THAT(names(plan), ElementsAre("relax-random", "relax-random-repulsion"));
-    EXPECT_THAT(labels(plan),
-                ElementsAre("Relaxation, start = Random", "Relaxation, start = Random, repulsion"));
+    EXPECT_THAT(labels(plan), ElementsAre("Relaxation, start = Random", "Relaxation, start = Random, repulsion"));
 }
 
 TEST(Start, CanStartFromAnother)
@@ -108,8 +105,7 @@ TEST(Start, CanStartFromAnother)
     for (int i = 0; i < 3; ++i) deep = "{ sampler = \"relax\", start = " + deep + " }";
     EXPECT_EQ(plan_of("start = " + deep).size(), 1U);
     deep = "{ sampler = \"relax\", start = " + deep + " }";
-    EXPECT_EQ(error_of("start = " + deep),
-              "c.toml:3: start = \"random\": samplers lie in one another up to 5 deep");
+    EXPECT_EQ(error_of("start = " + deep), "c.toml:3: start = \"random\": samplers lie in one another up to 5 deep");
 }
 
 TEST(Start, NamesStayUnique)
@@ -118,9 +114,8 @@ TEST(Start, NamesStayUnique)
     const auto plan = plan_of("start = \"random\"\n[[method]]\nsampler = \"relax\"\nstart = \"random\"\n"
                               "repulsion = false");
     EXPECT_THAT(names(plan), ElementsAre("relax-random", "relax-random-2"));
-    EXPECT_EQ(
-        error_of("start = \"random\"\n[[method]]\nsampler = \"relax\"\nstart = { sampler = \"random\" }"),
-        "c.toml:4: [[method]]: the series \"Relaxation, start = Random\" is there twice");
+    EXPECT_EQ(error_of("start = \"random\"\n[[method]]\nsampler = \"relax\"\nstart = { sampler = \"random\" }"),
+              "c.toml:4: [[method]]: the series \"Relaxation, start = Random\" is there twice");
 }
 
 TEST(Start, IsCheckedLikeAMethod)
@@ -148,8 +143,7 @@ TEST(Start, IsCheckedLikeAMethod)
               "c.toml:4: relative_radius = 1.5: must be a number greater than 0 and at most 1");
     EXPECT_EQ(start("\"dart-throwing\""),
               "c.toml:3: sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
-    EXPECT_EQ(start("{ sampler = \"random\", points = 4 }"),
-              "c.toml:3: points = 4: unknown key; known keys: sampler")
+    EXPECT_EQ(start("{ sampler = \"random\", points = 4 }"), "c.toml:3: points = 4: unknown key; known keys: sampler")
         << "as many as its method has";
     EXPECT_THAT(start("{ sampler = \"dart-throwing\", relative_radius = 0.95 }"),
                 HasSubstr("c.toml:3: relative_radius = 0.95: "));
@@ -168,8 +162,7 @@ TEST(Start, TooManySeries)
     std::string list;
     for (int i = 0; i < 32; ++i) list += std::to_string(i) + ", ";
     EXPECT_EQ(error_of("start = { sampler = \"relax\", iterations = [" + list +
-                       "], start = { sampler = \"relax\", iterations = [" + list +
-                       "], start = \"random\" } }"),
+                       "], start = { sampler = \"relax\", iterations = [" + list + "], start = \"random\" } }"),
               "c.toml:3: start: its lists make more than 1000 series");
 }
 
@@ -199,8 +192,8 @@ TEST(Start, DimensionsAreThoseOfAllSamplers)
     for (SamplerSpec& spec : registry)
         if (spec.name == "random") spec.dimensions = {3};
     EXPECT_EQ(message_of([&] {
-                  make_plan(parse_config("[[method]]\nsampler = \"relax\"\nstart = \"random\"\n", "c.toml",
-                                         {}, registry));
+                  make_plan(
+                      parse_config("[[method]]\nsampler = \"relax\"\nstart = \"random\"\n", "c.toml", {}, registry));
               }),
               "c.toml:3: sampler = \"random\": this method has no 2D sets");
 }

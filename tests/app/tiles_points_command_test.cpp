@@ -1,9 +1,9 @@
 // `poissonlab tiles points`: the file's points are those of the reference, in every format.
-#include "tests/support/program.hpp"
 #include "base/points/point_file.hpp"
-#include "tiles/poisson/tile_set_file.hpp"
-#include "tests/support/random_tile_set.hpp"
 #include "host/tile_points/tile_points.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -38,8 +38,7 @@ protected:
 };
 
 /// The points as read from a file whose range of coordinates is [0, size).
-PointSet expected_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
-                         double size)
+PointSet expected_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block, double size)
 {
     PointSet points{tiles.parameters.dimension, {}};
     for (const std::uint32_t unit : reference::exact_tile_points(tiles, tiling, block))
@@ -79,8 +78,7 @@ TEST_F(TilesPointsCommand, SaysWhatIsWrong)
     expect_error("tiles.ptiles --window 0 0 0 1 --out points.npy", "sizes are at least 1");
     expect_error("tiles.ptiles --window 0 0 70000 1 --out points.npy", "must be 1 to 65536");
     expect_error("tiles.ptiles --window 3000000000 0 1 1 --out points.npy", "32 bits");
-    expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy",
-                 "must be an integer from 0 to 4294967295");
+    expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy", "must be an integer from 0 to 4294967295");
     expect_error("tiles.ptiles --window 0 0 1 1", "--out is required");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "points.npy"));
 }

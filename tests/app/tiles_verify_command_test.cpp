@@ -44,26 +44,24 @@ TEST_F(TilesCommand, SummarizesSoundSets)
     const Outcome outcome = verify(set_);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.error, "");
-    EXPECT_THAT(outcome.out,
-                MatchesRegex("kind                  corner\n"
-                             "colours               2\n"
-                             "tiles                 16\n"
-                             "points per tile       48\n"
-                             "relative radius       0\\.55.* proven, 0\\.550000 asked for\n"
-                             "minimum distance      0\\.085.* tiles\n"
-                             "stored guarantee      0\\.55.*: what is proven\n"
-                             "largest empty circle  radius at most 0\\..* tiles, .* minimum distances\n"
-                             "\n"
-                             "points of a tile near      min      mean     max   density\n"
-                             "corners  .*\nedges  .*\ninterior  .*\n"));
+    EXPECT_THAT(outcome.out, MatchesRegex("kind                  corner\n"
+                                          "colours               2\n"
+                                          "tiles                 16\n"
+                                          "points per tile       48\n"
+                                          "relative radius       0\\.55.* proven, 0\\.550000 asked for\n"
+                                          "minimum distance      0\\.085.* tiles\n"
+                                          "stored guarantee      0\\.55.*: what is proven\n"
+                                          "largest empty circle  radius at most 0\\..* tiles, .* minimum distances\n"
+                                          "\n"
+                                          "points of a tile near      min      mean     max   density\n"
+                                          "corners  .*\nedges  .*\ninterior  .*\n"));
 }
 
 TEST_F(TilesCommand, SpeaksOfOtherKinds)
 {
     const Outcome sphere = verify(made_up(sphere_parameters(2)));
     EXPECT_EQ(sphere.status, 0);
-    for (const char* words :
-         {"sphere\n", "stored guarantee      none\n", "largest empty sphere  ", "\nfaces  "})
+    for (const char* words : {"sphere\n", "stored guarantee      none\n", "largest empty sphere  ", "\nfaces  "})
         EXPECT_THAT(sphere.out, HasSubstr(words));
     const Outcome frame = verify(made_up(template_parameters(3)));
     EXPECT_EQ(frame.status, 0);
@@ -94,24 +92,21 @@ TEST_F(TilesCommand, RefusesPromisesThatAreNotProven)
     const Outcome more = verify(set_);
     EXPECT_EQ(more.status, 2);
     EXPECT_THAT(more.out, HasSubstr("MORE than is proven"));
-    EXPECT_THAT(more.error,
-                MatchesRegex("poissonlab: error: a.ptiles: guarantees a squared minimum distance of "
-                             "[0-9]+: must be at most [0-9]+, which is proven\n"));
+    EXPECT_THAT(more.error, MatchesRegex("poissonlab: error: a.ptiles: guarantees a squared minimum distance of "
+                                         "[0-9]+: must be at most [0-9]+, which is proven\n"));
 
     const PoissonTileSet spread = random_points(template_parameters(1));
     const Outcome less = verify(spread);
     EXPECT_EQ(less.status, 2);
-    EXPECT_THAT(less.error,
-                MatchesRegex("poissonlab: error: a.ptiles: relative_radius = 0.55: must be at most "
-                             "0\\.[0-9]+, which is proven\n"));
+    EXPECT_THAT(less.error, MatchesRegex("poissonlab: error: a.ptiles: relative_radius = 0.55: must be at most "
+                                         "0\\.[0-9]+, which is proven\n"));
 }
 
 TEST_F(TilesCommand, RefusesFilesThatAreNoTileSets)
 {
     expect_error({"tiles", "verify", "no"}, "no: cannot be read: No such file or directory");
     folder_.write("points.dat", "0.5 0.5\n");
-    expect_error({"tiles", "verify", "points.dat"},
-                 "points.dat: is no Poisson tile set: neither .ptiles nor JSON");
+    expect_error({"tiles", "verify", "points.dat"}, "points.dat: is no Poisson tile set: neither .ptiles nor JSON");
     std::string bytes = encode_tile_set(set_);
     bytes.back() ^= 1;
     folder_.write("damaged.ptiles", bytes);
@@ -125,8 +120,7 @@ TEST_F(TilesCommand, RefusesTilesThatDoNotFitTogether)
     // Random tiles: nothing is shared.
     const Outcome outcome = verify(random_points(corner_parameters(2)));
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.error,
-                MatchesRegex("poissonlab: error: a.ptiles: tile [0-9]+: points near its corner .*"));
+    EXPECT_THAT(outcome.error, MatchesRegex("poissonlab: error: a.ptiles: tile [0-9]+: points near its corner .*"));
     EXPECT_EQ(outcome.out, "");
 }
 

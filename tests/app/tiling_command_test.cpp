@@ -50,8 +50,7 @@ std::string line_of(const std::vector<TileIndex>& tiles)
 }
 
 /// Rows from north to south, tile by tile.
-std::string text_of(const Tiling& tiling, std::int64_t x, std::int64_t y, std::int64_t width,
-                    std::int64_t height)
+std::string text_of(const Tiling& tiling, std::int64_t x, std::int64_t y, std::int64_t width, std::int64_t height)
 {
     std::string text;
     for (std::int64_t row = height; row-- > 0;) {
@@ -99,8 +98,7 @@ TEST_F(TilingCommand, PrintsCubesLayerByLayer)
     std::string expected;
     for (const std::int64_t z : {-1, 0}) {
         expected += z == -1 ? "" : "\n";
-        for (const std::int64_t y : {6, 5, 4})
-            expected += line_of({tiling.tile(-1, y, z), tiling.tile(0, y, z)});
+        for (const std::int64_t y : {6, 5, 4}) expected += line_of({tiling.tile(-1, y, z), tiling.tile(0, y, z)});
     }
     EXPECT_EQ(printed("cube --colors 2 --window -1 4 -1 2 3 2"), expected);
 }
@@ -127,15 +125,13 @@ TEST_F(TilingCommand, PrintsScanlineTilings)
 TEST_F(TilingCommand, TilesAreTheSameForEver)
 {
     // Tilings are part of results: these must not change.
-    EXPECT_EQ(printed("corner --colors 2 --window -2 -2 6 3"),
-              "6 14 11 5 10 9\n11 13 3 12 3 4\n7 14 7 10 1 12\n");
+    EXPECT_EQ(printed("corner --colors 2 --window -2 -2 6 3"), "6 14 11 5 10 9\n11 13 3 12 3 4\n7 14 7 10 1 12\n");
     EXPECT_EQ(printed("corner --colors 7 --hash permutation --window -2 -2 6 2"),
               "233 1302 2047 1811 649 1709\n1678 1810 2070 643 2248 2232\n");
     EXPECT_EQ(printed("corner --colors 5 --hash xxh64 --window -2 -2 6 2"),
               "59 535 559 489 248 71\n271 177 261 577 544 284\n");
     EXPECT_EQ(printed("wang --colors 3 --window 0 0 4 2 --seed 5"), "63 13 10 52\n14 46 8 54\n");
-    EXPECT_EQ(printed("wang --colors 3 --algorithm two-hashes --window 0 0 4 2"),
-              "67 46 41 67\n29 18 50 50\n");
+    EXPECT_EQ(printed("wang --colors 3 --algorithm two-hashes --window 0 0 4 2"), "67 46 41 67\n29 18 50 50\n");
     EXPECT_EQ(printed("wang --colors 3 --algorithm scanline --window 0 0 4 2"), "6 33 72 53\n76 65 13 64\n");
     EXPECT_EQ(printed("cube --colors 2 --window -1 -1 -1 3 1 2"), "17 204 183\n\n193 188 91\n");
 }
@@ -165,8 +161,7 @@ TEST_F(TilingCommand, WrongArguments)
                  "tiling: --hash \"md5\": unknown (known: permutation, long-period, xxh64)");
     expect_error("corner --colors 2 --window 0 0 1 1 --period -1",
                  "period = -1: must be an integer from 1 to 2^62 - 1, or 0 for none");
-    expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3",
-                 "tiling: --period 1 2 3: there are 2 axes");
+    expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3", "tiling: --period 1 2 3: there are 2 axes");
     expect_error("corner --colors 2 --algorithm scanline --window 3 0 1 1",
                  "tiling: --window 3 0 1 1: with --algorithm scanline, X and Y must be 0");
     expect_error("corner --colors 2 --algorithm scanline --hash xxh64 --window 0 0 1 1",
@@ -177,10 +172,7 @@ TEST_F(TilingCommand, WrongArguments)
                  "tiling by scanlines: width = 9223372036854775807: must be at most 4294967296");
 }
 
-TEST_F(TilingCommand, SaysHowToUseIt)
-{
-    EXPECT_THAT(printed("--help"), testing::HasSubstr("--window X Y W H"));
-}
+TEST_F(TilingCommand, SaysHowToUseIt) { EXPECT_THAT(printed("--help"), testing::HasSubstr("--window X Y W H")); }
 
 }
 }

@@ -77,8 +77,7 @@ TEST_F(TilingRun, SeesWhichHashFunctionsRepeat)
         EXPECT_GT(statistics(good)["tile_frequencies"]["p_value"].get<double>(), 1e-4) << good;
         for (const json& colors : statistics(good)["colors"]) {
             const json& autocorrelation = colors["autocorrelation"];
-            EXPECT_LT(autocorrelation["largest"].get<double>(), autocorrelation["bound"].get<double>() + 1)
-                << good;
+            EXPECT_LT(autocorrelation["largest"].get<double>(), autocorrelation["bound"].get<double>() + 1) << good;
             EXPECT_GT(colors["frequencies"]["p_value"].get<double>(), 1e-4) << good;
             const auto image = read_square_image(out_ / autocorrelation["file"].get<std::string>());
             EXPECT_EQ(image.size, 641);
@@ -102,8 +101,7 @@ TEST_F(TilingRun, GivesTheSameBytesAgain)
     auto first = files_below(out_);
     results(config);
     auto second = files_below(out_);
-    for (const char* with_times : {"index.html", "results.json"})
-        first.erase(with_times), second.erase(with_times);
+    for (const char* with_times : {"index.html", "results.json"}) first.erase(with_times), second.erase(with_times);
     EXPECT_EQ(first, second);
 }
 

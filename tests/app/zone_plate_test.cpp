@@ -1,10 +1,10 @@
 // The sampling test in an experiment: what is stored, and that it is always the same.
 #include "analysis/zone_plate/zone_plate.hpp"
 #include "base/images/square_image_file.hpp"
-#include "tests/support/program.hpp"
-#include "host/measuring/zone_plate_analysis.hpp"
 #include "base/points/point_file.hpp"
+#include "host/measuring/zone_plate_analysis.hpp"
 #include "tests/support/point_patterns.hpp"
+#include "tests/support/program.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -70,8 +70,8 @@ TEST_F(ZonePlateRun, WritesEverythingThatTheDocumentationLists)
     const auto json = nlohmann::json::parse(content_of(out_ / "results.json"));
     for (const auto& series : json["series"]) {
         const auto folder = out_ / series["name"].get<std::string>();
-        for (const char* file : {"zone-plate.exr", "zone-plate.csv", "zone-plate.png", "zone-plate-error.svg",
-                                 "zone-plate-error.png"})
+        for (const char* file :
+             {"zone-plate.exr", "zone-plate.csv", "zone-plate.png", "zone-plate-error.svg", "zone-plate-error.png"})
             EXPECT_TRUE(fs::exists(folder / file)) << file;
         const auto& plate = series["zone_plate"];
         EXPECT_EQ(plate["size"], 64);
@@ -88,8 +88,7 @@ TEST_F(ZonePlateRun, WritesEverythingThatTheDocumentationLists)
         for (std::size_t p = 0; p < image.pixels.size(); ++p)
             ASSERT_EQ(image.pixels[p], static_cast<float>(expected.pixels[p]));
     }
-    for (const char* file :
-         {"zone-plate-error-all.svg", "zone-plate-error-all.png", "zone-plate-reference.png"})
+    for (const char* file : {"zone-plate-error-all.svg", "zone-plate-error-all.png", "zone-plate-reference.png"})
         EXPECT_TRUE(fs::exists(out_ / file)) << file;
 }
 

@@ -1,8 +1,8 @@
 // Dart throwing: kernels against the plain sequential algorithm and against the sequential reference.
-#include "tests/bench/plain_dart_throwing.hpp"
-#include "tests/bench/ratio_reporter.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/dart_throwing.hpp"
+#include "tests/bench/plain_dart_throwing.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 
 namespace poissonlab::bench {
 namespace {
@@ -37,10 +37,7 @@ DartThrowingRequest to_saturation(std::size_t expected_points, std::uint32_t rea
 double relative_radius(const benchmark::State& state) { return static_cast<double>(state.range(0)) / 100; }
 
 /// The benchmark's argument is about how many points a saturated set has.
-std::size_t expected_points(const benchmark::State& state)
-{
-    return static_cast<std::size_t>(state.range(0));
-}
+std::size_t expected_points(const benchmark::State& state) { return static_cast<std::size_t>(state.range(0)); }
 
 template <int D>
 void plain(benchmark::State& state)
@@ -73,8 +70,7 @@ void reference_to_saturation(benchmark::State& state)
 {
     std::uint32_t realization = 0;
     for (auto _ : state)
-        benchmark::DoNotOptimize(
-            reference::throw_darts(to_saturation<D>(expected_points(state), ++realization)));
+        benchmark::DoNotOptimize(reference::throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
 template <int D>
@@ -84,8 +80,7 @@ void kernel_to_saturation(benchmark::State& state)
     std::uint32_t realization = 0;
     thrower.throw_darts(to_saturation<D>(expected_points(state), realization));
     for (auto _ : state)
-        benchmark::DoNotOptimize(
-            thrower.throw_darts(to_saturation<D>(expected_points(state), ++realization)));
+        benchmark::DoNotOptimize(thrower.throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
 BENCHMARK_TEMPLATE(plain, 2)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
@@ -137,12 +132,11 @@ int main(int argc, char** argv)
     return poissonlab::bench::run_benchmarks(
         argc, argv,
         {{"16,384 points at 0.75: plain sequential / kernel", "plain<2>/75", "kernel<2>/75", 3.0},
-         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference<2>/75",
-          "kernel<2>/75", 1.6},
+         {"16,384 points at 0.75: sequential reference / kernel", "sequential_reference<2>/75", "kernel<2>/75", 1.6},
          {"saturation, 1,000,000 points: sequential reference / kernel", "reference_to_saturation<2>/1000000",
           "kernel_to_saturation<2>/1000000", 3.0},
-         {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9",
-          "kernel_to_saturation<2>/1000000", "kernel_to_saturation<2>/16384", 0.0},
+         {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9", "kernel_to_saturation<2>/1000000",
+          "kernel_to_saturation<2>/16384", 0.0},
          {"3D, 65,536 points at 0.75: plain sequential / kernel", "plain<3>/75", "kernel<3>/75", 2.5},
          {"3D, saturation, 65,536 points: sequential reference / kernel", "reference_to_saturation<3>/65536",
           "kernel_to_saturation<3>/65536", 2.5}});

@@ -55,13 +55,17 @@ void interrupted(benchmark::State& state)
         const double taken = Seconds(std::chrono::steady_clock::now() - begin).count();
         state.SetIterationTime(taken);
         is_late = is_late || taken > limit;
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 130)
-            state.SkipWithError("it was not interrupted");
+        if (!WIFEXITED(status) || WEXITSTATUS(status) != 130) state.SkipWithError("it was not interrupted");
     }
 }
-BENCHMARK(interrupted)->DenseRange(0, std::size(works) - 1)->UseManualTime()->Iterations(1)->Repetitions(10)
+BENCHMARK(interrupted)
+    ->DenseRange(0, std::size(works) - 1)
+    ->UseManualTime()
+    ->Iterations(1)
+    ->Repetitions(10)
     ->ComputeStatistics("max", [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); })
-    ->ReportAggregatesOnly()->Unit(benchmark::kMillisecond);
+    ->ReportAggregatesOnly()
+    ->Unit(benchmark::kMillisecond);
 
 }
 }

@@ -1,6 +1,6 @@
 // Relaxation dart throwing: kernels against the sequential reference.
-#include "tests/bench/ratio_reporter.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 
 namespace poissonlab::bench {
 namespace {
@@ -22,8 +22,7 @@ void sequential_reference(benchmark::State& state)
 {
     std::uint32_t realization = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            reference::throw_relaxation_darts(request_for(state.range(0), ++realization)));
+        benchmark::DoNotOptimize(reference::throw_relaxation_darts(request_for(state.range(0), ++realization)));
     }
 }
 
@@ -32,8 +31,7 @@ void kernel(benchmark::State& state)
     RelaxationDartThrower thrower(Device::open({}, threads));
     std::uint32_t realization = 0;
     thrower.throw_darts(request_for(1, realization)); // builds the kernels
-    for (auto _ : state)
-        benchmark::DoNotOptimize(thrower.throw_darts(request_for(state.range(0), ++realization)));
+    for (auto _ : state) benchmark::DoNotOptimize(thrower.throw_darts(request_for(state.range(0), ++realization)));
 }
 
 /// Kernel and reference take turns, so that what else the machine does slows both.
@@ -59,11 +57,10 @@ int main(int argc, char** argv)
     in_turns(1, 9);
     in_turns(2, 9);
     in_turns(3, 5);
-    return run_benchmarks(argc, argv,
-                          {{"16,384 points, 0.9 after 100: sequential reference / kernel",
-                            "sequential_reference/1", "kernel/1", 0.0},
-                           {"16,384 points, 0.99 after 1,000: sequential reference / kernel",
-                            "sequential_reference/2", "kernel/2", 1.0},
-                           {"16,384 points, 0.999 after 10,000: sequential reference / kernel",
-                            "sequential_reference/3", "kernel/3", 1.8}});
+    return run_benchmarks(
+        argc, argv,
+        {{"16,384 points, 0.9 after 100: sequential reference / kernel", "sequential_reference/1", "kernel/1", 0.0},
+         {"16,384 points, 0.99 after 1,000: sequential reference / kernel", "sequential_reference/2", "kernel/2", 1.0},
+         {"16,384 points, 0.999 after 10,000: sequential reference / kernel", "sequential_reference/3", "kernel/3",
+          1.8}});
 }

@@ -84,11 +84,7 @@ void fftw_line(benchmark::State& state)
     fftw_free(out);
 }
 
-BENCHMARK(exact)
-    ->Args({2, 16'384, 1024})
-    ->Args({3, 65'536, 128})
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+BENCHMARK(exact)->Args({2, 16'384, 1024})->Args({3, 65'536, 128})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(fftw)
     ->Args({2, 1, 2048})
     ->Args({2, 2, 2048})

@@ -3,11 +3,11 @@
 // Plain: the same 1,000 sets of 4,096 points, made, written and analysed by a loop without units, schedule and
 // checksums. Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work
 // without start and report, as the program's own events tell them.
-#include "tests/bench/ratio_reporter.hpp"
+#include "base/points/point_file.hpp"
+#include "host/measuring/series_analysis.hpp"
 #include "host/run/make_experiment.hpp"
 #include "host/run/runner.hpp"
-#include "host/measuring/series_analysis.hpp"
-#include "base/points/point_file.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -24,10 +24,7 @@ namespace {
 constexpr const char* many_units = "[analysis]\npoints = 4096\nrealizations = 1000\ntiming_runs = 1\n[[method]]\n"
                                    "sampler = \"dart-throwing\"\nrelative_radius = 0.7\n";
 
-Experiment experiment_of_many_units()
-{
-    return make_experiment(parse_config(many_units, "many.toml"), "", 0);
-}
+Experiment experiment_of_many_units() { return make_experiment(parse_config(many_units, "many.toml"), "", 0); }
 
 void plain(benchmark::State& state)
 {

@@ -3,10 +3,10 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.2.1, measures points a second; memory sets
 // the limit.
+#include "host/tile_points/tile_points.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/random_tile_set.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "host/tile_points/tile_points.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -84,8 +84,7 @@ void load_and_place_16384(benchmark::State& state)
         std::vector<char> bytes(std::filesystem::file_size(path));
         file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
         ptiles_tiling tiling{{}, 1, 0};
-        if (const char* problem = ptiles_open(&tiling.set, bytes.data(), bytes.size()))
-            state.SkipWithError(problem);
+        if (const char* problem = ptiles_open(&tiling.set, bytes.data(), bytes.size())) state.SkipWithError(problem);
         const double low[] = {0, 0};
         const double high[] = {16, 16};
         benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size()));

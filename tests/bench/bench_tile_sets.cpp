@@ -3,9 +3,9 @@
 //
 // The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8
 // colours: those of tiles, which are 95 of 100.
+#include "host/tile_sampling/tile_set_cache.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/small_tile_sets.hpp"
-#include "host/tile_sampling/tile_set_cache.hpp"
 
 namespace poissonlab::bench {
 namespace {
@@ -135,7 +135,7 @@ int main(int argc, char** argv)
     add("build", build, corner_8, 3);
     add("build", build, edge_2, 3);
     add("build", build, sphere_2, 1);
-    return run_benchmarks(argc, argv,
-                          {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1",
-                            "fill_by_kernels/1", 6}});
+    return run_benchmarks(
+        argc, argv,
+        {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}});
 }

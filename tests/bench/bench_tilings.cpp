@@ -32,11 +32,10 @@ void stream_rows(benchmark::State& state, DirectAlgorithm algorithm, HashKind ha
     const Tiling tiling(algorithm, {colors, colors}, hash, 1);
     for (auto _ : state) {
         TileIndex seen = 0;
-        tiling.stream({-300, -300, side, side},
-                      [&](std::int64_t, std::int64_t, std::span<const TileIndex> tiles) {
-                          benchmark::DoNotOptimize(tiles.data());
-                          seen ^= tiles.back();
-                      });
+        tiling.stream({-300, -300, side, side}, [&](std::int64_t, std::int64_t, std::span<const TileIndex> tiles) {
+            benchmark::DoNotOptimize(tiles.data());
+            seen ^= tiles.back();
+        });
         benchmark::DoNotOptimize(seen);
     }
     count_tiles(state, side);
@@ -100,12 +99,11 @@ void scanline(benchmark::State& state, const TileSet& tiles)
     count_tiles(state, side);
 }
 
-#define ONE_HASH(function, algorithm, hash)                                                                  \
-    BENCHMARK_CAPTURE(function, algorithm##_##hash, DirectAlgorithm::algorithm, HashKind::hash)              \
-        ->Repetitions(5)
-#define EACH_HASH(function, algorithm)                                                                       \
-    ONE_HASH(function, algorithm, permutation);                                                              \
-    ONE_HASH(function, algorithm, long_period);                                                              \
+#define ONE_HASH(function, algorithm, hash)                                                                            \
+    BENCHMARK_CAPTURE(function, algorithm##_##hash, DirectAlgorithm::algorithm, HashKind::hash)->Repetitions(5)
+#define EACH_HASH(function, algorithm)                                                                                 \
+    ONE_HASH(function, algorithm, permutation);                                                                        \
+    ONE_HASH(function, algorithm, long_period);                                                                        \
     ONE_HASH(function, algorithm, xxh64)
 
 EACH_HASH(stream_rows, corner);
@@ -129,8 +127,7 @@ std::vector<bench::Ratio> ratios()
         for (const std::string hash : {"permutation", "long_period", "xxh64"}) {
             for (const std::string algorithm : {"wang_one_hash", "wang_edge_hash", "wang_two_hashes"}) {
                 result.push_back({way + ", " + hash + ": " + algorithm + " / corner",
-                                  way + "/" + algorithm + "_" + hash + "/", way + "/corner_" + hash + "/",
-                                  1});
+                                  way + "/" + algorithm + "_" + hash + "/", way + "/corner_" + hash + "/", 1});
             }
         }
     }

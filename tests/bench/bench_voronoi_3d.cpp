@@ -1,6 +1,6 @@
 // Voronoi cells in 3D: one Lloyd step's cells by the kernels, against voro++ on one thread.
-#include "tests/bench/ratio_reporter.hpp"
 #include "host/sampling/voronoi_cells.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 
 #ifdef POISSONLAB_VOROPP
 #include <voro++/voro++.hh>

@@ -28,8 +28,7 @@ public:
             first_x_ = x;
             first_y_ = y;
         } else {
-            const double cross =
-                (last_x_ - first_x_) * (y - first_y_) - (last_y_ - first_y_) * (x - first_x_);
+            const double cross = (last_x_ - first_x_) * (y - first_y_) - (last_y_ - first_y_) * (x - first_x_);
             area_ += cross;
             x_ += cross * (last_x_ + x + first_x_) / 3;
             y_ += cross * (last_y_ + y + first_y_) / 3;

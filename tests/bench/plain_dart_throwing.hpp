@@ -15,9 +15,7 @@ namespace poissonlab::bench {
 class Xoroshiro
 {
 public:
-    explicit Xoroshiro(std::uint64_t seed)
-        : a_(seed * 0x9E3779B97F4A7C15u + 1), b_(seed ^ 0xD1B54A32D192ED03u)
-    {}
+    explicit Xoroshiro(std::uint64_t seed) : a_(seed * 0x9E3779B97F4A7C15u + 1), b_(seed ^ 0xD1B54A32D192ED03u) {}
 
     std::uint64_t operator()()
     {

@@ -1,6 +1,6 @@
 // collection.json: the output folders of a collection.
-#include "tests/fuzz/fuzz_support.hpp"
 #include "results/collection_file.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

@@ -1,8 +1,8 @@
 // Configs: TOML text, with `--set` arguments on lines that begin with `#--set `. What is accepted is planned as well.
+#include "base/files/text_lines.hpp"
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
-#include "base/files/text_lines.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -26,9 +26,9 @@ bool looks_outside(const ParameterValue& value)
 {
     const auto* start = std::get_if<std::shared_ptr<const SamplerChoice>>(&value);
     if (!start) return false;
-    return looks_outside(*(*start)->spec) ||
-           std::ranges::any_of((*start)->parameters.entries(),
-                               [](const auto& entry) { return looks_outside(entry.second.value); });
+    return looks_outside(*(*start)->spec) || std::ranges::any_of((*start)->parameters.entries(), [](const auto& entry) {
+               return looks_outside(entry.second.value);
+           });
 }
 
 bool looks_outside(const MethodConfig& method)

@@ -1,6 +1,6 @@
 // construction.json: the panels of a picture of how tile sets come into being.
-#include "tests/fuzz/fuzz_support.hpp"
 #include "results/pictures/stored_constructions.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {

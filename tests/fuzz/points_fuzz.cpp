@@ -1,6 +1,6 @@
 // Point files: text, PLY and NumPy. What is read is in [0, 1), and the same after it was written in any format.
-#include "tests/fuzz/fuzz_support.hpp"
 #include "base/points/point_file.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // results.json, in a folder that has files to name.
-#include "tests/fuzz/fuzz_support.hpp"
 #include "results/stored_results.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 namespace poissonlab::fuzz {
 namespace {

@@ -1,9 +1,9 @@
 // Stored tables: radial.csv, pair-correlation.csv and zone-plate.csv, told apart by their headers, and tiles.txt.
-#include "tests/fuzz/fuzz_support.hpp"
 #include "results/pair_correlation_table.hpp"
-#include "results/radial_table.hpp"
 #include "results/pictures/stored_tilings.hpp"
+#include "results/radial_table.hpp"
 #include "results/zone_plate_table.hpp"
+#include "tests/fuzz/fuzz_support.hpp"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // and looked up as `tiles verify` and `tiles points` do.
 //
 // Mutations alone would never get past the checksum and the size of a binary file, so that the mutator mends both.
+#include "base/files/xxh64_bytes.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 #include "tests/fuzz/mended_mutation.hpp"
-#include "base/files/xxh64_bytes.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

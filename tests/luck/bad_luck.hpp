@@ -1,8 +1,8 @@
 // Runs the program where something goes wrong, and looks at what it leaves behind.
 #pragma once
 
-#include "tests/support/program.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 
@@ -95,9 +95,9 @@ protected:
     long calls(const std::vector<std::string>& arguments, const std::string& settings) const
     {
         const auto file = path("calls");
-        const Outcome outcome = run_program(
-            folder_.path(), arguments,
-            bad_luck(settings + " BAD_LUCK_AFTER=1000000000 BAD_LUCK_COUNT=" + quoted(file.string())));
+        const Outcome outcome =
+            run_program(folder_.path(), arguments,
+                        bad_luck(settings + " BAD_LUCK_AFTER=1000000000 BAD_LUCK_COUNT=" + quoted(file.string())));
         EXPECT_EQ(outcome.status, 0) << outcome.error;
         return std::atol(content_of(file).c_str());
     }

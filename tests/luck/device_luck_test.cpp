@@ -46,8 +46,8 @@ TEST_F(DeviceLuck, VanishesDuringARun)
 /// Each kind of call is the first to fail, once at its first use.
 TEST_F(DeviceLuck, IsNamedByTheCall)
 {
-    for (const std::string call : {"clCreateCommandQueue", "clCreateBuffer", "clBuildProgram",
-                                   "clEnqueueNDRangeKernel"}) {
+    for (const std::string call :
+         {"clCreateCommandQueue", "clCreateBuffer", "clBuildProgram", "clEnqueueNDRangeKernel"}) {
         SCOPED_TRACE(call);
         expect_one_line(run("out", gone(0, call)), 3, call + " failed with CL_DEVICE_NOT_AVAILABLE");
     }
@@ -55,8 +55,9 @@ TEST_F(DeviceLuck, IsNamedByTheCall)
 
 TEST_F(DeviceLuck, VanishesWhileTilesAreMade)
 {
-    const std::vector<std::string> build{"tiles", "build", "corner", "--colors", "1", "--points", "16",      "--lloyd",
-                                         "2",     "--out", "set",    "--quiet",  "--relative-radius", "0.5"};
+    const std::vector<std::string> build{
+        "tiles",   "build", "corner", "--colors", "1",       "--points",          "16",
+        "--lloyd", "2",     "--out",  "set",      "--quiet", "--relative-radius", "0.5"};
     const std::vector<std::string> points{"tiles", "points", "set", "--window", "0", "0", "5", "5", "--out", "points"};
     for (const auto& command : {build, points}) {
         const long all = calls(command, "BAD_LUCK=opencl");

@@ -57,8 +57,8 @@ TEST_F(DiskLuck, FillsUpDuringARun)
 
 TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
 {
-    const std::vector<std::string> build{"tiles", "build", "corner",  "--colors",        "1",   "--points", "16",
-                                         "--lloyd", "2",   "--quiet", "--relative-radius", "0.5", "--out"};
+    const std::vector<std::string> build{"tiles",   "build", "corner",  "--colors",          "1",   "--points", "16",
+                                         "--lloyd", "2",     "--quiet", "--relative-radius", "0.5", "--out"};
     auto to = [](std::vector<std::string> command, const std::string& file) {
         command.push_back(file);
         return command;
@@ -124,8 +124,8 @@ TEST_F(DiskLuck, OfTheCachesIsFull)
 TEST_F(DiskLuck, LeavesNoFolderForKernels)
 {
     std::filesystem::create_directories(path("disk/tmp"));
-    const std::string caches = "POCL_CACHE_DIR=" + quoted(absolute("disk/kernels")) +
-                               " TMPDIR=" + quoted(absolute("disk/tmp"));
+    const std::string caches =
+        "POCL_CACHE_DIR=" + quoted(absolute("disk/kernels")) + " TMPDIR=" + quoted(absolute("disk/tmp"));
     const std::string full_disk = "BAD_LUCK=statvfs BAD_LUCK_FOLDER=" + quoted(absolute("disk"));
     const Outcome outcome = run("out", bad_luck(full_disk + " " + caches));
     expect_one_line(outcome, 3, "PoCL needs a folder for compiled kernels with 64.0 MiB free");

@@ -5,7 +5,8 @@ namespace poissonlab {
 namespace {
 
 class EnvironmentLuck : public BadLuck
-{};
+{
+};
 
 TEST_F(EnvironmentLuck, ChangesNoResult)
 {

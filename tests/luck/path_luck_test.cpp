@@ -5,10 +5,12 @@ namespace poissonlab {
 namespace {
 
 class NamesLuck : public BadLuck
-{};
+{
+};
 
 class PathLuck : public BadLuck, public ::testing::WithParamInterface<std::string>
-{};
+{
+};
 
 /// Of the current folder, the config, the output, the cache, point files and tile sets.
 TEST_P(PathLuck, IsNoMatter)
@@ -50,7 +52,8 @@ TEST_F(NamesLuck, WithNewlinesAreOneLine)
 }
 
 INSTANTIATE_TEST_SUITE_P(OfLetters, PathLuck,
-                         ::testing::Values("Gr\xc3\xbc\xc3\x9f" "e, \xe4\xb8\xad\xe6\x96\x87 \xd8\xb9 $HOME \"`x`\""));
+                         ::testing::Values("Gr\xc3\xbc\xc3\x9f"
+                                           "e, \xe4\xb8\xad\xe6\x96\x87 \xd8\xb9 $HOME \"`x`\""));
 INSTANTIATE_TEST_SUITE_P(OfBytes, PathLuck, ::testing::Values("latin \xe4\xf6\xfc"));
 
 }

@@ -5,7 +5,8 @@ namespace poissonlab {
 namespace {
 
 class StreamLuck : public BadLuck
-{};
+{
+};
 
 TEST_F(StreamLuck, IsAFailureOnlyWhereOutputIsLost)
 {

@@ -1,8 +1,8 @@
 // pair-correlation.csv, whole and damaged.
 #include "results/pair_correlation_table.hpp"
 
-#include "tests/support/temporary_folder.hpp"
 #include "tests/reports/support/table_errors.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,7 @@ const std::string header = "distance,pair_correlation,standard_error,pairs\n";
 TEST(PairCorrelationTable, ReadsNumbersAsTheyAre)
 {
     const TemporaryFolder folder;
-    const auto bins =
-        read_pair_correlation_table(folder.write("a.csv", header + "0.25,0,0,0\n0.75,1.5,0.1,12.5\n"));
+    const auto bins = read_pair_correlation_table(folder.write("a.csv", header + "0.25,0,0,0\n0.75,1.5,0.1,12.5\n"));
     ASSERT_EQ(bins.size(), 2);
     EXPECT_EQ(bins[0].distance, 0.25);
     EXPECT_EQ(bins[1].value, 1.5);
@@ -23,10 +22,7 @@ TEST(PairCorrelationTable, ReadsNumbersAsTheyAre)
     EXPECT_EQ(bins[1].pairs, 12.5);
 }
 
-TEST(PairCorrelationTable, ComplainsWithTheLine)
-{
-    test::expect_table_errors(header, read_pair_correlation_table);
-}
+TEST(PairCorrelationTable, ComplainsWithTheLine) { test::expect_table_errors(header, read_pair_correlation_table); }
 
 }
 }

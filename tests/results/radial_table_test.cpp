@@ -16,8 +16,8 @@ const std::string header = "frequency,power,anisotropy_db,samples,power_error\n"
 TEST(RadialTable, ReadsNumbersAsTheyAre)
 {
     const TemporaryFolder folder;
-    const auto bins = read_radial_table(
-        folder.write("radial.csv", header + "1,0.5,-9.75,8,0.25\n2,1.5e-3,inf,12,0\n3,0,nan,16,0\n"));
+    const auto bins =
+        read_radial_table(folder.write("radial.csv", header + "1,0.5,-9.75,8,0.25\n2,1.5e-3,inf,12,0\n3,0,nan,16,0\n"));
     ASSERT_EQ(bins.size(), 3);
     EXPECT_EQ(bins[0].power, 0.5);
     EXPECT_EQ(bins[0].anisotropy_db, -9.75);

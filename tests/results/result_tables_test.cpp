@@ -7,9 +7,8 @@ namespace {
 
 TEST(RadialCsv, HasShortExactNumbers)
 {
-    EXPECT_EQ(
-        radial_csv({{1, 0.1, -10.5, 8, 0.01}, {2, 1e-30, -300.25, 16, 0}}),
-        "frequency,power,anisotropy_db,samples,power_error\n1,0.1,-10.5,8,0.01\n2,1e-30,-300.25,16,0\n");
+    EXPECT_EQ(radial_csv({{1, 0.1, -10.5, 8, 0.01}, {2, 1e-30, -300.25, 16, 0}}),
+              "frequency,power,anisotropy_db,samples,power_error\n1,0.1,-10.5,8,0.01\n2,1e-30,-300.25,16,0\n");
 }
 
 TEST(PairCorrelationCsv, HasShortExactNumbers)

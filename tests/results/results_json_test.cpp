@@ -68,8 +68,7 @@ TEST(ResultsJson, HasEveryMember)
     EXPECT_EQ(root["engine"], "opencl");
     EXPECT_EQ(root["dimension"], 2);
     EXPECT_EQ(root["realizations"], 2);
-    EXPECT_EQ(root["machine"], json({{"device", "name"}, {"compute_units", 2}}))
-        << "members not used are absent";
+    EXPECT_EQ(root["machine"], json({{"device", "name"}, {"compute_units", 2}})) << "members not used are absent";
 
     const json& series = root["series"][0];
     EXPECT_EQ(series["name"], "n");
@@ -80,8 +79,7 @@ TEST(ResultsJson, HasEveryMember)
     EXPECT_EQ(series["points"], 64);
     EXPECT_FALSE(series.contains("points_each"));
     EXPECT_EQ(series["realizations"], 2);
-    EXPECT_EQ(series["min_distance"],
-              json({{"min", 0.1}, {"mean", 0.2}, {"max", 0.3}, {"each", {0.1, 0.3}}}));
+    EXPECT_EQ(series["min_distance"], json({{"min", 0.1}, {"mean", 0.2}, {"max", 0.3}, {"each", {0.1, 0.3}}}));
     EXPECT_EQ(series["relative_radius"]["each"], json({0.6, 0.7}));
     EXPECT_EQ(series["covered_fraction"]["max"], 0.5);
     EXPECT_EQ(series["spectrum"],
@@ -197,9 +195,11 @@ TEST(ResultsJson, HasTheMeasuresThatThereAre)
     EXPECT_EQ(series["measures"]["lattice_peaks"], json::parse(R"({"tiles": 8, "max_ratio": 12.5, "mean_ratio": 3.5,
                                                                     "frequency": [8, -16, 0], "peaks": 99})"));
     EXPECT_EQ(series["measures"]["integration"].size(), 2);
-    EXPECT_EQ(series["measures"]["integration"][1],
-              json({{"integrand", "step"}, {"integral", 0.5}, {"rms_error", 0.02}, {"standard_error", 0.002},
-                    {"relative_variance", 0.75}}));
+    EXPECT_EQ(series["measures"]["integration"][1], json({{"integrand", "step"},
+                                                          {"integral", 0.5},
+                                                          {"rms_error", 0.02},
+                                                          {"standard_error", 0.002},
+                                                          {"relative_variance", 0.75}}));
 }
 
 TEST(ResultsJson, HasStandardErrorsWhereTheyAreKnown)

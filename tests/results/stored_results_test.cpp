@@ -4,8 +4,8 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/site/report.hpp"
-#include "tests/support/temporary_folder.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -75,8 +75,7 @@ TEST(StoredResults, OnePointHasNoDistance)
 {
     const TemporaryFolder folder;
     auto json = test::write_synthetic_results(folder.path());
-    for (const auto* name : {"min_distance", "relative_radius", "covered_fraction"})
-        json["series"][0][name] = nullptr;
+    for (const auto* name : {"min_distance", "relative_radius", "covered_fraction"}) json["series"][0][name] = nullptr;
     test::write_results_json(folder.path(), json);
     EXPECT_FALSE(read_stored_run(folder.path()).series[0].min_distance);
     write_report({folder.path()}, folder.path());
@@ -110,8 +109,7 @@ TEST(StoredResults, ForeignJson)
 
 TEST(StoredResults, MissingAndWrongMembers)
 {
-    EXPECT_THAT(error_after([](auto& json) { json.erase("title"); }),
-                HasSubstr("results.json: title: is missing"));
+    EXPECT_THAT(error_after([](auto& json) { json.erase("title"); }), HasSubstr("results.json: title: is missing"));
     EXPECT_THAT(error_after([](auto& json) { json["series"].clear(); }), HasSubstr("results.json: series: "));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points"] = "many"; }),
                 HasSubstr("results.json: series[1].points = \"many\": must be an integer of at least 1"));
@@ -120,7 +118,9 @@ TEST(StoredResults, MissingAndWrongMembers)
                           "2147483647"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points"] = 18446744073709551615U; }),
                 HasSubstr("series[1].points = 18446744073709551615: must be an integer of at least 1"));
-    EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points_each"] = {7, -1}; }),
+    EXPECT_THAT(error_after([](auto& json) {
+                    json["series"][1]["points_each"] = {7, -1};
+                }),
                 HasSubstr("series[1].points_each: must be a list of integers of at least 0"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["points_each"] = {7}; }),
                 HasSubstr("results.json: series[1].points_each: must have a size for each realization"));
@@ -128,9 +128,8 @@ TEST(StoredResults, MissingAndWrongMembers)
                 HasSubstr("results.json: series[2].relative_radius.mean: is missing"));
     EXPECT_THAT(error_after([](auto& json) { json["series"][0]["timing"]["sample_seconds"] = {"x"}; }),
                 HasSubstr("results.json: series[0].timing.sample_seconds: must be a list of numbers"));
-    EXPECT_THAT(
-        error_after([](auto& json) { json["series"][2]["spectrum"]["kind"] = "power spectrum estimate"; }),
-        HasSubstr("results.json: series[2].spectrum.kind = "));
+    EXPECT_THAT(error_after([](auto& json) { json["series"][2]["spectrum"]["kind"] = "power spectrum estimate"; }),
+                HasSubstr("results.json: series[2].spectrum.kind = "));
     EXPECT_THAT(error_after([](auto& json) { json["series"][1]["name"] = "random"; }),
                 HasSubstr("series[1].name = \"random\": is used twice"));
 }
@@ -151,9 +150,8 @@ TEST(StoredResults, MissingFiles)
         const TemporaryFolder folder;
         test::write_synthetic_results(folder.path());
         fs::remove(folder.path() / "jittered" / name);
-        EXPECT_THAT(
-            error_of(folder.path()),
-            AllOf(HasSubstr("series[1]"), HasSubstr(std::string("jittered/") + name + " is missing")));
+        EXPECT_THAT(error_of(folder.path()),
+                    AllOf(HasSubstr("series[1]"), HasSubstr(std::string("jittered/") + name + " is missing")));
     }
 }
 

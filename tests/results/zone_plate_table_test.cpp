@@ -1,8 +1,8 @@
 // zone-plate.csv, whole and damaged.
 #include "results/zone_plate_table.hpp"
 
-#include "tests/support/temporary_folder.hpp"
 #include "tests/reports/support/table_errors.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,7 @@ const std::string header = "distance,frequency,rms_error,pixels\n";
 TEST(ZonePlateTable, ReadsNumbersAsTheyAre)
 {
     const TemporaryFolder folder;
-    const auto bins =
-        read_zone_plate_table(folder.write("a.csv", header + "0.25,0.01,0.5,8\n0.75,0.02,0,12\n"));
+    const auto bins = read_zone_plate_table(folder.write("a.csv", header + "0.25,0.01,0.5,8\n0.75,0.02,0,12\n"));
     ASSERT_EQ(bins.size(), 2);
     EXPECT_EQ(bins[0].distance, 0.25);
     EXPECT_EQ(bins[0].frequency, 0.01);

@@ -1,7 +1,7 @@
 // runtime/example.cpp prints the points of a window, and says what is wrong with files.
+#include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "tests/support/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // runtime/poisson_tiles_gpu.h, as OpenCL C, against runtime/poisson_tiles.h.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
-#include "tiles/poisson/tile_lookup.hpp"
 #include "tests/runtime/tile_set_cases.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,12 +84,9 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     auto results = device_.buffer<std::uint32_t>(6 * count);
     auto distances = device_.buffer<float>(count);
     auto coordinates = device_.buffer<float>(3 * count);
-    device_
-        .kernel_from_text(kernel_source("../runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl",
-                          "query")
+    device_.kernel_from_text(kernel_source("../runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
-             tiling.period, copied(queries.places), copied(queries.positions), count, results, distances,
-             coordinates);
+             tiling.period, copied(queries.places), copied(queries.positions), count, results, distances, coordinates);
     const auto found = results.read(0, results.size());
     const auto squared_of = distances.read(0, count);
     const auto points = coordinates.read(0, coordinates.size());
@@ -97,8 +94,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     std::size_t ties = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::int32_t* const place = &queries.places[3 * i];
-        ASSERT_EQ(found[6 * i], ptiles_tile(&tiling, place[0], place[1], place[2]))
-            << name_of(set) << " " << i;
+        ASSERT_EQ(found[6 * i], ptiles_tile(&tiling, place[0], place[1], place[2])) << name_of(set) << " " << i;
         const std::uint16_t* units = ptiles_points(&s, found[6 * i]) + i % s.points_per_tile * s.dimension;
         double position[3];
         for (std::size_t axis = 0; axis < s.dimension; ++axis) {
@@ -122,8 +118,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
 TEST_F(GpuHeader, FindsWhatTheHeaderForEnginesFinds)
 {
     for (const PoissonTileSet& set : tile_sets_of_every_kind())
-        for (const PoissonTiling& tiling :
-             {PoissonTiling{1, 0}, PoissonTiling{0x89abcdef, 6}, PoissonTiling{3, 1}})
+        for (const PoissonTiling& tiling : {PoissonTiling{1, 0}, PoissonTiling{0x89abcdef, 6}, PoissonTiling{3, 1}})
             expect_same(set, tiling);
 }
 

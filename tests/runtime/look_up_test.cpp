@@ -1,16 +1,15 @@
 // runtime/poisson_tiles.h against docs/tile-set-file.md: files, and which tile is where.
+#include "tests/runtime/tile_set_cases.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
-#include "tests/runtime/tile_set_cases.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
-extern "C" std::uint32_t tile_in_c99(const ptiles_tiling* tiling, std::int32_t i, std::int32_t j,
-                                     std::int32_t k);
+extern "C" std::uint32_t tile_in_c99(const ptiles_tiling* tiling, std::int32_t i, std::int32_t j, std::int32_t k);
 
 namespace poissonlab {
 namespace {
@@ -19,9 +18,7 @@ namespace {
 class ByTheDocument
 {
 public:
-    ByTheDocument(const PoissonTileParameters& tiles, const PoissonTiling& tiling)
-        : tiles_(tiles), tiling_(tiling)
-    {}
+    ByTheDocument(const PoissonTileParameters& tiles, const PoissonTiling& tiling) : tiles_(tiles), tiling_(tiling) {}
 
     std::uint32_t tile(std::int64_t i, std::int64_t j, std::int64_t k) const
     {
@@ -78,8 +75,7 @@ private:
     PoissonTiling tiling_;
 };
 
-constexpr PoissonTiling tilings[] = {{1, 0}, {0xfedcba98, 0}, {7, 1},        {7, 2},
-                                     {7, 5}, {7, 1000},       {7, INT32_MAX}};
+constexpr PoissonTiling tilings[] = {{1, 0}, {0xfedcba98, 0}, {7, 1}, {7, 2}, {7, 5}, {7, 1000}, {7, INT32_MAX}};
 
 TEST(TileLookUp, IsThatOfTheDocument)
 {
@@ -170,8 +166,7 @@ TEST(TileSetBytes, AreRefusedWhereTheyAreWrong)
     EXPECT_EQ(problem(with(16, 3)), "an unknown kind of tiles");
     EXPECT_EQ(problem(with(20, 4)), "an unknown kind of tiles");
     for (const std::size_t number : {24u, 27u, 28u, 35u})
-        EXPECT_EQ(problem(with(number, 100)),
-                  "numbers of colours, tiles and points that do not fit together");
+        EXPECT_EQ(problem(with(number, 100)), "numbers of colours, tiles and points that do not fit together");
     EXPECT_EQ(problem(with(32, 8)), "too short or too long for its points");
     EXPECT_EQ(problem(good.substr(0, good.size() - 1)), "too short or too long for its points");
     EXPECT_EQ(problem(good + "x"), "too short or too long for its points");

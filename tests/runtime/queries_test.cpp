@@ -1,6 +1,6 @@
 // Windows and nearest points of runtime/poisson_tiles.h against all points of the tiles around.
-#include "tiles/poisson/tile_lookup.hpp"
 #include "tests/runtime/tile_set_cases.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,7 @@ std::vector<ptiles_point> points_of(const ptiles_tiling& tiling, std::array<std:
     return points;
 }
 
-std::array<std::int32_t, 3> tiles_around(const Position& position, std::int32_t reach,
-                                         std::uint32_t dimension)
+std::array<std::int32_t, 3> tiles_around(const Position& position, std::int32_t reach, std::uint32_t dimension)
 {
     std::array<std::int32_t, 3> tile{};
     for (std::size_t axis = 0; axis < dimension; ++axis)
@@ -69,8 +68,7 @@ TEST(Window, HasThePointsInIt)
             const std::uint32_t dimension = tiling.set.dimension;
             const Position from{low(random), low(random), low(random)};
             const Position to{from[0] + size(random), from[1] + size(random), from[2] + size(random)};
-            auto expected =
-                points_of(tiling, tiles_around(from, -1, dimension), tiles_around(to, 1, dimension));
+            auto expected = points_of(tiling, tiles_around(from, -1, dimension), tiles_around(to, 1, dimension));
             std::erase_if(expected, [&](const ptiles_point& point) {
                 bool inside = true;
                 for (std::size_t axis = 0; axis < dimension; ++axis)
@@ -78,8 +76,7 @@ TEST(Window, HasThePointsInIt)
                 return !inside;
             });
             std::vector<ptiles_point> found(expected.size() + 1);
-            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size()),
-                      expected.size());
+            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size()), expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) expect_same(found[i], expected[i]);
             // Points that there is no room for are counted.
             ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), nullptr, 0), expected.size());
@@ -111,19 +108,18 @@ TEST(NearestPoint, IsThatOfAllAround)
             const ptiles_tiling tiling = runtime_tiling(set, tilings[n % 3]);
             const std::uint32_t dimension = tiling.set.dimension;
             Position position{somewhere(random), somewhere(random), somewhere(random)};
-            if (n % 10 == 0)
-                position = {std::floor(position[0]), std::floor(position[1]), std::floor(position[2])};
+            if (n % 10 == 0) position = {std::floor(position[0]), std::floor(position[1]), std::floor(position[2])};
             constexpr std::int32_t reach = 2;
             double expected = reach;
-            for (const ptiles_point& point : points_of(tiling, tiles_around(position, -reach, dimension),
-                                                       tiles_around(position, reach, dimension)))
+            for (const ptiles_point& point :
+                 points_of(tiling, tiles_around(position, -reach, dimension), tiles_around(position, reach, dimension)))
                 expected = std::min(expected, squared_distance(point, position, dimension));
             ptiles_point nearest;
             const double squared = ptiles_nearest(&tiling, position.data(), &nearest);
             EXPECT_NEAR(squared, expected, 1e-13) << name_of(set);
             EXPECT_NEAR(squared_distance(nearest, position, dimension), expected, 1e-13);
-            expect_same(nearest, points_of(tiling, std::to_array(nearest.tile),
-                                           std::to_array(nearest.tile))[nearest.index]);
+            expect_same(nearest,
+                        points_of(tiling, std::to_array(nearest.tile), std::to_array(nearest.tile))[nearest.index]);
         }
     }
 }

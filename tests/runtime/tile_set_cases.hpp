@@ -9,14 +9,10 @@ namespace poissonlab {
 
 inline std::vector<PoissonTileSet> tile_sets_of_every_kind()
 {
-    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),
-            random_tile_set(PoissonTileKind::corner, 2, 4, 64),
-            random_tile_set(PoissonTileKind::corner, 2, 8, 16),
-            random_tile_set(PoissonTileKind::corner, 3, 2, 11),
-            random_tile_set(PoissonTileKind::corner, 3, 3, 16),
-            random_tile_set(PoissonTileKind::edge, 2, 2, 5),
-            random_tile_set(PoissonTileKind::edge, 2, 1, 40),
-            random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
+    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),   random_tile_set(PoissonTileKind::corner, 2, 4, 64),
+            random_tile_set(PoissonTileKind::corner, 2, 8, 16),  random_tile_set(PoissonTileKind::corner, 3, 2, 11),
+            random_tile_set(PoissonTileKind::corner, 3, 3, 16),  random_tile_set(PoissonTileKind::edge, 2, 2, 5),
+            random_tile_set(PoissonTileKind::edge, 2, 1, 40),    random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
             random_tile_set(PoissonTileKind::frame, 2, 1, 32, 1)};
 }
 

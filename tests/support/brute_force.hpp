@@ -34,8 +34,7 @@ inline double brute_force_min_distance(const PointSet& points)
 
 /// sum_j exp(-2 pi i f.x_j), term by term. f.x_j is reduced modulo 1 axis by axis: for |f| < 2^11 products of
 /// an integer and a double are exact, so the error is some 2^-63 a term.
-inline std::complex<long double> brute_force_transform(const PointSet& points,
-                                                       const std::array<int, 3>& frequency)
+inline std::complex<long double> brute_force_transform(const PointSet& points, const std::array<int, 3>& frequency)
 {
     std::complex<long double> sum = 0;
     for (std::size_t j = 0; j < points.size(); ++j) {

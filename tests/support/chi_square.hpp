@@ -55,8 +55,7 @@ inline double chi_square_tail(double statistic, double degrees)
 /// Whether counts are what chance makes of equal probabilities: neither too far off nor too even. Chance
 /// fails one of `comparisons` such tests once in 10,000 runs (Sidak's correction). `excess`: by how much
 /// known, small differences of the probabilities raise the expectation of the statistic.
-inline bool are_equally_likely(std::span<const std::uint64_t> counts, std::size_t comparisons,
-                               double excess = 0)
+inline bool are_equally_likely(std::span<const std::uint64_t> counts, std::size_t comparisons, double excess = 0)
 {
     const double p = -std::expm1(std::log1p(-1e-4) / static_cast<double>(2 * comparisons));
     const double degrees = static_cast<double>(counts.size() - 1);

@@ -42,8 +42,8 @@ double Picture::variance() const
 std::string ColorPicture::at(int column, int row) const
 {
     if (column < 0 || column >= width || row < 0) throw std::out_of_range("no such pixel");
-    const auto& [red, green, blue] = pixels.at(
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
+    const auto& [red, green, blue] =
+        pixels.at(static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%02x%02x%02x", unsigned{red}, unsigned{green}, unsigned{blue});
     return text.data();

@@ -38,9 +38,8 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
         for (int byte = 0; byte < size; ++byte) bytes.push_back(static_cast<char>(value >> 8 * byte));
     };
     const PoissonTileParameters& p = set.parameters;
-    for (const std::uint32_t word :
-         {1u, 128u, static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors,
-          p.tiles, p.points_per_tile, 0u})
+    for (const std::uint32_t word : {1u, 128u, static_cast<std::uint32_t>(p.kind),
+                                     static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles, p.points_per_tile, 0u})
         put(word, 4);
     put(set.squared_min_distance, 8);
     put(std::bit_cast<std::uint64_t>(p.relative_radius), 8);

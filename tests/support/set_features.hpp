@@ -52,8 +52,7 @@ inline double squared_distance(std::span<const double> a, std::span<const double
 }
 
 /// The number of pairs by distance, from `begin` to `end`, in classes of equal width.
-inline std::vector<double> pairs_by_distance(const PointSet& set, double begin, double end,
-                                             std::size_t classes)
+inline std::vector<double> pairs_by_distance(const PointSet& set, double begin, double end, std::size_t classes)
 {
     std::vector<double> counts(classes);
     for (std::size_t i = 0; i < set.size(); ++i) {
@@ -61,8 +60,7 @@ inline std::vector<double> pairs_by_distance(const PointSet& set, double begin, 
             const double squared = squared_distance(set[i], set[j]);
             if (squared >= end * end) continue;
             const double place = (std::sqrt(squared) - begin) / (end - begin) * static_cast<double>(classes);
-            if (place < static_cast<double>(classes))
-                ++counts[static_cast<std::size_t>(std::max(place, 0.0))];
+            if (place < static_cast<double>(classes)) ++counts[static_cast<std::size_t>(std::max(place, 0.0))];
         }
     }
     return counts;

@@ -39,8 +39,7 @@ inline PointSet textbook_dart_throwing(std::size_t count, double min_distance, s
         for (int b = -2; b <= 2 && free; ++b) {
             for (int a = -2; a <= 2 && free; ++a) {
                 const Point& other = cell(i + a, j + b);
-                free = other.x < 0 ||
-                       std::hypot(wrapped(other.x - dart.x), wrapped(other.y - dart.y)) >= min_distance;
+                free = other.x < 0 || std::hypot(wrapped(other.x - dart.x), wrapped(other.y - dart.y)) >= min_distance;
             }
         }
         if (!free) continue;

@@ -12,8 +12,8 @@
 namespace poissonlab::test {
 
 /// `count` points in 2D. The radius is multiplied by `factor` after `attempts` failures in a row.
-inline PointSet textbook_relaxation_dart_throwing(std::size_t count, double initial_radius, double factor,
-                                                  int attempts, std::uint64_t seed)
+inline PointSet textbook_relaxation_dart_throwing(std::size_t count, double initial_radius, double factor, int attempts,
+                                                  std::uint64_t seed)
 {
     std::mt19937_64 generator(seed);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);

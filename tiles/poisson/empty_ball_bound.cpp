@@ -26,8 +26,7 @@ double EmptyBallSearch::radius(std::span<const UnitPosition> points, double know
     best_ = known;
     candidates_.clear();
     for (const UnitPosition& p : points)
-        candidates_.push_back(
-            {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
+        candidates_.push_back({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     constexpr double half = tile_units / 2.0;
     if (dimension_ == 2)
         search<2>({{half, half, 0}, half}, 0, candidates_.size());
@@ -40,14 +39,13 @@ double EmptyBallSearch::radius(std::span<const UnitPosition> points, double know
 template <unsigned Dimension>
 void EmptyBallSearch::search(const Square& square, std::size_t first, std::size_t last)
 {
-    double nearest = std::numeric_limits<double>::infinity(); // from the centre, squared
-    double farthest =
-        std::numeric_limits<double>::infinity(); // any place of the square from its nearest point
+    double nearest = std::numeric_limits<double>::infinity();  // from the centre, squared
+    double farthest = std::numeric_limits<double>::infinity(); // any place of the square from its nearest point
     for (std::size_t i = first; i < last; ++i) {
         const auto& point = candidates_[i];
         nearest = std::min(nearest, squared<Dimension>(point, square.centre, [](double x) { return x; }));
-        farthest = std::min(
-            farthest, squared<Dimension>(point, square.centre, [&](double x) { return x + square.half; }));
+        farthest =
+            std::min(farthest, squared<Dimension>(point, square.centre, [&](double x) { return x + square.half; }));
     }
     best_ = std::max(best_, std::sqrt(nearest));
     if (farthest <= (1 + tolerance) * best_ * ((1 + tolerance) * best_)) return;

@@ -38,8 +38,7 @@ private:
 
     int dimension_;
     double best_ = 0;
-    std::vector<std::array<double, 3>>
-        candidates_; ///< of the squares that are being searched, one after the other
+    std::vector<std::array<double, 3>> candidates_; ///< of the squares that are being searched, one after the other
 };
 
 }

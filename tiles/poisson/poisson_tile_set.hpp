@@ -20,10 +20,9 @@ inline constexpr std::uint32_t max_points_per_tile = 4096;
 
 enum class PoissonTileKind : std::uint32_t
 {
-    corner =
-        0, ///< 2D, C^4 tiles by the colours of their corners (section 4.5); 3D, C^8 (section 4.6): "sphere"
-    edge = 1,  ///< 2D, C^12 tiles by the colours of their edges and of those that stick out at corners (4.3)
-    frame = 2, ///< 2D, any number of tiles with the same points near their borders: template tiles (4.4)
+    corner = 0, ///< 2D, C^4 tiles by the colours of their corners (section 4.5); 3D, C^8 (section 4.6): "sphere"
+    edge = 1,   ///< 2D, C^12 tiles by the colours of their edges and of those that stick out at corners (4.3)
+    frame = 2,  ///< 2D, any number of tiles with the same points near their borders: template tiles (4.4)
 };
 
 enum class TileFilling : std::uint32_t
@@ -40,7 +39,7 @@ struct PoissonTileParameters
     std::uint32_t colors = 0;          ///< C; template tiles: 1
     std::uint32_t tiles = 0;           ///< tile_count()
     std::uint32_t points_per_tile = 0; ///< N
-    double relative_radius = 0; ///< rho, of N points on the unit torus: dissertation, equations 4.3 and 4.6
+    double relative_radius = 0;        ///< rho, of N points on the unit torus: dissertation, equations 4.3 and 4.6
     TileFilling filling = TileFilling::relaxation_dart_throwing;
     std::uint32_t attempts = 100; ///< failed darts in a row before the radius is reduced, or filling given up
     double factor = 0.99;         ///< that the radius is multiplied by; dart throwing: 1

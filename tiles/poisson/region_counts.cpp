@@ -45,8 +45,7 @@ std::array<RegionCounts, 4> region_counts(const PoissonTileSet& set)
     for (std::size_t k = 0; k < cells; ++k) {
         const auto axes = static_cast<std::uint8_t>((1 << k) - 1);
         result[k].mean = static_cast<double>(sum[k]) / p.tiles;
-        result[k].expected =
-            p.points_per_tile * whole_cells(p.dimension, static_cast<int>(k)) * regions.volume(axes);
+        result[k].expected = p.points_per_tile * whole_cells(p.dimension, static_cast<int>(k)) * regions.volume(axes);
         result[k].density = result[k].mean / result[k].expected;
     }
     return result;

@@ -17,10 +17,7 @@ ShapeVector cross(const ShapeVector& a, const ShapeVector& b)
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-ShapeVector difference(const ShapeVector& a, const ShapeVector& b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+ShapeVector difference(const ShapeVector& a, const ShapeVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 bool are_same(const ShapeVector& a, const ShapeVector& b)
 {
@@ -66,8 +63,7 @@ ShapeFace cap(std::vector<ShapeVector> corners, const ShapeVector& normal)
     const ShapeVector up = cross(normal, right);
     std::ranges::sort(corners, {}, [&](const ShapeVector& corner) {
         const ShapeVector way = difference(corner, middle);
-        return std::atan2(dot(way, up) / std::sqrt(dot(up, up)),
-                          dot(way, right) / std::sqrt(dot(right, right)));
+        return std::atan2(dot(way, up) / std::sqrt(dot(up, up)), dot(way, right) / std::sqrt(dot(right, right)));
     });
     return {corners, normal};
 }
@@ -133,8 +129,7 @@ RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& 
         const unsigned u = 1u << (axis + 1) % 3, v = 1u << (axis + 2) % 3, side = 1u << axis;
         ShapeVector normal{};
         normal[axis] = 1;
-        shape.faces.push_back(
-            {{corner(side), corner(side | u), corner(side | u | v), corner(side | v)}, normal});
+        shape.faces.push_back({{corner(side), corner(side | u), corner(side | u | v), corner(side | v)}, normal});
         normal[axis] = -1;
         shape.faces.push_back({{corner(0), corner(v), corner(u | v), corner(u)}, normal});
     }
@@ -144,8 +139,8 @@ RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& 
 RegionShape clipped(const RegionShape& shape, const ShapeHalfSpace& half)
 {
     const auto is_beyond = [&](const ShapeVector& corner) { return dot(half.normal, corner) > half.limit; };
-    if (std::ranges::none_of(
-            shape.faces, [&](const ShapeFace& face) { return std::ranges::any_of(face.corners, is_beyond); }))
+    if (std::ranges::none_of(shape.faces,
+                             [&](const ShapeFace& face) { return std::ranges::any_of(face.corners, is_beyond); }))
         return shape;
     RegionShape result;
     std::vector<ShapeVector> cut;
@@ -170,8 +165,7 @@ RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& 
     return shape;
 }
 
-RegionShape region_shape(const TileRegions& regions, std::uint8_t axes,
-                         const std::array<std::int32_t, 3>& base)
+RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const std::array<std::int32_t, 3>& base)
 {
     const int dimension = regions.dimension;
     const unsigned others = all_axes(dimension) & ~axes;

@@ -46,7 +46,6 @@ RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& 
 
 /// The whole region of a cell whose lowest corner is the lattice point `base`; of the interior, that of one
 /// tile.
-RegionShape region_shape(const TileRegions& regions, std::uint8_t axes,
-                         const std::array<std::int32_t, 3>& base);
+RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const std::array<std::int32_t, 3>& base);
 
 }

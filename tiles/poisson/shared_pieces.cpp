@@ -122,13 +122,11 @@ void SharedPieces::join_parts()
     }
 }
 
-const PlacedPiece* SharedPieces::first_disagreement(std::uint32_t tile,
-                                                    const std::vector<PlacedPiece>& pieces) const
+const PlacedPiece* SharedPieces::first_disagreement(std::uint32_t tile, const std::vector<PlacedPiece>& pieces) const
 {
     const SortedTile points(set_, regions_, tile);
     const auto found = std::ranges::find_if(pieces, [&](const PlacedPiece& piece) {
-        return !std::ranges::equal(points.in(cell_of(piece)),
-                                   parts_[piece.axes][piece.variant][side_of(piece)].points);
+        return !std::ranges::equal(points.in(cell_of(piece)), parts_[piece.axes][piece.variant][side_of(piece)].points);
     });
     return found == pieces.end() ? nullptr : &*found;
 }
@@ -165,11 +163,10 @@ void SharedPieces::refuse(std::uint32_t tile) const
     }
     const std::vector<PlacedPiece> pieces = pieces_around(set_.parameters, tile);
     const PlacedPiece& piece = *first_disagreement(tile, pieces);
-    throw InputError(
-        fmt::format("tile {}: points near its {}, variant {}, differ from tile {}'s: must be the same in "
-                    "all tiles that have it",
-                    tile, described(cell_of(piece), regions_.dimension), piece.variant,
-                    parts_[piece.axes][piece.variant][side_of(piece)].tile));
+    throw InputError(fmt::format("tile {}: points near its {}, variant {}, differ from tile {}'s: must be the same in "
+                                 "all tiles that have it",
+                                 tile, described(cell_of(piece), regions_.dimension), piece.variant,
+                                 parts_[piece.axes][piece.variant][side_of(piece)].tile));
 }
 
 void SharedPieces::closure(std::uint32_t tile, std::vector<UnitPosition>& points) const

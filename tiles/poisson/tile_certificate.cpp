@@ -109,8 +109,8 @@ private:
     std::vector<UnitPosition> closure_;
 };
 
-Measures measure_tiles(const PoissonTileSet& set, const SharedPieces& pieces, std::uint32_t first,
-                       std::uint32_t last, double known_empty_radius)
+Measures measure_tiles(const PoissonTileSet& set, const SharedPieces& pieces, std::uint32_t first, std::uint32_t last,
+                       double known_empty_radius)
 {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::uint32_t>(first, last), Measures{},
@@ -137,8 +137,7 @@ Measures measure_all(const PoissonTileSet& set, const SharedPieces& pieces)
 }
 
 /// The extents of pieces by axes, the interior last.
-std::vector<Extents> extents_of(const PoissonTileSet& set, const SharedPieces& pieces,
-                                const Extents& interior)
+std::vector<Extents> extents_of(const PoissonTileSet& set, const SharedPieces& pieces, const Extents& interior)
 {
     std::vector<Extents> extents(all_axes(set.parameters.dimension));
     for (std::uint8_t axes = 0; axes < extents.size(); ++axes) {
@@ -159,13 +158,11 @@ std::uint64_t squared_separation(const std::vector<Extents>& extents, int dimens
             if (lower.are_empty() || upper.are_empty()) continue;
             for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
                 const int places = axes >> k & 1 ? 1 : 2;
-                smallest =
-                    std::min<std::int64_t>(smallest, places * tile_units + upper.low[k] - lower.high[k]);
+                smallest = std::min<std::int64_t>(smallest, places * tile_units + upper.low[k] - lower.high[k]);
             }
         }
     }
-    return static_cast<std::uint64_t>(std::max<std::int64_t>(smallest, 0) *
-                                      std::max<std::int64_t>(smallest, 0));
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(smallest, 0) * std::max<std::int64_t>(smallest, 0));
 }
 
 }
@@ -174,8 +171,7 @@ TileCertificate certify(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
     check(p);
-    const std::size_t coordinates =
-        std::size_t{p.tiles} * p.points_per_tile * static_cast<std::size_t>(p.dimension);
+    const std::size_t coordinates = std::size_t{p.tiles} * p.points_per_tile * static_cast<std::size_t>(p.dimension);
     if (set.points.size() != coordinates)
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinates));
     const SharedPieces pieces(set);
@@ -188,8 +184,7 @@ TileCertificate certify(const PoissonTileSet& set)
     result.regions = region_counts(set);
     result.largest_empty_radius = (1 + EmptyBallSearch::tolerance) * measures.empty_radius / tile_units;
     result.largest_empty_radius_in_min_distances =
-        result.largest_empty_radius * tile_units /
-        std::sqrt(static_cast<double>(result.squared_min_distance));
+        result.largest_empty_radius * tile_units / std::sqrt(static_cast<double>(result.squared_min_distance));
     return result;
 }
 

@@ -50,8 +50,7 @@ struct TileCertificate
     /// the largest one around a centre in a tile that holds no point of its closure. Tilings have further
     /// points.
     double largest_empty_radius = 0;
-    double largest_empty_radius_in_min_distances =
-        0; ///< over the proven minimum distance: 1 or less is maximal
+    double largest_empty_radius_in_min_distances = 0; ///< over the proven minimum distance: 1 or less is maximal
 
     bool operator==(const TileCertificate&) const = default;
 };

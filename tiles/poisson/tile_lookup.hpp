@@ -2,8 +2,8 @@
 // use.
 #pragma once
 
-#include "tiles/poisson/poisson_tile_set.hpp"
 #include "runtime/poisson_tiles.h"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
 
@@ -31,10 +31,9 @@ inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTi
 class TileLookup
 {
 public:
-    TileLookup(PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t tiles,
-               std::uint32_t seed, std::int32_t period = 0)
-        : tiling_{{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(dimension), colors, tiles, 0,
-                   nullptr},
+    TileLookup(PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t tiles, std::uint32_t seed,
+               std::int32_t period = 0)
+        : tiling_{{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(dimension), colors, tiles, 0, nullptr},
                   seed,
                   period}
     {}

@@ -57,12 +57,11 @@ std::uint32_t corner_based_variant(const TileCell& cell, const std::array<std::u
     return corner_piece(std::span(own).first(count), colors);
 }
 
-std::uint32_t edge_based_variant(const TileCell& cell, const std::array<std::uint32_t, 12>& e,
-                                 std::uint32_t colors)
+std::uint32_t edge_based_variant(const TileCell& cell, const std::array<std::uint32_t, 12>& e, std::uint32_t colors)
 {
     constexpr std::size_t north = 0, east = 1, south = 2, west = 3;
-    constexpr std::size_t ne_east = 4, ne_north = 5, se_east = 6, se_south = 7, sw_west = 8, sw_south = 9,
-                          nw_west = 10, nw_north = 11;
+    constexpr std::size_t ne_east = 4, ne_north = 5, se_east = 6, se_south = 7, sw_west = 8, sw_south = 9, nw_west = 10,
+                          nw_north = 11;
     if (cell.axes == 1) return cell.upper ? e[north] : e[south];
     if (cell.axes == 2) return cell.upper ? e[east] : e[west];
     const auto corner = [&](std::size_t n, std::size_t ea, std::size_t s, std::size_t w) {
@@ -142,8 +141,7 @@ std::uint32_t edge_tile_of(const std::array<std::uint32_t, 12>& edges, std::uint
 std::uint32_t corner_piece(std::span<const std::uint32_t> colors_of_corners, std::uint32_t colors)
 {
     std::uint32_t variant = 0;
-    for (std::size_t k = colors_of_corners.size(); k-- > 0;)
-        variant = variant * colors + colors_of_corners[k];
+    for (std::size_t k = colors_of_corners.size(); k-- > 0;) variant = variant * colors + colors_of_corners[k];
     return variant;
 }
 

@@ -44,8 +44,7 @@ struct PlacedPiece
 std::array<std::uint32_t, 8> corner_colors_of(std::uint32_t tile, int dimension, std::uint32_t colors);
 
 /// The other way round.
-std::uint32_t corner_tile_of(const std::array<std::uint32_t, 8>& corners, int dimension,
-                             std::uint32_t colors);
+std::uint32_t corner_tile_of(const std::array<std::uint32_t, 8>& corners, int dimension, std::uint32_t colors);
 
 /// The colours of the twelve edges that a tile of an edge-based set has: its own north, east, south, west;
 /// then those that stick out: at the north-east corner eastwards and northwards, at the south-east eastwards

@@ -58,8 +58,7 @@ std::uint8_t TileRegions::axes_at(const std::array<std::int32_t, 3>& folded) con
     if (is_in_corner(*this, folded)) return 0;
     if (dimension == 3) {
         for (int k = 0; k < 3; ++k) {
-            if (is_in_pair(*this, folded[(k + 1) % 3], folded[(k + 2) % 3]))
-                return static_cast<std::uint8_t>(1 << k);
+            if (is_in_pair(*this, folded[(k + 1) % 3], folded[(k + 2) % 3])) return static_cast<std::uint8_t>(1 << k);
         }
     }
     for (int k = 0; k < dimension; ++k) {

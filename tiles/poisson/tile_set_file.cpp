@@ -1,11 +1,11 @@
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/geometry/relative_radius.hpp"
 #include "base/files/byte_order.hpp"
 #include "base/files/whole_file.hpp"
-#include "tiles/poisson/tile_set_json.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "tiles/poisson/tile_set_json.hpp"
 
 #include <fmt/format.h>
 
@@ -127,13 +127,11 @@ Header decode_header(std::string_view bytes)
 {
     if (!bytes.starts_with(magic)) throw InputError("is no Poisson tile set: neither .ptiles nor JSON");
     if (bytes.size() < header_size)
-        throw InputError(
-            fmt::format("ends after {} bytes: must have a header of {}", bytes.size(), header_size));
+        throw InputError(fmt::format("ends after {} bytes: must have a header of {}", bytes.size(), header_size));
     Header header = decode_fields(bytes);
     const std::string_view reserved = bytes.substr(reserved_offset, checksum_offset - reserved_offset);
     if (reserved.find_first_not_of('\0') != std::string_view::npos)
-        throw InputError(
-            fmt::format("reserved bytes {} to {}: must be 0", reserved_offset, checksum_offset - 1));
+        throw InputError(fmt::format("reserved bytes {} to {}: must be 0", reserved_offset, checksum_offset - 1));
     check_stored(header.parameters, header.squared_min_distance);
     header.file_size = header_size + coordinate_count(header.parameters) * sizeof(std::uint16_t);
     return header;
@@ -142,9 +140,8 @@ Header decode_header(std::string_view bytes)
 void check_size(const Header& header, std::uint64_t size)
 {
     if (size != header.file_size)
-        throw InputError(fmt::format("has {} bytes: must be {} for {} tiles of {} points", size,
-                                     header.file_size, header.parameters.tiles,
-                                     header.parameters.points_per_tile));
+        throw InputError(fmt::format("has {} bytes: must be {} for {} tiles of {} points", size, header.file_size,
+                                     header.parameters.tiles, header.parameters.points_per_tile));
 }
 
 PoissonTileSet decode_binary(std::string_view bytes)
@@ -153,8 +150,7 @@ PoissonTileSet decode_binary(std::string_view bytes)
     check_size(header, bytes.size());
     const std::uint64_t found = checksum(bytes);
     if (found != header.checksum)
-        throw InputError(
-            fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
+        throw InputError(fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
     PoissonTileSet set{header.parameters, header.squared_min_distance, {}};
     set.points.resize(coordinate_count(set.parameters));
     std::memcpy(set.points.data(), bytes.data() + header_size, bytes.size() - header_size);
@@ -202,10 +198,9 @@ void check_stored(const PoissonTileParameters& p, std::uint64_t squared_min_dist
         throw InputError(fmt::format("factor = {}: must be a number greater than 0 and at most 1", p.factor));
     const double largest = max_min_distance(p.points_per_tile, p.dimension) * tile_units;
     if (static_cast<double>(squared_min_distance) > largest * largest)
-        throw InputError(
-            fmt::format("guaranteed squared minimum distance {}: must be at most {:.0f} with {} points "
-                        "per tile",
-                        squared_min_distance, std::floor(largest * largest), p.points_per_tile));
+        throw InputError(fmt::format("guaranteed squared minimum distance {}: must be at most {:.0f} with {} points "
+                                     "per tile",
+                                     squared_min_distance, std::floor(largest * largest), p.points_per_tile));
 }
 
 PoissonTileSet decode_tile_set(std::string_view bytes, const std::string& name)
@@ -230,10 +225,9 @@ std::string encode_tile_set(const PoissonTileSet& set)
     bytes.reserve(header_size + 2 * set.points.size());
     HeaderWriter writer(bytes);
     writer << version << static_cast<std::uint32_t>(header_size) << static_cast<std::uint32_t>(p.kind)
-           << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile
-           << std::uint32_t{0} << set.squared_min_distance << p.relative_radius << p.seed
-           << static_cast<std::uint32_t>(p.filling) << p.attempts << p.factor << p.lloyd_iterations
-           << static_cast<std::uint32_t>(p.repulsion);
+           << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile << std::uint32_t{0}
+           << set.squared_min_distance << p.relative_radius << p.seed << static_cast<std::uint32_t>(p.filling)
+           << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion);
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
     std::string sum;

@@ -147,8 +147,7 @@ std::uint64_t squared_distance_at(const Json& json, const char* key)
 
 const Json& list_of(const Json& json, std::size_t size, const std::string& what)
 {
-    if (!json.is_array() || json.size() != size)
-        throw InputError(fmt::format("{}: must be a list of {}", what, size));
+    if (!json.is_array() || json.size() != size) throw InputError(fmt::format("{}: must be a list of {}", what, size));
     return json;
 }
 
@@ -202,8 +201,7 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     const Json json = parsed(text);
     if (!json.is_object() || value_of(json, "format") != format_name)
         throw InputError(fmt::format("format: must be \"{}\"", format_name));
-    if (integer_at<int>(json, "version") != version)
-        refuse("version", json["version"], std::to_string(version));
+    if (integer_at<int>(json, "version") != version) refuse("version", json["version"], std::to_string(version));
     for (const auto& [key, value] : json.items()) {
         if (std::ranges::find(known_keys, key) == known_keys.end())
             throw InputError(

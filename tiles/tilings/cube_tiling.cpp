@@ -14,8 +14,8 @@ constexpr std::uint64_t longest_piece = 8192;
 template <class Use>
 auto with_types(const ColorHash& hash, Period period, const Use& use)
 {
-    return std::visit(
-        [&](const auto& h) { return period == Period{} ? use(h, Plane{}) : use(h, Torus{period}); }, hash);
+    return std::visit([&](const auto& h) { return period == Period{} ? use(h, Plane{}) : use(h, Torus{period}); },
+                      hash);
 }
 
 }
@@ -47,8 +47,7 @@ void CubeTiling::stream(const CubeWindow& window, const CubeSink& sink) const
         for (std::uint64_t row = 0; row < window.height; ++row) {
             const std::int64_t y = stepped(window.y, window.height - 1 - row);
             for (std::uint64_t begin = 0; begin < window.width; begin += cubes.size()) {
-                const std::span piece(cubes.data(),
-                                      std::min<std::uint64_t>(cubes.size(), window.width - begin));
+                const std::span piece(cubes.data(), std::min<std::uint64_t>(cubes.size(), window.width - begin));
                 fill(piece, stepped(window.x, begin), y, z);
                 sink(stepped(window.x, begin), y, z, piece);
             }

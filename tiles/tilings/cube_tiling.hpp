@@ -26,8 +26,7 @@ struct CubeWindow
 };
 
 /// Is given cube indices from (x, y, z) eastwards.
-using CubeSink =
-    std::function<void(std::int64_t x, std::int64_t y, std::int64_t z, std::span<const TileIndex> cubes)>;
+using CubeSink = std::function<void(std::int64_t x, std::int64_t y, std::int64_t z, std::span<const TileIndex> cubes)>;
 
 class CubeTiling
 {

@@ -6,8 +6,8 @@
 // a Torus. kernels/common/tiling.clh has the same functions.
 #pragma once
 
-#include "tiles/tilings/tile_lattice.hpp"
 #include "tiles/tilings/tile_index.hpp"
+#include "tiles/tilings/tile_lattice.hpp"
 
 namespace poissonlab {
 
@@ -32,16 +32,14 @@ constexpr Color color_sum(Color a, Color b, Color colors)
 /// Two hash functions at the corners, one for horizontal and one for vertical edges; the colour of an edge is
 /// the sum at its ends (D. 3.3.2.1): a complete set.
 template <class Hash, class Lattice>
-WangTile two_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const Lattice& lattice,
-                            std::int64_t x, std::int64_t y)
+WangTile two_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const Lattice& lattice, std::int64_t x,
+                            std::int64_t y)
 {
     const WangColors c{horizontal.colors(), vertical.colors()};
     const CornerTile h = direct_corner_tile(horizontal, lattice, x, y);
     const CornerTile v = direct_corner_tile(vertical, lattice, x, y);
-    return {color_sum(h.north_west, h.north_east, c.horizontal),
-            color_sum(v.north_east, v.south_east, c.vertical),
-            color_sum(h.south_east, h.south_west, c.horizontal),
-            color_sum(v.south_west, v.north_west, c.vertical)};
+    return {color_sum(h.north_west, h.north_east, c.horizontal), color_sum(v.north_east, v.south_east, c.vertical),
+            color_sum(h.south_east, h.south_west, c.horizontal), color_sum(v.south_west, v.north_west, c.vertical)};
 }
 
 /// The same with one hash function for all edges (D. 3.3.2.2): the compact set one_hash_wang_set().
@@ -59,8 +57,8 @@ WangTile one_hash_wang_tile(const Hash& hash, const Lattice& lattice, std::int64
 /// different numbers of colours. Coordinates on the dense lattice wrap around too, so that on the Plane tiles
 /// 2^63 apart are the same.
 template <class Hash, class Lattice>
-WangTile edge_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const Lattice& lattice,
-                             std::int64_t x, std::int64_t y)
+WangTile edge_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const Lattice& lattice, std::int64_t x,
+                             std::int64_t y)
 {
     const std::int64_t west = doubled(lattice.x(x));
     const std::int64_t east = doubled(lattice.x(stepped(x, 1)));
@@ -74,12 +72,10 @@ WangTile edge_hash_wang_tile(const Hash& horizontal, const Hash& vertical, const
 
 /// One hash evaluation for each corner of the cube (D. 2.10, 4.6): a complete set.
 template <class Hash, class Lattice>
-CornerCube direct_cube(const Hash& hash, const Lattice& lattice, std::int64_t x, std::int64_t y,
-                       std::int64_t z)
+CornerCube direct_cube(const Hash& hash, const Lattice& lattice, std::int64_t x, std::int64_t y, std::int64_t z)
 {
     const auto slice = [&](std::int64_t level) {
-        return direct_corner_tile([&](std::int64_t cx, std::int64_t cy) { return hash(cx, cy, level); },
-                                  lattice, x, y);
+        return direct_corner_tile([&](std::int64_t cx, std::int64_t cy) { return hash(cx, cy, level); }, lattice, x, y);
     };
     return {slice(lattice.z(stepped(z, 1))), slice(lattice.z(z))};
 }

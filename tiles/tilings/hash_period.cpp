@@ -13,8 +13,7 @@ std::uint64_t cyclic_period(std::span<const std::uint32_t> values, std::uint64_t
     for (std::size_t d = 1; d < n; ++d) {
         if (n % d != 0) continue;
         bool repeats = true;
-        for (std::size_t i = 0; i < n && repeats; ++i)
-            repeats = values[i] % modulus == values[(i + d) % n] % modulus;
+        for (std::size_t i = 0; i < n && repeats; ++i) repeats = values[i] % modulus == values[(i + d) % n] % modulus;
         if (repeats) return d;
     }
     return n;

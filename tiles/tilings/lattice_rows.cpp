@@ -40,10 +40,8 @@ void LatticeRows::evaluate(Row& row, const ColorHash& hash) const
             while (!left.empty()) {
                 // As far as no coordinate starts again: the tile's, the reduced one, the lattice point's.
                 const std::int64_t reduced = torus_.x(x);
-                const std::int64_t first =
-                    stepped(points.scale == 2 ? doubled(reduced) : reduced, points.offset);
-                std::uint64_t steps =
-                    std::min(steps_to(INT64_MAX, x), steps_to(INT64_MAX, first) / points.scale);
+                const std::int64_t first = stepped(points.scale == 2 ? doubled(reduced) : reduced, points.offset);
+                std::uint64_t steps = std::min(steps_to(INT64_MAX, x), steps_to(INT64_MAX, first) / points.scale);
                 if (torus_.period.x > 0) steps = std::min(steps, steps_to(torus_.period.x - 1, reduced));
                 const std::size_t count = std::min<std::uint64_t>(left.size() - 1, steps) + 1;
                 h.fill_row(first, points.scale, points.y, left.first(count));

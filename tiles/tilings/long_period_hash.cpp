@@ -52,8 +52,7 @@ LongPeriodDesign with_nearest_primes(std::uint32_t range, int primes_a_side)
 std::uint64_t checked_product(Color colors, const LongPeriodDesign& design)
 {
     const auto& sizes = design.sizes;
-    if (std::ranges::find(sizes, design.range) == sizes.end())
-        refuse(design, "the range must be one of them");
+    if (std::ranges::find(sizes, design.range) == sizes.end()) refuse(design, "the range must be one of them");
     if (colors < 1 || colors > max_colors || design.range % colors != 0)
         refuse(design, fmt::format("must be a multiple of the {} colors", colors));
     std::uint64_t product = 1;
@@ -110,16 +109,14 @@ HashPeriod LongPeriodHash::period() const
     HashPeriod period{1, 1};
     for (const Table& table : tables_) {
         const auto entries = permutation(table);
-        const HashPeriod own =
-            permutation_period(std::vector<std::uint32_t>(entries.begin(), entries.end()), colors_);
+        const HashPeriod own = permutation_period(std::vector<std::uint32_t>(entries.begin(), entries.end()), colors_);
         period.x *= own.x;
         period.y *= own.y;
     }
     return period;
 }
 
-void LongPeriodHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y,
-                              std::span<std::uint8_t> row) const
+void LongPeriodHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y, std::span<std::uint8_t> row) const
 {
     const std::uint64_t x0 = reduced(x);
     const std::uint64_t y0 = reduced(y);
@@ -146,8 +143,7 @@ void LongPeriodHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y,
 
 std::vector<std::uint32_t> LongPeriodHash::device_words() const
 {
-    std::vector<std::uint32_t> words{long_period_hash_tag, colors_,
-                                     static_cast<std::uint32_t>(tables_.size())};
+    std::vector<std::uint32_t> words{long_period_hash_tag, colors_, static_cast<std::uint32_t>(tables_.size())};
     words.insert(words.end(), design_.sizes.begin(), design_.sizes.end());
     for (const Table& table : tables_) {
         const auto entries = permutation(table);

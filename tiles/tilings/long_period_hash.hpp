@@ -44,9 +44,7 @@ public:
     LongPeriodHash(Color colors, LongPeriodDesign design, const StreamKey& key);
 
     /// The tables for tilings.
-    LongPeriodHash(Color colors, const StreamKey& key)
-        : LongPeriodHash(colors, tiling_hash_design(colors), key)
-    {}
+    LongPeriodHash(Color colors, const StreamKey& key) : LongPeriodHash(colors, tiling_hash_design(colors), key) {}
 
     Color colors() const { return colors_; }
     const LongPeriodDesign& design() const { return design_; }

@@ -13,9 +13,9 @@ namespace {
 std::uint32_t checked_size(Color colors, std::uint32_t size)
 {
     if (size < colors || size > PermutationHash::max_size)
-        throw InputError("permutation table of " + std::to_string(size) + " entries for " +
-                         std::to_string(colors) + " colors: must have from " + std::to_string(colors) +
-                         " to " + std::to_string(PermutationHash::max_size));
+        throw InputError("permutation table of " + std::to_string(size) + " entries for " + std::to_string(colors) +
+                         " colors: must have from " + std::to_string(colors) + " to " +
+                         std::to_string(PermutationHash::max_size));
     return size;
 }
 
@@ -42,8 +42,7 @@ PermutationHash::PermutationHash(Color colors, std::vector<std::uint32_t> permut
     }
 }
 
-void PermutationHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y,
-                               std::span<std::uint8_t> row) const
+void PermutationHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y, std::span<std::uint8_t> row) const
 {
     const std::uint16_t* const entry = entry_.data();
     const std::uint8_t* const color = color_.data() + reduced(y);
@@ -67,8 +66,7 @@ void PermutationHash::fill_row(std::int64_t x, std::int64_t step, std::int64_t y
 
 std::vector<std::uint32_t> PermutationHash::device_words() const
 {
-    std::vector<std::uint32_t> words{permutation_hash_tag, colors_,
-                                     static_cast<std::uint32_t>(permutation_.size())};
+    std::vector<std::uint32_t> words{permutation_hash_tag, colors_, static_cast<std::uint32_t>(permutation_.size())};
     words.insert(words.end(), permutation_.begin(), permutation_.end());
     return words;
 }

@@ -28,8 +28,7 @@ public:
         const std::uint32_t rejected = (0u - end) % end;
         for (;;) {
             const std::uint64_t product = std::uint64_t{next()} * end;
-            if (static_cast<std::uint32_t>(product) >= rejected)
-                return static_cast<std::uint32_t>(product >> 32);
+            if (static_cast<std::uint32_t>(product) >= rejected) return static_cast<std::uint32_t>(product >> 32);
         }
     }
 

@@ -12,8 +12,7 @@
 namespace poissonlab {
 
 FOR_WIDE_VECTORS_TOO
-void index_corner_tiles(const std::uint8_t* south, const std::uint8_t* north, Color colors,
-                        std::span<TileIndex> tiles)
+void index_corner_tiles(const std::uint8_t* south, const std::uint8_t* north, Color colors, std::span<TileIndex> tiles)
 {
     TileIndex* const out = tiles.data();
     const std::size_t count = tiles.size();
@@ -28,8 +27,7 @@ void index_wang_tiles(const std::uint8_t* north, const std::uint8_t* south, cons
     TileIndex* const out = tiles.data();
     const std::size_t count = tiles.size();
     for (std::size_t i = 0; i < count; ++i)
-        out[i] = ((north[i] * colors.vertical + vertical[i + 1]) * colors.horizontal + south[i]) *
-                     colors.vertical +
+        out[i] = ((north[i] * colors.vertical + vertical[i + 1]) * colors.horizontal + south[i]) * colors.vertical +
                  vertical[i];
 }
 

@@ -155,8 +155,7 @@ std::span<const TileIndex> ScanlineTiling::next_row()
 
 void ScanlineTiling::stream(std::uint64_t height, const TileSink& sink)
 {
-    for (std::uint64_t row = 0; row < height; ++row)
-        sink(0, static_cast<std::int64_t>(height - 1 - row), next_row());
+    for (std::uint64_t row = 0; row < height; ++row) sink(0, static_cast<std::int64_t>(height - 1 - row), next_row());
 }
 
 }

@@ -85,8 +85,7 @@ constexpr WangTile wang_tile(TileIndex index, WangColors c)
 /// D. equation 2.5.
 constexpr TileIndex corner_index(const CornerTile& tile, Color colors)
 {
-    return ((tile.north_east * colors + tile.south_east) * colors + tile.south_west) * colors +
-           tile.north_west;
+    return ((tile.north_east * colors + tile.south_east) * colors + tile.south_west) * colors + tile.north_west;
 }
 
 /// D. equation 2.7.
@@ -105,8 +104,7 @@ constexpr CornerTile corner_tile(TileIndex index, Color colors)
 /// The digits of the top, then those of the bottom.
 constexpr TileIndex cube_index(const CornerCube& cube, Color colors)
 {
-    return corner_index(cube.top, colors) * (colors * colors * colors * colors) +
-           corner_index(cube.bottom, colors);
+    return corner_index(cube.top, colors) * (colors * colors * colors * colors) + corner_index(cube.bottom, colors);
 }
 
 constexpr CornerCube cube_tile(TileIndex index, Color colors)
@@ -115,10 +113,7 @@ constexpr CornerCube cube_tile(TileIndex index, Color colors)
     return {corner_tile(index / bottoms, colors), corner_tile(index % bottoms, colors)};
 }
 
-constexpr TileIndex domino_index(const Domino& domino, Color colors)
-{
-    return domino.east * colors + domino.west;
-}
+constexpr TileIndex domino_index(const Domino& domino, Color colors) { return domino.east * colors + domino.west; }
 
 constexpr Domino domino_tile(TileIndex index, Color colors) { return {index / colors, index % colors}; }
 

@@ -57,8 +57,7 @@ void TileRows::fill_edges(std::int64_t x, std::int64_t y, std::span<TileIndex> t
     const std::int64_t north_y = doubled(torus.y(stepped(y, 1)));
     const auto* north = rows_.row(0, tiling_.hash(), {x, north_y, 2, 1, tiles.size()});
     const auto* south = rows_.row(0, tiling_.hash(), {x, south_y, 2, 1, tiles.size()});
-    const auto* vertical =
-        rows_.row(2, tiling_.vertical_hash(), {x, stepped(south_y, 1), 2, 0, tiles.size() + 1});
+    const auto* vertical = rows_.row(2, tiling_.vertical_hash(), {x, stepped(south_y, 1), 2, 0, tiles.size() + 1});
     index_wang_tiles(north, south, vertical, tiling_.tile_set().colors(), tiles);
 }
 

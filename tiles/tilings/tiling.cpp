@@ -19,11 +19,10 @@ TileSet tile_set_of(DirectAlgorithm algorithm, WangColors colors)
 
 WangColors checked_colors(DirectAlgorithm algorithm, WangColors colors)
 {
-    const bool must_be_same =
-        algorithm == DirectAlgorithm::corner || algorithm == DirectAlgorithm::wang_one_hash;
+    const bool must_be_same = algorithm == DirectAlgorithm::corner || algorithm == DirectAlgorithm::wang_one_hash;
     if (must_be_same && colors.horizontal != colors.vertical)
-        throw InputError("colors = " + std::to_string(colors.horizontal) + " x " +
-                         std::to_string(colors.vertical) + ": this algorithm has one number of colours");
+        throw InputError("colors = " + std::to_string(colors.horizontal) + " x " + std::to_string(colors.vertical) +
+                         ": this algorithm has one number of colours");
     return colors;
 }
 
@@ -54,9 +53,8 @@ TileIndex tile_at(DirectAlgorithm algorithm, WangColors colors, const Hash& hori
 }
 
 Tiling::Tiling(DirectAlgorithm algorithm, WangColors colors, HashKind hash, std::uint64_t seed, Period period)
-    : algorithm_(algorithm), colors_(checked_colors(algorithm, colors)),
-      tile_set_(tile_set_of(algorithm, colors)), period_(checked_period(period)),
-      horizontal_(make_color_hash(hash, colors.horizontal, seed)),
+    : algorithm_(algorithm), colors_(checked_colors(algorithm, colors)), tile_set_(tile_set_of(algorithm, colors)),
+      period_(checked_period(period)), horizontal_(make_color_hash(hash, colors.horizontal, seed)),
       vertical_(make_color_hash(hash, colors.vertical, seed, vertical_stream(algorithm, colors)))
 {}
 

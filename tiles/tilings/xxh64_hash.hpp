@@ -39,9 +39,7 @@ constexpr std::uint64_t xxh64(std::initializer_list<std::uint64_t> words, std::u
 class Xxh64Hash
 {
 public:
-    Xxh64Hash(Color colors, const StreamKey& key)
-        : colors_(colors), seed_(std::uint64_t{key[1]} << 32 | key[0])
-    {}
+    Xxh64Hash(Color colors, const StreamKey& key) : colors_(colors), seed_(std::uint64_t{key[1]} << 32 | key[0]) {}
 
     Color colors() const { return colors_; }
     HashPeriod period() const { return {}; }
@@ -66,15 +64,11 @@ public:
     /// For hash_color_... of kernels/common/tiling.clh.
     std::vector<std::uint32_t> device_words() const
     {
-        return {xxh64_hash_tag, colors_, static_cast<std::uint32_t>(seed_),
-                static_cast<std::uint32_t>(seed_ >> 32)};
+        return {xxh64_hash_tag, colors_, static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)};
     }
 
 private:
-    static constexpr std::uint64_t bits(std::int64_t coordinate)
-    {
-        return static_cast<std::uint64_t>(coordinate);
-    }
+    static constexpr std::uint64_t bits(std::int64_t coordinate) { return static_cast<std::uint64_t>(coordinate); }
 
     /// Of 2^32 values, each colour has the same number or one less: a relative bias below colors / 2^32.
     Color color(std::uint64_t hash) const { return static_cast<Color>((hash >> 32) * colors_ >> 32); }

@@ -27,10 +27,7 @@ struct Dart
     TorusPoint<D> position;
     Cell<D> cell; ///< of level 0
 
-    bool operator<(const Dart& other) const
-    {
-        return std::tie(time, position) < std::tie(other.time, other.position);
-    }
+    bool operator<(const Dart& other) const { return std::tie(time, position) < std::tie(other.time, other.position); }
 };
 
 /// The toroidal distance of two coordinates.
@@ -45,8 +42,7 @@ std::uint64_t squared_farthest(const TorusPoint<D>& point, const Box<D>& box)
         const std::uint32_t forward = point[k] - box.low[k];
         const bool antipode_inside = (forward ^ 0x80000000u) <= box.extent[k];
         const std::uint64_t farthest =
-            antipode_inside ? 0x80000000u
-                            : std::max(axis_distance(forward), axis_distance(forward - box.extent[k]));
+            antipode_inside ? 0x80000000u : std::max(axis_distance(forward), axis_distance(forward - box.extent[k]));
         sum += farthest * farthest;
     }
     return sum;
@@ -75,17 +71,15 @@ public:
     /// Is a point nearer to `position`, which lies in `cell`, than the minimum distance?
     bool conflicts(const TorusPoint<D>& position, const Cell<D>& cell) const
     {
-        return any_near(cell, [&](const TorusPoint<D>& p) {
-            return squared_distance<D>(p, position) < squared_min_distance_;
-        });
+        return any_near(
+            cell, [&](const TorusPoint<D>& p) { return squared_distance<D>(p, position) < squared_min_distance_; });
     }
 
     /// Does the disk of one point cover the whole box, which lies in `cell`?
     bool covers(const Box<D>& box, const Cell<D>& cell) const
     {
-        return any_near(cell, [&](const TorusPoint<D>& p) {
-            return squared_farthest<D>(p, box) < squared_min_distance_;
-        });
+        return any_near(cell,
+                        [&](const TorusPoint<D>& p) { return squared_farthest<D>(p, box) < squared_min_distance_; });
     }
 
 private:
@@ -214,8 +208,7 @@ private:
                 const Box<D> box = box_of(child, level);
                 if (closed(box, base, level)) continue;
                 open.push_back(child);
-                for (std::uint32_t i = 0; i < counts[c]; ++i)
-                    darts.push_back(draw(child, base, box, batch, i));
+                for (std::uint32_t i = 0; i < counts[c]; ++i) darts.push_back(draw(child, base, box, batch, i));
             }
         }
         return open;
@@ -247,8 +240,7 @@ private:
         return dart;
     }
 
-    std::array<std::uint32_t, 4> random_words(const Cell<D>& cell, std::uint32_t batch,
-                                              std::uint32_t number) const
+    std::array<std::uint32_t, 4> random_words(const Cell<D>& cell, std::uint32_t batch, std::uint32_t number) const
     {
         std::array<std::uint32_t, 4> counter{};
         std::copy(cell.begin(), cell.end(), counter.begin());

@@ -38,8 +38,7 @@ public:
             for (std::size_t k = 0; k < d; ++k) {
                 const double moved = position[k] + movement[k];
                 const double wrapped = moved - std::floor(moved);
-                points_.coordinates[i * d + k] =
-                    wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
+                points_.coordinates[i * d + k] = wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
             }
         }
     }

@@ -25,8 +25,8 @@ public:
         const std::uint64_t place = thrown_ % darts_a_block;
         if (place == 0) {
             const std::uint64_t block = thrown_ / darts_a_block;
-            words_ = philox(
-                {static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block >> 32), 0, 0}, stream_);
+            words_ =
+                philox({static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block >> 32), 0, 0}, stream_);
         }
         ++thrown_;
         TorusPoint<D> dart;
@@ -96,8 +96,7 @@ private:
     Cell cell_of(const TorusPoint<D>& point) const
     {
         Cell cell;
-        for (int k = 0; k < D; ++k)
-            cell[k] = static_cast<std::uint32_t>((std::uint64_t{point[k]} * size_) >> 32);
+        for (int k = 0; k < D; ++k) cell[k] = static_cast<std::uint32_t>((std::uint64_t{point[k]} * size_) >> 32);
         return cell;
     }
 

@@ -18,8 +18,7 @@ public:
         : dimension_(points.dimension), size_(cells_per_axis),
           members_(static_cast<std::size_t>(std::pow(cells_per_axis, points.dimension) + 0.5))
     {
-        for (std::size_t id = 0; id < points.size(); ++id)
-            members_[number_of(cell_of(points[id]))].push_back(id);
+        for (std::size_t id = 0; id < points.size(); ++id) members_[number_of(cell_of(points[id]))].push_back(id);
     }
 
     /// The cell of a position.
@@ -55,10 +54,7 @@ private:
     std::vector<std::vector<std::size_t>> members_;
 };
 
-bool is_held(const Domain& domain, std::size_t id)
-{
-    return !domain.is_fixed.empty() && domain.is_fixed[id] != 0;
-}
+bool is_held(const Domain& domain, std::size_t id) { return !domain.is_fixed.empty() && domain.is_fixed[id] != 0; }
 
 /// One pass: the displacement of each point. Returns the squared minimum distance before it.
 double find_displacements(const PointSet& points, const Domain& domain, const RepulsionPass& pass,

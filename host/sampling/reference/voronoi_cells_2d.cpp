@@ -36,8 +36,7 @@ std::vector<Position> polygon_of(const Triangulation& triangulation, Triangulati
     auto face = triangulation.incident_faces(site);
     const auto first = face;
     do {
-        const Triangulation::Triangle triangle =
-            triangulation.triangle(triangulation.periodic_triangle(face));
+        const Triangulation::Triangle triangle = triangulation.triangle(triangulation.periodic_triangle(face));
         const int own = face->index(site);
         const auto p = triangle.vertex(own);
         const auto origin = CGAL::ORIGIN;

@@ -243,13 +243,13 @@ private:
     {
         Filling filling(settings_, stage, problem);
         FilledTorus result;
-        const bool is_filled = filling.throw_darts(stage.active, problem.active, settings_.attempts,
-                                                   problem.stream, attempt, 2 * stage.number);
+        const bool is_filled = filling.throw_darts(stage.active, problem.active, settings_.attempts, problem.stream,
+                                                   attempt, 2 * stage.number);
         filling.mark_active_end();
         result.thrown = filling.active();
         if (!is_filled) return result;
-        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts,
-                            problem.stream, attempt, 2 * stage.number + 1);
+        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts, problem.stream,
+                            attempt, 2 * stage.number + 1);
         filling.relax();
         if (settings_.repulsion_passes > 0) filling.repel();
         result.active = filling.active();

@@ -6,8 +6,7 @@ namespace {
 
 /// The tiles of a block in its order: the tile's coordinates, its place in the block.
 template <class Visit>
-void for_each_tile(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
-                   const Visit& visit)
+void for_each_tile(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block, const Visit& visit)
 {
     const ptiles_tiling look_up = runtime_tiling(tiles, tiling);
     const auto at = [&](std::size_t axis, std::uint32_t place) {
@@ -21,18 +20,15 @@ void for_each_tile(const PoissonTileSet& tiles, const PoissonTiling& tiling, con
 
 }
 
-std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling,
-                               const TileBlock& block)
+std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block)
 {
     check(block, tiles.parameters.dimension);
     const auto dimension = static_cast<std::size_t>(tiles.parameters.dimension);
     std::vector<float> values;
-    for_each_tile(tiles, tiling, block,
-                  [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
-                      for (std::size_t n = 0; n < units.size(); ++n)
-                          values.push_back(static_cast<float>(units[n]) / 65536 +
-                                           static_cast<float>(place[n % dimension]));
-                  });
+    for_each_tile(tiles, tiling, block, [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
+        for (std::size_t n = 0; n < units.size(); ++n)
+            values.push_back(static_cast<float>(units[n]) / 65536 + static_cast<float>(place[n % dimension]));
+    });
     return values;
 }
 
@@ -42,11 +38,9 @@ std::vector<std::uint32_t> exact_tile_points(const PoissonTileSet& tiles, const 
     check(block, tiles.parameters.dimension);
     const auto dimension = static_cast<std::size_t>(tiles.parameters.dimension);
     std::vector<std::uint32_t> values;
-    for_each_tile(tiles, tiling, block,
-                  [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
-                      for (std::size_t n = 0; n < units.size(); ++n)
-                          values.push_back(place[n % dimension] << tile_bits | units[n]);
-                  });
+    for_each_tile(tiles, tiling, block, [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
+        for (std::size_t n = 0; n < units.size(); ++n) values.push_back(place[n % dimension] << tile_bits | units[n]);
+    });
     return values;
 }
 

@@ -132,9 +132,7 @@ TEST(BlueNoiseMeasures, OfTheJitteredGridAreThoseOfItsKnownSpectrum)
 TEST(Oscillation, IsTheRootMeanSquareDeviationFromOne)
 {
     // 0 up to f = 9, then alternately 1.5 and 0.5: ten times one half.
-    const auto radial = radial_of(100, 2, [](double f) {
-        return f < 10 ? 0 : std::fmod(f, 2) == 0 ? 1.5 : 0.5;
-    });
+    const auto radial = radial_of(100, 2, [](double f) { return f < 10 ? 0 : std::fmod(f, 2) == 0 ? 1.5 : 0.5; });
     const Oscillation o = oscillation(radial, 100, 2, 1);
     EXPECT_EQ(o.begin, 10);
     EXPECT_EQ(o.end, 60); // 10 + 5 sqrt 100

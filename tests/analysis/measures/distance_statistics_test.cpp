@@ -37,8 +37,7 @@ TEST(MinToroidalDistance, WrapsAroundEveryBorder)
     EXPECT_EQ(min_toroidal_distance({3, {0.0, 0.0, 0.0, 0.5, 0.5, 0.5}}), std::sqrt(0.75));
     EXPECT_EQ(min_toroidal_distance({3, {0.3, 0.3, 0.0, 0.3, 0.3, 1.0 - 0x1p-53}}), 0x1p-53);
     // Across a border the two small parts add up without rounding each other away.
-    EXPECT_NEAR(min_toroidal_distance({2, {0x1p-60, 0.5, 1.0 - 0x1p-53, 0.5}}), 0x1p-53 + 0x1p-60,
-                1e-15 * 0x1p-53);
+    EXPECT_NEAR(min_toroidal_distance({2, {0x1p-60, 0.5, 1.0 - 0x1p-53, 0.5}}), 0x1p-53 + 0x1p-60, 1e-15 * 0x1p-53);
 }
 
 TEST(MinToroidalDistance, AgreesWithAllPairsOnRandomSets)
@@ -121,8 +120,7 @@ TEST(MinToroidalDistance, StaysFastWhenDistancesShrinkPointByPoint)
 {
     // Each point halves the smallest distance: the grid is rebuilt again and again.
     PointSet points{2, {}};
-    for (double x = 0.5; x > 0x1p-45; x *= 0.5)
-        points.coordinates.insert(points.coordinates.end(), {x, 0.25});
+    for (double x = 0.5; x > 0x1p-45; x *= 0.5) points.coordinates.insert(points.coordinates.end(), {x, 0.25});
     std::mt19937_64 random(6);
     const PointSet others = random_points(20'000, 2, random);
     points.coordinates.insert(points.coordinates.end(), others.coordinates.begin(), others.coordinates.end());

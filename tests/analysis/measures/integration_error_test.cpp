@@ -26,8 +26,7 @@ TEST(Integrands, HaveTheirIntegralsAndVariances)
                 for (int i = 0; i < n; ++i) {
                     x = {(i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n};
                     for (std::size_t f = 0; f < functions.size(); ++f) {
-                        const double value =
-                            functions[f].value(std::span(x).first(static_cast<std::size_t>(d)));
+                        const double value = functions[f].value(std::span(x).first(static_cast<std::size_t>(d)));
                         sums[f] += value;
                         squares[f] += value * value;
                     }

@@ -29,8 +29,7 @@ Spectrum spectrum_with_peaks(int dimension, int size, int tiles, double peak)
 
 double& power_at(Spectrum& spectrum, int fx, int fy)
 {
-    return spectrum
-        .power[static_cast<std::size_t>((fy + spectrum.size / 2) * spectrum.size + fx + spectrum.size / 2)];
+    return spectrum.power[static_cast<std::size_t>((fy + spectrum.size / 2) * spectrum.size + fx + spectrum.size / 2)];
 }
 
 TEST(LatticePeaks, AreThePowerOverThatOfTheirSurroundings)

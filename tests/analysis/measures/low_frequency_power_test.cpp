@@ -16,8 +16,7 @@ std::vector<RadialBin> radial_of(int count, const Power& power)
 {
     std::vector<RadialBin> radial;
     for (int k = 1; k <= count; ++k) {
-        radial.push_back(
-            {static_cast<double>(k), power(static_cast<double>(k)), 0, static_cast<std::size_t>(6 * k)});
+        radial.push_back({static_cast<double>(k), power(static_cast<double>(k)), 0, static_cast<std::size_t>(6 * k)});
     }
     return radial;
 }
@@ -25,8 +24,7 @@ std::vector<RadialBin> radial_of(int count, const Power& power)
 TEST(LowFrequencyPower, RecoversPowerLaws)
 {
     for (const double b : {-1.0, 0.0, 1.0, 2.0, 4.0}) {
-        const auto fit =
-            low_frequency_power(radial_of(40, [&](double f) { return 0.3 * std::pow(f, b); }), {3, 25});
+        const auto fit = low_frequency_power(radial_of(40, [&](double f) { return 0.3 * std::pow(f, b); }), {3, 25});
         ASSERT_TRUE(fit);
         EXPECT_NEAR(fit->exponent, b, 1e-12);
         EXPECT_NEAR(fit->exponent_standard_error, 0, 1e-12);
@@ -38,8 +36,7 @@ TEST(LowFrequencyPower, RecoversPowerLaws)
 
 TEST(LowFrequencyPower, RecoversTheInterceptOfAParabola)
 {
-    const auto fit =
-        low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), {1, 30});
+    const auto fit = low_frequency_power(radial_of(40, [](double f) { return 0.07 + 1e-3 * f * f; }), {1, 30});
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->intercept, 0.07, 1e-14);
     EXPECT_NEAR(fit->intercept_standard_error, 0, 1e-14);
@@ -64,8 +61,7 @@ TEST(LowFrequencyPower, HasTheStandardErrorsOfItsFits)
         intercept_variances.push_back(std::pow(flat->intercept_standard_error, 2));
     }
     const double bound = z_bound(4);
-    const auto check = [&](const std::vector<double>& values, double expected,
-                           const std::vector<double>& variances) {
+    const auto check = [&](const std::vector<double>& values, double expected, const std::vector<double>& variances) {
         const Mean mean = mean_of(values);
         EXPECT_LT(std::abs(mean.value - expected), bound * mean.standard_error);
         std::vector<double> squares;

@@ -91,9 +91,8 @@ TEST(TorusBall, HasTheMomentsOfTheDistanceInACube)
         // V has the term (r - 1/2)^1.5 in 2D: Simpson's error is some n^-2.5 = 2e-11.
         EXPECT_NEAR(moment(2), d / 12.0, 1e-10);
         EXPECT_NEAR(moment(4), d / 80.0 + d * (d - 1) / 144.0, 1e-10);
-        const double mean =
-            d == 2 ? (std::sqrt(2.0) + std::log(1 + std::sqrt(2.0))) / 6
-                   : std::sqrt(3.0) / 8 + std::log(2 + std::sqrt(3.0)) / 4 - std::numbers::pi / 48;
+        const double mean = d == 2 ? (std::sqrt(2.0) + std::log(1 + std::sqrt(2.0))) / 6
+                                   : std::sqrt(3.0) / 8 + std::log(2 + std::sqrt(3.0)) / 4 - std::numbers::pi / 48;
         EXPECT_NEAR(moment(1), mean, 1e-10);
     }
 }

@@ -142,8 +142,7 @@ TEST(VoronoiDiagram, OfIndependentPointsHasThePublishedMoments)
     std::mt19937_64 random(3);
     std::vector<std::vector<double>> samples(5);
     for (int i = 0; i < 30; ++i) {
-        const VoronoiStatistics statistics =
-            voronoi_statistics(voronoi_diagram(random_points(2000, 2, random)));
+        const VoronoiStatistics statistics = voronoi_statistics(voronoi_diagram(random_points(2000, 2, random)));
         samples[0].push_back(statistics.relative_area_variance);
         for (std::size_t k = 0; k < 4; ++k) samples[k + 1].push_back(statistics.neighbour_share[k]);
     }

@@ -16,8 +16,8 @@ std::vector<std::string> names_of(int size)
 
 TEST(SpectrumPlanes, HaveNames)
 {
-    EXPECT_THAT(names_of(256), testing::ElementsAre("xy", "xz", "yz", "xy_-128", "xz_-128", "yz_-128",
-                                                    "xy_16", "xy_32", "xy_48"));
+    EXPECT_THAT(names_of(256),
+                testing::ElementsAre("xy", "xz", "yz", "xy_-128", "xz_-128", "yz_-128", "xy_16", "xy_32", "xy_48"));
 }
 
 TEST(SpectrumPlanes, AreThereOnceInSmallSpectra)

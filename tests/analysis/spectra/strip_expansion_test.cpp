@@ -16,8 +16,7 @@ TEST(StripExpansion, TermsAreEnoughAndNotFarTooMany)
             const int terms = expansion_terms(strips, frequency);
             const double half_z = 0.5 * std::numbers::pi * frequency / strips;
             const auto log_rest = [&](int r) {
-                return std::log(2.0) + r * std::log(half_z) - std::lgamma(r + 1.0) -
-                       std::log1p(-half_z / (r + 1));
+                return std::log(2.0) + r * std::log(half_z) - std::lgamma(r + 1.0) - std::log1p(-half_z / (r + 1));
             };
             EXPECT_LT(log_rest(terms), std::log(0x1p-53) + 1e-9);
             if (half_z < terms) {
@@ -49,8 +48,7 @@ TEST(StripExpansion, FoldedMomentsGiveThePhasesOfAPoint)
                 }
                 std::vector<double> folded_cosine(terms), folded_sine(terms);
                 fold(four, expansion.terms, 1, v % 2 == 1, folded_cosine.data(), folded_sine.data());
-                const std::size_t row =
-                    static_cast<std::size_t>(v / 2) * expansion.folded_moments() + k * terms;
+                const std::size_t row = static_cast<std::size_t>(v / 2) * expansion.folded_moments() + k * terms;
                 for (std::size_t r = 0; r < terms; ++r) {
                     cosine += table.cosine[v % 2][row + r] * folded_cosine[r];
                     sine += table.sine[v % 2][row + r] * folded_sine[r];

@@ -16,8 +16,7 @@ ColorField random_field(std::uint32_t colors, std::size_t width, std::size_t hei
     std::mt19937 random(seed);
     std::uniform_int_distribution<int> color(0, static_cast<int>(colors) - 1);
     ColorField field{colors, width, {}};
-    for (std::size_t i = 0; i < width * height; ++i)
-        field.values.push_back(static_cast<std::uint8_t>(color(random)));
+    for (std::size_t i = 0; i < width * height; ++i) field.values.push_back(static_cast<std::uint8_t>(color(random)));
     return field;
 }
 
@@ -87,8 +86,7 @@ TEST(ColorAutocorrelation, SeesRepetition)
     const ColorAutocorrelation result = color_autocorrelation(field, 60);
     EXPECT_EQ(std::abs(result.largest_at[0]), 40);
     EXPECT_EQ(result.largest_at[1], 0);
-    EXPECT_NEAR(result.largest, std::sqrt(216.0 * 256), 1e-9)
-        << "all of n pairs agree: sqrt(n) for two colours";
+    EXPECT_NEAR(result.largest, std::sqrt(216.0 * 256), 1e-9) << "all of n pairs agree: sqrt(n) for two colours";
     EXPECT_GT(result.largest, result.bound);
 }
 

@@ -24,9 +24,8 @@ TEST(MitchellFilter, IsThatOfThePaper)
         if (t < 1)
             weight = ((12 - 9 * b - 6 * c) * t * t * t + (-18 + 12 * b + 6 * c) * t * t + (6 - 2 * b)) / 6;
         else if (t < 2)
-            weight = ((-b - 6 * c) * t * t * t + (6 * b + 30 * c) * t * t + (-12 * b - 48 * c) * t +
-                      (8 * b + 24 * c)) /
-                     6;
+            weight =
+                ((-b - 6 * c) * t * t * t + (6 * b + 30 * c) * t * t + (-12 * b - 48 * c) * t + (8 * b + 24 * c)) / 6;
         EXPECT_NEAR(mitchell_weight(t), weight, 1e-14) << t;
     }
 }
@@ -78,9 +77,9 @@ TEST(Reconstruction, AgreesWithTheDirectSum)
 {
     std::mt19937_64 random(1);
     const int size = 70; // three bands, the last one shorter
-    const std::vector<PointSet> sets = {
-        random_points(size * size, 2, random), random_points(size * size / 7, 2, random),
-        clustered_points(size * size, 2, 5, 0.1, random), random_points(1, 2, random)};
+    const std::vector<PointSet> sets = {random_points(size * size, 2, random),
+                                        random_points(size * size / 7, 2, random),
+                                        clustered_points(size * size, 2, 5, 0.1, random), random_points(1, 2, random)};
     for (const auto& points : sets) {
         const auto values = random_values(points.size(), random);
         const auto image = reconstruct(points, values, size);
@@ -98,8 +97,7 @@ TEST(Reconstruction, ConstantsStayConstant)
     std::mt19937_64 random(2);
     const auto points = random_points(64 * 64, 2, random);
     for (const double constant : {0.0, 0.5, 1.0})
-        for (const double pixel :
-             reconstruct(points, std::vector<double>(points.size(), constant), 64).pixels)
+        for (const double pixel : reconstruct(points, std::vector<double>(points.size(), constant), 64).pixels)
             ASSERT_EQ(pixel, constant);
     for (const double pixel : reconstruct(points, std::vector<double>(points.size(), 0.3), 64).pixels)
         ASSERT_NEAR(pixel, 0.3, 64 * 0x1p-53 / least_weight);
@@ -112,13 +110,11 @@ TEST(Reconstruction, SlopesOnALatticeStaySlopes)
         PointSet points = square_lattice(n, 2);
         for (double& x : points.coordinates) x += shift / n;
         std::vector<double> values;
-        for (std::size_t k = 0; k < points.size(); ++k)
-            values.push_back(0.2 + 0.5 * points[k][0] - 0.3 * points[k][1]);
+        for (std::size_t k = 0; k < points.size(); ++k) values.push_back(0.2 + 0.5 * points[k][0] - 0.3 * points[k][1]);
         const auto image = reconstruct(points, values, n);
         for (int row = 2; row < n - 2; ++row) // beyond that, one side has no samples
             for (int column = 2; column < n - 2; ++column)
-                ASSERT_NEAR(image.at(column, row), 0.2 + (0.5 * (column + 0.5) - 0.3 * (row + 0.5)) / n,
-                            1e-14);
+                ASSERT_NEAR(image.at(column, row), 0.2 + (0.5 * (column + 0.5) - 0.3 * (row + 0.5)) / n, 1e-14);
     }
 }
 

@@ -97,9 +97,7 @@ TEST(ZonePlateError, TellsRegularFromJitteredFromRandom)
     PointSet jittered = regular;
     for (double& x : regular.coordinates) x += 0.5 / 512;
     for (double& x : jittered.coordinates) x += uniform(random) / 512;
-    const auto error_of = [](const PointSet& points) {
-        return ZonePlateError().add(zone_plate_image(points));
-    };
+    const auto error_of = [](const PointSet& points) { return ZonePlateError().add(zone_plate_image(points)); };
     const PlateError of_regular = error_of(regular);
     const PlateError of_jittered = error_of(jittered);
     const PlateError of_random = error_of(random_points(512 * 512, 2, random));

@@ -26,11 +26,10 @@ std::complex<long double> wave_by_simpson(int index, int size)
     long double weights = 0;
     for (int k = 0; k <= count; ++k) {
         const long double u = low + static_cast<long double>(k) / steps, x = u * pixel;
-        const long double weight =
-            (k == 0 || k == count ? 1
-             : k % 2 == 1         ? 4
-                                  : 2) *
-            static_cast<long double>(mitchell_weight(static_cast<double>(std::abs(u - centre))));
+        const long double weight = (k == 0 || k == count ? 1
+                                    : k % 2 == 1         ? 4
+                                                         : 2) *
+                                   static_cast<long double>(mitchell_weight(static_cast<double>(std::abs(u - centre))));
         sum += weight * std::polar(1.0L, x * x);
         weights += weight;
     }
@@ -49,8 +48,7 @@ TEST(ZonePlateReference, AgreesWithSimpsonsRule)
                 // Simpson's error: (step size)^4 / 180 times the fourth derivative, at most (2 x)^4 x 2.
                 const double step = 48.0 / size / 65536;
                 const double simpson = std::pow(96 * step, 4) / 90;
-                EXPECT_NEAR(image.at(column, row), 0.5 + 0.5 * static_cast<double>(wave.imag()),
-                            2e-12 + simpson)
+                EXPECT_NEAR(image.at(column, row), 0.5 + 0.5 * static_cast<double>(wave.imag()), 2e-12 + simpson)
                     << size << ": " << column << ", " << row;
             }
     }
@@ -88,17 +86,13 @@ TEST(ZonePlateReference, IsSymmetricAndFadesToGrey)
 {
     const auto image = zone_plate_reference(512);
     for (int row = 0; row < 512; row += 7)
-        for (int column = 0; column < row; column += 5)
-            ASSERT_EQ(image.at(column, row), image.at(row, column));
+        for (int column = 0; column < row; column += 5) ASSERT_EQ(image.at(column, row), image.at(row, column));
     EXPECT_GT(image.at(13, 0), 0.95);
     // At 1.4 cycles per pixel the filter lets nearly nothing through.
     for (int i = 330; i < 360; ++i) EXPECT_NEAR(image.at(i, i), 0.5, 0.02);
 }
 
-TEST(ZonePlateReference, OfOnePixelIsTheMeanOfThePlate)
-{
-    EXPECT_NEAR(zone_plate_reference(1).at(0, 0), 0.5, 0.01);
-}
+TEST(ZonePlateReference, OfOnePixelIsTheMeanOfThePlate) { EXPECT_NEAR(zone_plate_reference(1).at(0, 0), 0.5, 0.01); }
 
 }
 }

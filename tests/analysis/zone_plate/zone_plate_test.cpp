@@ -31,8 +31,7 @@ TEST(ZonePlate, PictureIsOfTheFunctionAtThePoints)
     std::mt19937_64 random(1);
     const auto points = random_points(50 * 50, 2, random);
     std::vector<double> values;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        values.push_back(zone_plate(48 * points[k][0], 48 * points[k][1]));
+    for (std::size_t k = 0; k < points.size(); ++k) values.push_back(zone_plate(48 * points[k][0], 48 * points[k][1]));
     const auto image = zone_plate_image(points);
     EXPECT_EQ(image.size, 50);
     EXPECT_EQ(image.pixels, reconstruct(points, values, 50).pixels);

@@ -26,7 +26,7 @@ TEST(Printable, EscapesBytesThatAreNoUtf8)
     EXPECT_EQ(printable("\xff"), "\\xff");
     EXPECT_EQ(printable("a\x80z"), "a\\x80z");
     EXPECT_EQ(printable("\xc3"), "\\xc3") << "cut off";
-    EXPECT_EQ(printable("\xc3(") , "\\xc3(");
+    EXPECT_EQ(printable("\xc3("), "\\xc3(");
     EXPECT_EQ(printable("\xc0\xaf"), "\\xc0\\xaf") << "longer than needed";
     EXPECT_EQ(printable("\xe0\x80\xaf"), "\\xe0\\x80\\xaf");
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "a surrogate";
@@ -45,7 +45,8 @@ TEST(Shortened, KeepsWholeCharacters)
 
 template <class Error>
 class Errors : public ::testing::Test
-{};
+{
+};
 using AllErrors = ::testing::Types<InputError, DeviceError, StorageError>;
 TYPED_TEST_SUITE(Errors, AllErrors);
 

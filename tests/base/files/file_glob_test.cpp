@@ -24,10 +24,7 @@ TEST(FileGlob, GivesFilesInOrderAndTakesFoldersLiterally)
     EXPECT_THAT(named_files(folder, "d*"), IsEmpty());
 }
 
-TEST(FileGlob, OfNamesThatNoFileCanHaveIsNothing)
-{
-    EXPECT_THAT(named_files("/", std::string(5000, 'a')), IsEmpty());
-}
+TEST(FileGlob, OfNamesThatNoFileCanHaveIsNothing) { EXPECT_THAT(named_files("/", std::string(5000, 'a')), IsEmpty()); }
 
 TEST(FileGlob, SaysWhereItLooked)
 {

@@ -18,8 +18,7 @@ TEST(Xxh64Bytes, GivesWhatIsPublished)
     EXPECT_EQ(xxh64_bytes("as"), 0x1c330fb2d66be179u);
     EXPECT_EQ(xxh64_bytes("asd"), 0x631c37ce72a97393u);
     EXPECT_EQ(xxh64_bytes("asdf"), 0x415872f599cea71eu);
-    EXPECT_EQ(xxh64_bytes("Call me Ishmael. Some years ago--never mind how long precisely-"),
-              0x02a2e85470d6fd96u);
+    EXPECT_EQ(xxh64_bytes("Call me Ishmael. Some years ago--never mind how long precisely-"), 0x02a2e85470d6fd96u);
 }
 
 /// The buffer of the sanity checks of xxHash itself, tests/sanity_test.c.

@@ -44,8 +44,7 @@ TEST(RelativeRadius, GoesBothWays)
 {
     for (const int dimension : {2, 3}) {
         for (const double rho : {0.0, 0.1, 0.7, 0.75, 1.0}) {
-            EXPECT_NEAR(relative_radius(min_distance_for(rho, 1000, dimension), 1000, dimension), rho,
-                        rounding);
+            EXPECT_NEAR(relative_radius(min_distance_for(rho, 1000, dimension), 1000, dimension), rho, rounding);
         }
     }
 }
@@ -101,8 +100,7 @@ TEST(RelativeRadius, OfAFaceCentredCubicLatticeIsOne)
     for (int x = 0; x < 2 * cells; ++x) {
         for (int y = 0; y < 2 * cells; ++y) {
             for (int z = 0; z < 2 * cells; ++z) {
-                if ((x + y + z) % 2 == 0)
-                    points.push_back({x / (2.0 * cells), y / (2.0 * cells), z / (2.0 * cells)});
+                if ((x + y + z) % 2 == 0) points.push_back({x / (2.0 * cells), y / (2.0 * cells), z / (2.0 * cells)});
             }
         }
     }
@@ -125,8 +123,7 @@ TEST(RelativeRadius, AtSaturationIsThatOfRandomSequentialAddition)
     for (const int dimension : {2, 3}) {
         const std::size_t n = 1000;
         const double distance = min_distance_for(saturation_relative_radius(dimension), n, dimension);
-        EXPECT_NEAR(covered_fraction(distance, n, dimension), saturation_covered_fraction(dimension),
-                    4 * rounding);
+        EXPECT_NEAR(covered_fraction(distance, n, dimension), saturation_covered_fraction(dimension), 4 * rounding);
     }
 }
 

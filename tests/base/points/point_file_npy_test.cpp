@@ -14,16 +14,13 @@ using testing::ElementsAre;
 using testing::StartsWith;
 
 /// A file as numpy.save writes it: version 1 has a length of 16 bits, versions 2 and 3 of 32.
-std::string npy(const std::string& type, const std::string& order, const std::string& shape,
-                const std::string& data, int version = 1)
+std::string npy(const std::string& type, const std::string& order, const std::string& shape, const std::string& data,
+                int version = 1)
 {
-    const std::string header =
-        "{'descr': " + type + ", 'fortran_order': " + order + ", 'shape': " + shape + ", }\n";
-    const std::string length = version == 1
-                                   ? bytes_of(static_cast<std::uint16_t>(header.size()), std::endian::little)
-                                   : bytes_of(static_cast<std::uint32_t>(header.size()), std::endian::little);
-    return "\x93NUMPY" + std::string(1, static_cast<char>(version)) + std::string(1, '\0') + length + header +
-           data;
+    const std::string header = "{'descr': " + type + ", 'fortran_order': " + order + ", 'shape': " + shape + ", }\n";
+    const std::string length = version == 1 ? bytes_of(static_cast<std::uint16_t>(header.size()), std::endian::little)
+                                            : bytes_of(static_cast<std::uint32_t>(header.size()), std::endian::little);
+    return "\x93NUMPY" + std::string(1, static_cast<char>(version)) + std::string(1, '\0') + length + header + data;
 }
 
 template <class T>
@@ -74,8 +71,7 @@ TEST(PointFileNpy, ReadsFortranOrder)
                 ElementsAre(PointSet{2, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}));
     // (realization, point, axis): 000 100 010 110 001 101 011 111.
     EXPECT_THAT(
-        read_npy(npy("'<f8'", "True", "(2, 2, 2)",
-                     values({0.000, 0.100, 0.010, 0.110, 0.001, 0.101, 0.011, 0.111}))),
+        read_npy(npy("'<f8'", "True", "(2, 2, 2)", values({0.000, 0.100, 0.010, 0.110, 0.001, 0.101, 0.011, 0.111}))),
         ElementsAre(PointSet{2, {0.000, 0.001, 0.010, 0.011}}, PointSet{2, {0.100, 0.101, 0.110, 0.111}}));
 }
 
@@ -91,8 +87,8 @@ TEST(PointFileNpy, RefusesOtherTypes)
 
 TEST(PointFileNpy, RefusesOtherShapes)
 {
-    for (const std::string shape : {"(2,)", "()", "(2, 4)", "(2, 1)", "(1, 1, 1, 2)", "(-1, 2)", "(a, 2)",
-                                    "(99999999999999999999, 2)"}) {
+    for (const std::string shape :
+         {"(2,)", "()", "(2, 4)", "(2, 1)", "(1, 1, 1, 2)", "(-1, 2)", "(a, 2)", "(99999999999999999999, 2)"}) {
         const std::string message = input_error_of("points.npy", npy("'<f8'", "False", shape, ""));
         EXPECT_EQ(message, "points.npy: shape " + shape + ": must be (N, 2), (N, 3), (K, N, 2) or (K, N, 3)");
     }
@@ -127,8 +123,7 @@ TEST(PointFileNpy, RefusesTruncatedHeaders)
     const std::string file = npy("'<f8'", "False", "(1, 2)", "");
     for (const std::size_t size : {std::size_t{6}, std::size_t{9}, std::size_t{30}, file.size() - 1}) {
         EXPECT_EQ(input_error_of("points.npy", file.substr(0, size)),
-                  "points.npy: ends after " + std::to_string(size) +
-                      " bytes: must have a whole NumPy header");
+                  "points.npy: ends after " + std::to_string(size) + " bytes: must have a whole NumPy header");
     }
     EXPECT_EQ(input_error_of("points.npy", std::string("\x93NUMPY\x02\0\xff\xff\xff\xff{}", 14)),
               "points.npy: ends after 14 bytes: must have a whole NumPy header");
@@ -139,8 +134,7 @@ TEST(PointFileNpy, RefusesTruncatedHeaders)
 TEST(PointFileNpy, NamesTheByteOfABadCoordinate)
 {
     for (const auto& [value, word] :
-         {std::pair{2.0, "2: must be a number in [0, 1)"},
-          std::pair{-0.5, "-0.5: must be a number in [0, 1)"},
+         {std::pair{2.0, "2: must be a number in [0, 1)"}, std::pair{-0.5, "-0.5: must be a number in [0, 1)"},
           std::pair{std::numeric_limits<double>::infinity(), "inf: must be a number in [0, 1)"},
           std::pair{1.0, "1: must be a number in [0, 1), without 1 itself (on the torus, 1 is 0)"}}) {
         const std::string file = npy("'<f8'", "False", "(2, 2)", values({0.1, 0.2, 0.3, value}));

@@ -23,8 +23,8 @@ PointSet read_ply(std::string_view content)
 /// An ascii file with x and y.
 std::string ascii(const std::string& count, const std::string& body)
 {
-    return "ply\nformat ascii 1.0\nelement vertex " + count +
-           "\nproperty float x\nproperty float y\nend_header\n" + body;
+    return "ply\nformat ascii 1.0\nelement vertex " + count + "\nproperty float x\nproperty float y\nend_header\n" +
+           body;
 }
 
 TEST(PointFilePly, ReadsAscii)
@@ -51,12 +51,11 @@ TEST(PointFilePly, DropsAZThatIsZeroAndKeepsAnyOther)
 
 TEST(PointFilePly, FindsCoordinatesAmongOtherPropertiesAndElements)
 {
-    EXPECT_EQ(
-        read_ply("ply\nformat ascii 1.0\nobj_info made by hand\nelement camera 1\nproperty list uchar int a\n"
-                 "element vertex 1\nproperty uchar red\nproperty float y\nproperty float nx\n"
-                 "property float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                 "2 7 7\n255 0.2 -3 0.1\n3 0 0 0\n"),
-        (PointSet{2, {0.1, 0.2}}));
+    EXPECT_EQ(read_ply("ply\nformat ascii 1.0\nobj_info made by hand\nelement camera 1\nproperty list uchar int a\n"
+                       "element vertex 1\nproperty uchar red\nproperty float y\nproperty float nx\n"
+                       "property float x\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                       "2 7 7\n255 0.2 -3 0.1\n3 0 0 0\n"),
+              (PointSet{2, {0.1, 0.2}}));
 }
 
 TEST(PointFilePly, ReadsBinaryOfEitherByteOrder)
@@ -94,8 +93,7 @@ TEST(PointFilePly, NamesTheByteOfABadCoordinate)
     const auto file = [&](double y) {
         return head + bytes_of(0.5, std::endian::little) + bytes_of(y, std::endian::little);
     };
-    EXPECT_EQ(input_error_of("points.ply", file(2)),
-              "points.ply: byte " + at + ": 2: must be a number in [0, 1)");
+    EXPECT_EQ(input_error_of("points.ply", file(2)), "points.ply: byte " + at + ": 2: must be a number in [0, 1)");
     EXPECT_EQ(input_error_of("points.ply", file(std::numeric_limits<double>::quiet_NaN())),
               "points.ply: byte " + at + ": nan: must be a number in [0, 1)");
 }
@@ -106,8 +104,7 @@ TEST(PointFilePly, RefusesTruncatedFilesAndHugeCounts)
         const std::string expected =
             "points.ply: element vertex " + count + ": the file ends before it has that many rows";
         EXPECT_EQ(input_error_of("points.ply", ascii(count, "0.1 0.2\n0.3 0.4\n")), expected);
-        EXPECT_EQ(input_error_of("points.ply", "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                                                   count +
+        EXPECT_EQ(input_error_of("points.ply", "ply\nformat binary_little_endian 1.0\nelement vertex " + count +
                                                    "\nproperty double x\nproperty double y\nend_header\n" +
                                                    std::string(47, '\0')),
                   expected);
@@ -120,12 +117,11 @@ TEST(PointFilePly, RefusesTruncatedFilesAndHugeCounts)
 TEST(PointFilePly, RefusesHugeCountsOfOtherElements)
 {
     for (const std::string format : {"ascii", "binary_big_endian"}) {
-        EXPECT_EQ(
-            input_error_of("points.ply", "ply\nformat " + format +
-                                             " 1.0\nelement camera 18446744073709551615\nproperty int a\n"
-                                             "element vertex 1\nproperty float x\nproperty float y\n"
-                                             "end_header\n0 0 0\n"),
-            "points.ply: element camera 18446744073709551615: the file ends before it has that many rows");
+        EXPECT_EQ(input_error_of("points.ply", "ply\nformat " + format +
+                                                   " 1.0\nelement camera 18446744073709551615\nproperty int a\n"
+                                                   "element vertex 1\nproperty float x\nproperty float y\n"
+                                                   "end_header\n0 0 0\n"),
+                  "points.ply: element camera 18446744073709551615: the file ends before it has that many rows");
     }
 }
 
@@ -141,9 +137,7 @@ TEST(PointFilePly, RefusesPointsThatTheHeaderDoesNotCount)
 
 TEST(PointFilePly, RefusesHeadersThatItDoesNotUnderstand)
 {
-    const auto error = [](const std::string& header) {
-        return input_error_of("points.ply", "ply\n" + header);
-    };
+    const auto error = [](const std::string& header) { return input_error_of("points.ply", "ply\n" + header); };
     EXPECT_EQ(error(""), "points.ply: PLY header: must end with a line `end_header`");
     EXPECT_EQ(error("format ascii 1.0\n"), "points.ply: PLY header: must end with a line `end_header`");
     EXPECT_EQ(error("end_header\n"), "points.ply:2: end_header: a line `format ...` must come before");
@@ -153,12 +147,10 @@ TEST(PointFilePly, RefusesHeadersThatItDoesNotUnderstand)
               "points.ply:3: property: an `element` line must come before");
     EXPECT_EQ(error("format ascii 1.0\nelement vertex 1\nproperty half x\n"),
               "points.ply:4: half: must be a type of PLY, such as float or double");
-    EXPECT_EQ(
-        error("format ascii 1.0\nvertices 1\n"),
-        "points.ply:3: vertices 1: must be a `format`, `element`, `property`, `comment` or `end_header` line "
-        "of PLY");
-    EXPECT_EQ(error("format ascii 1.0\nend_header\n"),
-              "points.ply: PLY header: must have an `element vertex`");
+    EXPECT_EQ(error("format ascii 1.0\nvertices 1\n"),
+              "points.ply:3: vertices 1: must be a `format`, `element`, `property`, `comment` or `end_header` line "
+              "of PLY");
+    EXPECT_EQ(error("format ascii 1.0\nend_header\n"), "points.ply: PLY header: must have an `element vertex`");
     EXPECT_EQ(error("format ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
               "points.ply: PLY header: the element `vertex` must have the properties x and y");
     EXPECT_EQ(error("format ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nend_header\n"),
@@ -166,10 +158,9 @@ TEST(PointFilePly, RefusesHeadersThatItDoesNotUnderstand)
     EXPECT_EQ(error("format ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                     "property list uchar int a\nend_header\n0 0 0\n"),
               "points.ply: PLY header: the element `vertex` must not have lists");
-    EXPECT_EQ(
-        error("format binary_little_endian 1.0\nelement face 1\nproperty list uchar int a\n"
-              "element vertex 1\nproperty float x\nproperty float y\nend_header\n"),
-        "points.ply: element face: an element with lists must come after the vertices in a binary file");
+    EXPECT_EQ(error("format binary_little_endian 1.0\nelement face 1\nproperty list uchar int a\n"
+                    "element vertex 1\nproperty float x\nproperty float y\nend_header\n"),
+              "points.ply: element face: an element with lists must come after the vertices in a binary file");
 }
 
 }

@@ -1,7 +1,7 @@
 // What is written is read back bit for bit, in every format, dimension and locale.
 #include "base/errors/errors.hpp"
-#include "base/points/point_file.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -43,8 +43,7 @@ RC_GTEST_PROP(PointFileRoundTrip, GivesTheSameBits, ())
     const int dimension = *rc::gen::inRange(2, 4);
     const auto points = *rc::gen::inRange<std::size_t>(1, 50);
     const auto bits = *rc::gen::container<std::vector<std::uint64_t>>(
-        points * static_cast<std::size_t>(dimension),
-        rc::gen::scale(100.0, rc::gen::arbitrary<std::uint64_t>()));
+        points * static_cast<std::size_t>(dimension), rc::gen::scale(100.0, rc::gen::arbitrary<std::uint64_t>()));
     PointSet set{dimension, {}};
     for (const std::uint64_t word : bits) set.coordinates.push_back(coordinate_from_bits(word));
     // In PLY a z that is 0 everywhere is no third dimension.
@@ -86,8 +85,7 @@ TEST(PointFileRoundTrip, WritesNpyThatStartsItsNumbersAtAMultipleOf64)
     write_points(file, PointSet{2, {0.1, 0.2}});
     const std::string content = read_whole_file(file);
     EXPECT_EQ((content.size() - 16) % 64, 0);
-    EXPECT_THAT(content.substr(10),
-                StartsWith("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }"));
+    EXPECT_THAT(content.substr(10), StartsWith("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }"));
     EXPECT_EQ(content[content.size() - 17], '\n');
 }
 
@@ -156,13 +154,12 @@ TEST(PointFileInPieces, IsThatOfTheWhole)
     const TemporaryFolder folder;
     for (const std::string extension : {".dat", ".ply", ".npy"}) {
         write_points(folder.path() / ("whole" + extension), set, "a comment");
-        write_points_in_pieces(folder.path() / ("pieces" + extension), 2, set.size(), "a comment",
-                               [&](const PointSink& sink) {
-                                   for (std::size_t first = 0; first < set.size(); first += 3333)
-                                       sink(std::span(set.coordinates)
-                                                .subspan(2 * first,
-                                                         2 * std::min<std::size_t>(3333, set.size() - first)));
-                               });
+        write_points_in_pieces(
+            folder.path() / ("pieces" + extension), 2, set.size(), "a comment", [&](const PointSink& sink) {
+                for (std::size_t first = 0; first < set.size(); first += 3333)
+                    sink(std::span(set.coordinates)
+                             .subspan(2 * first, 2 * std::min<std::size_t>(3333, set.size() - first)));
+            });
         EXPECT_EQ(read_whole_file(folder.path() / ("pieces" + extension)),
                   read_whole_file(folder.path() / ("whole" + extension)));
     }

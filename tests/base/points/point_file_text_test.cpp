@@ -48,8 +48,7 @@ TEST(PointFileText, AcceptsPointsThatCoincide)
 
 TEST(PointFileText, TakesWhatIsNearerToZeroThanEveryDoubleAsZero)
 {
-    EXPECT_THAT(read_text("1e-400 4.9406564584124654e-324\n"),
-                ElementsAre(plane({0, 4.9406564584124654e-324})));
+    EXPECT_THAT(read_text("1e-400 4.9406564584124654e-324\n"), ElementsAre(plane({0, 4.9406564584124654e-324})));
 }
 
 TEST(PointFileText, RefusesOneAndSaysWhatItIsOnTheTorus)
@@ -57,9 +56,8 @@ TEST(PointFileText, RefusesOneAndSaysWhatItIsOnTheTorus)
     EXPECT_EQ(input_error_of("points.dat", "0.5 0.5\n0.5 1.0\n"),
               "points.dat:2: 1.0: must be a number in [0, 1), without 1 itself (on the torus, 1 is 0)");
     // So near to 1 that the nearest double is 1.
-    EXPECT_THAT(
-        input_error_of("points.dat", "0.99999999999999999999 0.5\n"),
-        StartsWith("points.dat:1: 0.99999999999999999999: must be a number in [0, 1), without 1 itself"));
+    EXPECT_THAT(input_error_of("points.dat", "0.99999999999999999999 0.5\n"),
+                StartsWith("points.dat:1: 0.99999999999999999999: must be a number in [0, 1), without 1 itself"));
 }
 
 TEST(PointFileText, RefusesWhatIsNoCoordinate)
@@ -78,8 +76,7 @@ TEST(PointFileText, RefusesWhatIsNoCoordinate)
 TEST(PointFileText, RefusesCommasWithNothingBesideThem)
 {
     for (const std::string line : {"0.1,,0.2", "0.1,0.2,", ",0.1,0.2", ","}) {
-        EXPECT_THAT(input_error_of("points.dat", line),
-                    StartsWith("points.dat:1: nothing beside a comma: must be"));
+        EXPECT_THAT(input_error_of("points.dat", line), StartsWith("points.dat:1: nothing beside a comma: must be"));
     }
 }
 
@@ -101,8 +98,7 @@ TEST(PointFileText, RefusesLinesOfUnequalLength)
 
 TEST(PointFileText, RefusesFilesWithoutPoints)
 {
-    const std::string expected =
-        "points.dat: no points: must have one point a line, 2 or 3 coordinates in [0, 1)";
+    const std::string expected = "points.dat: no points: must have one point a line, 2 or 3 coordinates in [0, 1)";
     for (const std::string_view content : {"", "\n\n", "# words\n", "#\n", "#\n#\n"}) {
         EXPECT_EQ(input_error_of("points.dat", content), expected);
     }
@@ -127,8 +123,7 @@ TEST(PointFileText, RefusesBinaryFilesInPrintableWords)
 TEST(PointFileText, RefusesFoldersAndMissingFiles)
 {
     const TemporaryFolder folder;
-    EXPECT_EQ(input_error_of(folder.path() / "missing.dat"),
-              "missing.dat: cannot be read: No such file or directory");
+    EXPECT_EQ(input_error_of(folder.path() / "missing.dat"), "missing.dat: cannot be read: No such file or directory");
     std::filesystem::create_directory(folder.path() / "folder");
     EXPECT_EQ(input_error_of(folder.path() / "folder"), "folder: cannot be read: Is a directory");
 }

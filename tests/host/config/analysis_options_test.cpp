@@ -49,9 +49,13 @@ TEST(AnalysisOptions, TakeEveryKey)
 TEST(AnalysisOptions, ThatNeedSpectraDoNotGoWithNone)
 {
     for (const char* key : {"spectrum_size=512", "bin_width=2", "tiles=8"})
-        EXPECT_THAT(message_of([&] { options_of({"analysis.spectrum=none", std::string("analysis.") + key}); }),
+        EXPECT_THAT(message_of([&] {
+                        options_of({"analysis.spectrum=none", std::string("analysis.") + key});
+                    }),
                     testing::HasSubstr("does not go with spectrum = \"none\""));
-    EXPECT_THAT(message_of([&] { options_of({"analysis.spectrum=none", "analysis.volume=true"}, 3); }),
+    EXPECT_THAT(message_of([&] {
+                    options_of({"analysis.spectrum=none", "analysis.volume=true"}, 3);
+                }),
                 testing::HasSubstr("does not go with spectrum = \"none\""));
 }
 

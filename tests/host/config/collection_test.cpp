@@ -52,8 +52,7 @@ protected:
 
 TEST_F(CollectionConfigs, AreReadInOrder)
 {
-    const Collection collection =
-        read("title = \"All\"\ndevice = \"d\"\ninclude = [\"sub/two.toml\", \"one.toml\"]\n");
+    const Collection collection = read("title = \"All\"\ndevice = \"d\"\ninclude = [\"sub/two.toml\", \"one.toml\"]\n");
     EXPECT_EQ(collection.title, "All");
     ASSERT_EQ(collection.configs.size(), 2U);
     EXPECT_EQ(collection.configs[0].name, "two");

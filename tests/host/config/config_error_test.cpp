@@ -1,8 +1,8 @@
 // One test for each kind of mistake in a config, on the whole message.
-#include "host/config/sampler_registry.hpp"
 #include "host/config/config.hpp"
-#include "tests/support/message_of.hpp"
 #include "host/config/plan.hpp"
+#include "host/config/sampler_registry.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>
@@ -77,8 +77,7 @@ TEST(ConfigError, TheFirstOfSeveralMistakesIsReported)
 TEST(ConfigError, NotText)
 {
     EXPECT_EQ(error_of("title = 3\n" + good_method), "c.toml:1: title = 3: must be a line of text in quotes");
-    EXPECT_EQ(error_of("title = \"\"\n" + good_method),
-              "c.toml:1: title = \"\": must be a line of text in quotes");
+    EXPECT_EQ(error_of("title = \"\"\n" + good_method), "c.toml:1: title = \"\": must be a line of text in quotes");
     EXPECT_EQ(error_of("[[method]]\nsampler = \"random\"\nlabel = [\"a\", \"b\"]\n"),
               "c.toml:3: label = [\"a\", \"b\"]: must be a line of text in quotes");
 }
@@ -94,37 +93,27 @@ TEST(ConfigError, Seed)
 
 TEST(ConfigError, Engine)
 {
-    EXPECT_EQ(
-        error_of("engine = \"refrence\"\n" + good_method),
-        "c.toml:1: engine = \"refrence\": must be \"opencl\" or \"reference\"; did you mean \"reference\"?");
+    EXPECT_EQ(error_of("engine = \"refrence\"\n" + good_method),
+              "c.toml:1: engine = \"refrence\": must be \"opencl\" or \"reference\"; did you mean \"reference\"?");
     EXPECT_EQ(error_of("engine = true\n" + good_method),
               "c.toml:1: engine = true: must be \"opencl\" or \"reference\"");
 }
 
 TEST(ConfigError, PointsAndRealizations)
 {
-    const auto analysis = [](const std::string& line) {
-        return error_of("[analysis]\n" + line + "\n" + good_method);
-    };
+    const auto analysis = [](const std::string& line) { return error_of("[analysis]\n" + line + "\n" + good_method); };
     EXPECT_EQ(analysis("points = 0"), "c.toml:2: points = 0: must be an integer from 1 to 134217728");
-    EXPECT_EQ(analysis("points = 134217729"),
-              "c.toml:2: points = 134217729: must be an integer from 1 to 134217728");
-    EXPECT_EQ(analysis("points = \"many\""),
-              "c.toml:2: points = \"many\": must be an integer from 1 to 134217728");
+    EXPECT_EQ(analysis("points = 134217729"), "c.toml:2: points = 134217729: must be an integer from 1 to 134217728");
+    EXPECT_EQ(analysis("points = \"many\""), "c.toml:2: points = \"many\": must be an integer from 1 to 134217728");
     EXPECT_EQ(analysis("points = 1e4"), "c.toml:2: points = 1e4: must be an integer from 1 to 134217728");
-    EXPECT_EQ(analysis("points = [1, 2]"),
-              "c.toml:2: points = [1, 2]: must be an integer from 1 to 134217728");
-    EXPECT_EQ(analysis("points = 1979-05-27"),
-              "c.toml:2: points = 1979-05-27: must be an integer from 1 to 134217728");
-    EXPECT_EQ(analysis("realizations = 10001"),
-              "c.toml:2: realizations = 10001: must be an integer from 1 to 10000");
+    EXPECT_EQ(analysis("points = [1, 2]"), "c.toml:2: points = [1, 2]: must be an integer from 1 to 134217728");
+    EXPECT_EQ(analysis("points = 1979-05-27"), "c.toml:2: points = 1979-05-27: must be an integer from 1 to 134217728");
+    EXPECT_EQ(analysis("realizations = 10001"), "c.toml:2: realizations = 10001: must be an integer from 1 to 10000");
 }
 
 TEST(ConfigError, PointsOfAMethod)
 {
-    const auto points = [](const std::string& value) {
-        return error_of(good_method + "points = " + value + "\n");
-    };
+    const auto points = [](const std::string& value) { return error_of(good_method + "points = " + value + "\n"); };
     const std::string allowed = "must be an integer from 1 to 134217728";
     EXPECT_EQ(points("0"), "c.toml:3: points = 0: " + allowed);
     EXPECT_EQ(points("[256, 1e4]"), "c.toml:3: points = 1e4: " + allowed);
@@ -140,8 +129,7 @@ TEST(ConfigError, FilesHaveTheirOwnPoints)
 {
     const TemporaryFolder folder;
     folder.write("a.dat", "0.1 0.2\n");
-    const std::string file =
-        folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = \"a.dat\"\npoints = 1\n");
+    const std::string file = folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = \"a.dat\"\npoints = 1\n");
     EXPECT_EQ(message_of([&] { make_plan(read_config(file)); }),
               file + ":4: points = 1: does not go with the sampler \"file\", whose sets are as large as they "
                      "are; leave it out");
@@ -169,8 +157,7 @@ TEST(ConfigError, ZonePlate)
 
 TEST(ConfigError, AnalysisIsNoTable)
 {
-    EXPECT_EQ(error_of("analysis = 3\n" + good_method),
-              "c.toml:1: analysis = 3: must be a table, written [analysis]");
+    EXPECT_EQ(error_of("analysis = 3\n" + good_method), "c.toml:1: analysis = 3: must be a table, written [analysis]");
 }
 
 TEST(ConfigError, NoMethod)
@@ -193,8 +180,7 @@ TEST(ConfigError, Sampler)
     EXPECT_EQ(error_of("seed = 1\n[[method]]\nlabel = \"x\"\n"),
               "c.toml:2: [[method]]: sampler is missing; it must be " + all_samplers());
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwin\"\n"),
-              "c.toml:2: sampler = \"dart-throwin\": must be " + all_samplers() +
-                  "; did you mean \"dart-throwing\"?");
+              "c.toml:2: sampler = \"dart-throwin\": must be " + all_samplers() + "; did you mean \"dart-throwing\"?");
     EXPECT_EQ(error_of("[[method]]\nsampler = 5\n"), "c.toml:2: sampler = 5: must be " + all_samplers());
 }
 
@@ -211,8 +197,7 @@ TEST(ConfigError, NumberParameter)
     EXPECT_EQ(radius("inf"), "c.toml:3: relative_radius = inf: " + allowed);
     EXPECT_EQ(radius("\"0.7\""), "c.toml:3: relative_radius = \"0.7\": " + allowed);
     EXPECT_EQ(radius("true"), "c.toml:3: relative_radius = true: " + allowed);
-    EXPECT_EQ(radius("[0.7,\n 0.75,\n 2]"), "c.toml:5: relative_radius = 2: " + allowed)
-        << "at the item's own line";
+    EXPECT_EQ(radius("[0.7,\n 0.75,\n 2]"), "c.toml:5: relative_radius = 2: " + allowed) << "at the item's own line";
     EXPECT_EQ(radius("[[0.7]]"), "c.toml:3: relative_radius = [0.7]: " + allowed);
     EXPECT_EQ(radius("[]"), "c.toml:3: relative_radius = []: the list is empty; each item must be "
                             "a number greater than 0 and at most 1");
@@ -250,15 +235,14 @@ TEST(ConfigError, PathsParameter)
 TEST(ConfigError, LongValuesAreCut)
 {
     const std::string message = error_of("seed = \"" + std::string(300, 'x') + "\"\n" + good_method);
-    EXPECT_EQ(message, "c.toml:1: seed = \"" + std::string(59, 'x') +
-                           "...: must be an integer from 0 to 9223372036854775807");
+    EXPECT_EQ(message,
+              "c.toml:1: seed = \"" + std::string(59, 'x') + "...: must be an integer from 0 to 9223372036854775807");
 }
 
 TEST(ConfigError, WhatTheSamplerRefusesNamesTheLine)
 {
-    EXPECT_EQ(
-        error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = [0.7,\n0.95]\n").substr(0, 34),
-        "c.toml:4: relative_radius = 0.95: ");
+    EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = [0.7,\n0.95]\n").substr(0, 34),
+              "c.toml:4: relative_radius = 0.95: ");
     EXPECT_EQ(error_of("seed = 1\n[[method]]\nsampler = \"dart-throwing\"\n").substr(0, 10), "c.toml:2: ");
 }
 
@@ -288,8 +272,7 @@ TEST(ConfigError, UnreadableFiles)
 {
     const TemporaryFolder folder;
     const std::string name = folder.path().string();
-    EXPECT_EQ(message_of([&] { read_config(name); }),
-              name + ": is a folder; a config file (.toml) is needed");
+    EXPECT_EQ(message_of([&] { read_config(name); }), name + ": is a folder; a config file (.toml) is needed");
     EXPECT_EQ(message_of([&] { read_config(name + "/no.toml"); }),
               name + "/no.toml: cannot be read: No such file or directory");
 }

@@ -66,8 +66,7 @@ min_distance = [0.10, 0.2]
 
 TEST(Config, TakesThreeDimensions)
 {
-    const Config config =
-        parse_config("[analysis]\ndimension = 3\n[[method]]\nsampler = \"random\"\n", "c.toml");
+    const Config config = parse_config("[analysis]\ndimension = 3\n[[method]]\nsampler = \"random\"\n", "c.toml");
     EXPECT_EQ(config.dimension, 3);
 }
 
@@ -80,9 +79,9 @@ TEST(Config, IgnoresTheLocale)
         std::string do_grouping() const override { return "\3"; }
     };
     const std::locale previous = std::locale::global(std::locale(std::locale::classic(), new Comma));
-    const Config config = parse_config(
-        "[analysis]\npoints = 16384\n[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.7\n",
-        "c.toml", {"method.relative_radius=0.75"});
+    const Config config =
+        parse_config("[analysis]\npoints = 16384\n[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.7\n",
+                     "c.toml", {"method.relative_radius=0.75"});
     std::locale::global(previous);
     EXPECT_EQ(config.points, 16384U);
     EXPECT_EQ(std::get<double>(config.methods[0].settings[0].choices[0].value), 0.75);

@@ -72,9 +72,8 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
     const auto error_of = [](const std::string& lines) {
         return message_of([&] { constructions_of("[[construction]]\n" + lines + "\n"); });
     };
-    EXPECT_THAT(
-        error_of("kind = \"wang\""),
-        HasSubstr("c.toml:2: kind = \"wang\": must be \"corner\" or \"edge\" or \"template\" or \"sphere\""));
+    EXPECT_THAT(error_of("kind = \"wang\""),
+                HasSubstr("c.toml:2: kind = \"wang\": must be \"corner\" or \"edge\" or \"template\" or \"sphere\""));
     EXPECT_THAT(error_of("show = \"face\""), HasSubstr("c.toml:2: show = \"face\": must be \"regions\""));
     EXPECT_THAT(error_of("kind = \"sphere\"\nshow = \"tiling\""), HasSubstr("c.toml:3: show = \"tiling\""));
     EXPECT_THAT(error_of("colors = 1"), HasSubstr("c.toml:2: colors = 1: must be an integer from 2 to 256"));
@@ -83,14 +82,11 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
     EXPECT_THAT(error_of("relative_radius = 2"), HasSubstr("must be a number from 0 to 1"));
     EXPECT_THAT(error_of("points_per_tile = 5\nrelative_radius = 0.9"),
                 HasSubstr("c.toml:3: relative_radius = 0.9: must be at most"));
-    EXPECT_THAT(error_of("points_per_tile = 3"),
-                HasSubstr("c.toml:2: points_per_tile = 3: must be an integer from 4"));
-    EXPECT_THAT(error_of("show = \"edge\"\nalong = \"z\""),
-                HasSubstr("along = \"z\": must be \"x\" or \"y\""));
+    EXPECT_THAT(error_of("points_per_tile = 3"), HasSubstr("c.toml:2: points_per_tile = 3: must be an integer from 4"));
+    EXPECT_THAT(error_of("show = \"edge\"\nalong = \"z\""), HasSubstr("along = \"z\": must be \"x\" or \"y\""));
     EXPECT_THAT(error_of("show = \"corner\"\nvariant = 2"), HasSubstr("must be an integer from 0 to 1"));
     EXPECT_THAT(error_of("show = \"corners\"\ncount = 3"), HasSubstr("must be an integer from 1 to 2"));
-    EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 3]"),
-                HasSubstr("must be [X, Y, width, height]"));
+    EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 3]"), HasSubstr("must be [X, Y, width, height]"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 65, 1]"), HasSubstr("from 1 to 64 tiles"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 64, 64]"), HasSubstr("at most 100000 points"));
     EXPECT_THAT(error_of("repulsion = 1"), HasSubstr("must be true or false"));
@@ -101,8 +97,7 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
     EXPECT_THAT(error_of("show = \"corner\"\nwindow = [0, 0, 1, 1]"), HasSubstr("unknown key"));
     EXPECT_THAT(error_of("kind = \"template\"\ncolors = 2"), HasSubstr("unknown key"));
     EXPECT_THAT(error_of("modified = false"), HasSubstr("unknown key"));
-    EXPECT_THAT(message_of([] { constructions_of("construction = 3\n"); }),
-                HasSubstr("written [[construction]]"));
+    EXPECT_THAT(message_of([] { constructions_of("construction = 3\n"); }), HasSubstr("written [[construction]]"));
 }
 
 }

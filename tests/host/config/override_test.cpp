@@ -26,8 +26,7 @@ std::string error_with(const std::string& argument)
 
 TEST(Override, ReplacesAndAddsKeys)
 {
-    const Config config =
-        with({"seed=2", "title=A new title", "analysis.points=4096", " engine = reference "});
+    const Config config = with({"seed=2", "title=A new title", "analysis.points=4096", " engine = reference "});
     EXPECT_EQ(config.seed, 2U);
     EXPECT_EQ(config.title, "A new title");
     EXPECT_EQ(config.points, 4096U);
@@ -77,9 +76,8 @@ TEST(Override, MistakesNameTheArgument)
     EXPECT_EQ(error_with("sede=2"),
               "--set sede=2: sede = 2: unknown key; did you mean \"seed\"? "
               "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
-    EXPECT_EQ(error_with("method.1.relative_radius=2"),
-              "--set method.1.relative_radius=2: relative_radius = 2: "
-              "must be a number greater than 0 and at most 1");
+    EXPECT_EQ(error_with("method.1.relative_radius=2"), "--set method.1.relative_radius=2: relative_radius = 2: "
+                                                        "must be a number greater than 0 and at most 1");
     EXPECT_EQ(error_with("method.relative_radus=0.5"),
               "--set method.relative_radus=0.5: relative_radus = 0.5: unknown key; did you mean "
               "\"relative_radius\"? "
@@ -90,11 +88,9 @@ TEST(Override, ThatCannotBeApplied)
 {
     EXPECT_EQ(error_with("seed"), "--set seed: must be key=value, for example --set seed=2");
     EXPECT_EQ(error_with("seed="), "--set seed=: a value is missing after \"=\"");
-    EXPECT_EQ(error_with("=2"),
-              "--set =2: the key must be words with dots between them, such as analysis.points");
-    EXPECT_EQ(
-        error_with("analysis..points=2"),
-        "--set analysis..points=2: the key must be words with dots between them, such as analysis.points");
+    EXPECT_EQ(error_with("=2"), "--set =2: the key must be words with dots between them, such as analysis.points");
+    EXPECT_EQ(error_with("analysis..points=2"),
+              "--set analysis..points=2: the key must be words with dots between them, such as analysis.points");
     EXPECT_EQ(error_with("seed.x=2"), "--set seed.x=2: \"seed\" is not a table and has no keys");
     EXPECT_EQ(error_with("method.3.label=x"),
               "--set method.3.label=x: there is no method 3: the config has 3, counted from 0");

@@ -34,8 +34,7 @@ TEST(Plan, AListMakesOneSeriesAValue)
     const auto plan = plan_of("[[method]]\nsampler = \"random\"\n"
                               "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = [0.70, 0.75]\n");
     EXPECT_THAT(names(plan), ElementsAre("random", "dart-throwing-rho-0.70", "dart-throwing-rho-0.75"));
-    EXPECT_THAT(labels(plan),
-                ElementsAre("Random", "Dart throwing, rho = 0.70", "Dart throwing, rho = 0.75"));
+    EXPECT_THAT(labels(plan), ElementsAre("Random", "Dart throwing, rho = 0.70", "Dart throwing, rho = 0.75"));
     EXPECT_EQ(plan[1].parameters.number("relative_radius"), 0.7);
     EXPECT_EQ(plan[1].request.points, 256U);
     EXPECT_EQ(plan[1].request.seed, 1U);
@@ -62,9 +61,7 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
         spec.parameters.push_back(parameter);
     }
     spec.check = nullptr;
-    const auto choice = [](double value) {
-        return ParameterChoice{value, std::to_string(int(value)), {}, {}};
-    };
+    const auto choice = [](double value) { return ParameterChoice{value, std::to_string(int(value)), {}, {}}; };
     MethodConfig method;
     method.sampler = &spec;
     method.settings = {{&spec.parameters[0], {choice(1), choice(2)}},
@@ -72,8 +69,8 @@ TEST(Plan, InProductsTheLastParameterVariesFastest)
                        {&spec.parameters[2], {choice(4), choice(5)}}};
     Config config;
     config.methods = {method};
-    EXPECT_THAT(names(make_plan(config)), ElementsAre("random-a-1-b-3-c-4", "random-a-1-b-3-c-5",
-                                                      "random-a-2-b-3-c-4", "random-a-2-b-3-c-5"));
+    EXPECT_THAT(names(make_plan(config)),
+                ElementsAre("random-a-1-b-3-c-4", "random-a-1-b-3-c-5", "random-a-2-b-3-c-4", "random-a-2-b-3-c-5"));
     config.methods[0].label = "L";
     EXPECT_THAT(labels(make_plan(config)),
                 ElementsAre("L, a = 1, c = 4", "L, a = 1, c = 5", "L, a = 2, c = 4", "L, a = 2, c = 5"));
@@ -112,9 +109,7 @@ TEST(Plan, SeriesKnowTheirPlacesInTheGridsOfTheirMethods)
                 EXPECT_EQ(std::to_string(plan[series].request.points), grids[1].axes[0].values[i]);
             }
     // In the order of the sampler's parameters; tables make a value of each of their own combinations.
-    const auto axis = [&](const char* key) {
-        return std::ranges::find(grids[1].axes, key, &MethodAxis::key)->values;
-    };
+    const auto axis = [&](const char* key) { return std::ranges::find(grids[1].axes, key, &MethodAxis::key)->values; };
     EXPECT_THAT(axis("start"), ElementsAre("Random", "Dart throwing (rho = 0.6)", "Dart throwing (rho = 0.7)"));
     EXPECT_THAT(axis("repulsion"), ElementsAre("false", "true"));
 }
@@ -125,10 +120,10 @@ TEST(Plan, AMethodCanHaveItsOwnNumberOfPoints)
                               "[[method]]\nsampler = \"dart-throwing\"\nrelative_radius = 0.7\n"
                               "points = [64, 1_024]\n"
                               "[[method]]\nsampler = \"jittered\"\nlabel = \"J\"\npoints = 100\n");
-    EXPECT_THAT(names(plan), ElementsAre("random", "dart-throwing-N-64-rho-0.7",
-                                         "dart-throwing-N-1024-rho-0.7", "jittered-N-100"));
-    EXPECT_THAT(labels(plan), ElementsAre("Random", "Dart throwing, N = 64, rho = 0.7",
-                                          "Dart throwing, N = 1024, rho = 0.7", "J"));
+    EXPECT_THAT(names(plan),
+                ElementsAre("random", "dart-throwing-N-64-rho-0.7", "dart-throwing-N-1024-rho-0.7", "jittered-N-100"));
+    EXPECT_THAT(labels(plan),
+                ElementsAre("Random", "Dart throwing, N = 64, rho = 0.7", "Dart throwing, N = 1024, rho = 0.7", "J"));
     EXPECT_EQ(plan[0].request.points, 256U);
     EXPECT_EQ(plan[1].request.points, 64U);
     EXPECT_EQ(plan[2].request.points, 1024U);
@@ -148,9 +143,8 @@ TEST(Plan, NumbersAreShownAsTypedWherePlain)
 {
     const auto plan = plan_of("[[method]]\nsampler = \"dart-throwing\"\n"
                               "relative_radius = [0.700, 5e-1, +0.25, 0.1_5, 1_0e-2]\n");
-    EXPECT_THAT(names(plan),
-                ElementsAre("dart-throwing-rho-0.700", "dart-throwing-rho-5e-1", "dart-throwing-rho-0.25",
-                            "dart-throwing-rho-0.15", "dart-throwing-rho-0.1"));
+    EXPECT_THAT(names(plan), ElementsAre("dart-throwing-rho-0.700", "dart-throwing-rho-5e-1", "dart-throwing-rho-0.25",
+                                         "dart-throwing-rho-0.15", "dart-throwing-rho-0.1"));
 }
 
 TEST(Plan, DeterministicMethodsHaveOneRealization)
@@ -163,8 +157,7 @@ TEST(Plan, FilesHaveAsManyRealizationsAsThereAre)
     const TemporaryFolder folder;
     folder.write("a.dat", "0.1 0.2\n#\n0.3 0.4\n");
     folder.write("b.dat", "0.5 0.6\n");
-    const auto file =
-        folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = [\"a.dat\", \"b.dat\"]\n");
+    const auto file = folder.write("c.toml", "[[method]]\nsampler = \"file\"\npath = [\"a.dat\", \"b.dat\"]\n");
     const auto plan = make_plan(read_config(file));
     ASSERT_EQ(plan.size(), 1U);
     EXPECT_EQ(plan[0].realizations, 3U);

@@ -33,10 +33,9 @@ TEST(TilingTable, HasDefaults)
 
 TEST(TilingTable, TakesEveryKey)
 {
-    const auto tilings =
-        tilings_of("[[tiling]]\nkind = \"wang\"\ncolors = 5\nalgorithm = \"two-hashes\"\n"
-                   "hash = \"xxh64\"\nperiod = [32, 8]\nwindow = [-3, 4, 5, 6]\nregions = 0.1\n"
-                   "label = \"L\"\n[[tile_set]]\nkind = \"wang\"\ncolors = 3\ntiles = \"corner\"\n");
+    const auto tilings = tilings_of("[[tiling]]\nkind = \"wang\"\ncolors = 5\nalgorithm = \"two-hashes\"\n"
+                                    "hash = \"xxh64\"\nperiod = [32, 8]\nwindow = [-3, 4, 5, 6]\nregions = 0.1\n"
+                                    "label = \"L\"\n[[tile_set]]\nkind = \"wang\"\ncolors = 3\ntiles = \"corner\"\n");
     ASSERT_EQ(tilings.size(), 2);
     EXPECT_EQ(tilings[0].set, "corner") << "sets come first";
     EXPECT_EQ(tilings[0].request.colors, 3);
@@ -75,9 +74,8 @@ TEST(TilingTable, SaysWhatIsAllowed)
     EXPECT_THAT(error_of("algorithm = \"scanline\"\nwindow = [1, 0, 4, 4]"), HasSubstr("c.toml:1: "));
     EXPECT_THAT(error_of("tiles = \"compact\""), HasSubstr("unknown key"));
     EXPECT_THAT(message_of([] { tilings_of("[[tile_set]]\ncolors = 12\n"); }), HasSubstr("cannot be drawn"));
-    EXPECT_THAT(
-        message_of([] { tilings_of("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),
-        HasSubstr("c.toml:4: colors = 17: must be an integer from 2 to 16"));
+    EXPECT_THAT(message_of([] { tilings_of("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),
+                HasSubstr("c.toml:4: colors = 17: must be an integer from 2 to 16"));
     EXPECT_THAT(message_of([] { tilings_of("tiling = 3\n"); }), HasSubstr("written [[tiling]]"));
     EXPECT_THAT(message_of([] { tilings_of("title = \"a\"\n"); }), HasSubstr("no [[method]] table"));
 }

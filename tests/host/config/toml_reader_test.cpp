@@ -47,8 +47,7 @@ TEST(TomlReader, ColumnsCountCharactersNotBytes)
 TEST(TomlReader, SyntaxErrorsNameFileAndLine)
 {
     const auto error = [](const std::string& text) { return message_of([&] { read_toml(text, "c.toml"); }); };
-    EXPECT_EQ(error("a = 1\nb = = 2\n"),
-              "c.toml:2: Error while parsing value: could not determine value type");
+    EXPECT_EQ(error("a = 1\nb = = 2\n"), "c.toml:2: Error while parsing value: could not determine value type");
     EXPECT_EQ(error("a = 1\na = 2\n"),
               "c.toml:2: Error while parsing key-value pair: cannot redefine existing integer 'a'");
     EXPECT_EQ(error("a = \"x\xff\"\n"), "c.toml:1: Encountered invalid utf-8 sequence");

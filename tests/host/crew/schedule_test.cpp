@@ -81,7 +81,8 @@ TEST(Schedule, RandomDependences)
             for (std::size_t i = 0; i < here; ++i)
                 if (random() % 5 == 0) before.push_back(i);
             schedule.add({static_cast<Kind>(random() % 5), static_cast<std::uint32_t>(random() % 3), 0,
-                          static_cast<std::uint32_t>(random() % 2), 0}, before);
+                          static_cast<std::uint32_t>(random() % 2), 0},
+                         before);
         }
         std::vector<int> state(after.size()); // 1: handed out, 2: done
         std::vector<Schedule::Id> out;

@@ -1,8 +1,8 @@
 // Memory of devices: sums, comparisons, and what an open device counts.
 #include "host/device/device_memory.hpp"
 
-#include "host/device/device.hpp"
 #include "base/errors/errors.hpp"
+#include "host/device/device.hpp"
 
 #include <gmock/gmock.h>
 

@@ -68,8 +68,8 @@ TEST(Device, CopiesBuffersBackAndForth)
 TEST(Device, PadsTheRangeToWholeGroups)
 {
     Device device = Device::open();
-    auto kernel = device.kernel_from_text("kernel void count(global uint* total) { atomic_inc(total); }",
-                                          "count.cl", "count");
+    auto kernel =
+        device.kernel_from_text("kernel void count(global uint* total) { atomic_inc(total); }", "count.cl", "count");
     auto total = device.buffer<std::uint32_t>(1);
     total.write(std::vector<std::uint32_t>(1, 0));
     kernel.run(65, 64, total);
@@ -81,11 +81,10 @@ TEST(Device, PadsTheRangeToWholeGroups)
 TEST(Device, ShowsTheLogOfAKernelThatDoesNotBuild)
 {
     Device device = Device::open();
-    EXPECT_THAT(device_error_of([&] {
-                    device.kernel_from_text("kernel void broken() { this is not C; }", "broken.cl", "broken");
-                }),
-                AllOf(HasSubstr("broken.cl"), HasSubstr("clBuildProgram"),
-                      HasSubstr("CL_BUILD_PROGRAM_FAILURE"), HasSubstr("error:")));
+    EXPECT_THAT(device_error_of(
+                    [&] { device.kernel_from_text("kernel void broken() { this is not C; }", "broken.cl", "broken"); }),
+                AllOf(HasSubstr("broken.cl"), HasSubstr("clBuildProgram"), HasSubstr("CL_BUILD_PROGRAM_FAILURE"),
+                      HasSubstr("error:")));
 }
 
 TEST(Device, NamesAKernelThatIsNotThere)
@@ -98,13 +97,11 @@ TEST(Device, NamesAKernelThatIsNotThere)
 TEST(Device, NamesTheKernelOfAFailedLaunch)
 {
     Device device = Device::open();
-    auto kernel =
-        device.kernel_from_text("kernel void fill(global uint* x) { x[0] = 1; }", "fill.cl", "fill");
+    auto kernel = device.kernel_from_text("kernel void fill(global uint* x) { x[0] = 1; }", "fill.cl", "fill");
     auto x = device.buffer<std::uint32_t>(1);
     const std::size_t too_large = device.info().max_work_group_size * 2;
     EXPECT_THAT(device_error_of([&] { kernel.run(1, too_large, x); }),
-                AllOf(HasSubstr("fill"), HasSubstr("clEnqueueNDRangeKernel"),
-                      HasSubstr("CL_INVALID_WORK_GROUP_SIZE")));
+                AllOf(HasSubstr("fill"), HasSubstr("clEnqueueNDRangeKernel"), HasSubstr("CL_INVALID_WORK_GROUP_SIZE")));
 }
 
 TEST(Device, SaysHowMuchMemoryCouldNotBeHad)

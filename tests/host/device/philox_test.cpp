@@ -1,7 +1,7 @@
 // Philox4x32-10 on host and device against the vectors published with Random123 (its file kat_vectors).
+#include "base/random/random.hpp"
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
-#include "base/random/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,7 @@ std::vector<std::uint32_t> philox_on_device(const std::vector<std::uint32_t>& in
     auto in = device.buffer<std::uint32_t>(inputs.size());
     auto out = device.buffer<std::uint32_t>(4 * count);
     in.write(inputs);
-    device.kernel_from_text(text, "philox_test.cl", "words")
-        .run(count, 64, in, out, static_cast<std::uint32_t>(count));
+    device.kernel_from_text(text, "philox_test.cl", "words").run(count, 64, in, out, static_cast<std::uint32_t>(count));
     return out.read(0, 4 * count);
 }
 
@@ -60,8 +59,7 @@ TEST(Philox, DeviceGivesThePublishedVectors)
     }
     const auto words = philox_on_device(inputs);
     for (std::size_t i = 0; i < std::size(published); ++i) {
-        for (std::size_t w = 0; w < 4; ++w)
-            EXPECT_EQ(words[4 * i + w], published[i].expected[w]) << i << " " << w;
+        for (std::size_t w = 0; w < 4; ++w) EXPECT_EQ(words[4 * i + w], published[i].expected[w]) << i << " " << w;
     }
 }
 

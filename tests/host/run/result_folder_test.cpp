@@ -94,9 +94,9 @@ TEST(ResultFolder, ReplacesThePreviousResultAndKeepsForeignFiles)
     write(temporary.path() / "index.html", "old report");
     write(temporary.path() / "notes.txt", "mine");
     publish(temporary.path(), "new", "new points");
-    EXPECT_EQ(files_below(temporary.path()), (Files{{"new/realization-000.dat", "new points"},
-                                                    {"notes.txt", "mine"},
-                                                    {"results.json", listing("new")}}));
+    EXPECT_EQ(
+        files_below(temporary.path()),
+        (Files{{"new/realization-000.dat", "new points"}, {"notes.txt", "mine"}, {"results.json", listing("new")}}));
 }
 
 TEST(ResultFolder, ReplacesSeriesThatAKilledRunLeft)
@@ -113,8 +113,7 @@ TEST(ResultFolder, RefusesFoldersOfOthers)
     const std::string name = temporary.path().string();
     write(temporary.path() / "random/thesis.tex", "mine");
     EXPECT_EQ(message_of([&] { ResultFolder(temporary.path(), {"random"}); }),
-              "--out " + name +
-                  ": has \"random\", which is not a result of poissonlab; choose another folder");
+              "--out " + name + ": has \"random\", which is not a result of poissonlab; choose another folder");
 
     // Nor is a results.json of another program a licence.
     write(temporary.path() / "results.json", R"({"series": [{"name": "random"}]})");

@@ -3,10 +3,10 @@
 
 #include "analysis/spectra/spectrum_file.hpp"
 #include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "results/result_tables.hpp"
 #include "tests/support/message_of.hpp"
 #include "tests/support/program.hpp"
-#include "results/result_tables.hpp"
-#include "base/geometry/relative_radius.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -46,8 +46,7 @@ PointSet diagonal(std::size_t count, std::uint32_t realization)
     PointSet points;
     for (std::size_t i = 0; i < count; ++i)
         for (int d = 0; d < 2; ++d)
-            points.coordinates.push_back((static_cast<double>(i) + 0.25) /
-                                         static_cast<double>(count + realization));
+            points.coordinates.push_back((static_cast<double>(i) + 0.25) / static_cast<double>(count + realization));
     return points;
 }
 
@@ -127,8 +126,7 @@ TEST(Runner, SetsThatCannotBeAnalysed)
     const auto mixed = experiment_of({task("s", 2, [](std::uint32_t k) {
         return k == 0 ? diagonal(1, 0) : PointSet{3, {0.1, 0.2, 0.3}};
     })});
-    EXPECT_EQ(message_of([&] { run(mixed, folder.path()); }),
-              "s: realization 1 has dimension 3 where the first has 2");
+    EXPECT_EQ(message_of([&] { run(mixed, folder.path()); }), "s: realization 1 has dimension 3 where the first has 2");
 }
 
 TEST(Runner, LeavesOutWhatIsNotAskedFor)
@@ -255,8 +253,7 @@ TEST(Runner, StoresIterations)
     EXPECT_EQ(iterations["realizations"], nlohmann::json({2, 2, 1}));
     const auto near = [](const nlohmann::json& values, const std::vector<double>& expected) {
         ASSERT_EQ(values.size(), expected.size());
-        for (std::size_t i = 0; i < expected.size(); ++i)
-            EXPECT_NEAR(values[i].get<double>(), expected[i], 1e-15);
+        for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(values[i].get<double>(), expected[i], 1e-15);
     };
     near(iterations["relative_radius"]["mean"], {0.15, 0.16, 0.22});
     near(iterations["relative_radius"]["min"], {0.10, 0.11, 0.22});

@@ -57,8 +57,7 @@ TEST(Baselines, KeepTheirPromises)
             EXPECT_EQ(sample(spec, request, 3), points) << "not the same twice";
             EXPECT_EQ(sample(spec, request, 4) == points, spec.deterministic) << spec.name;
             EXPECT_EQ(sample(spec, {4096, dimension, 8}, 3) == points, spec.deterministic) << spec.name;
-            EXPECT_EQ(sample(spec, {4096, dimension, 7 + (std::uint64_t{1} << 32)}, 3) == points,
-                      spec.deterministic)
+            EXPECT_EQ(sample(spec, {4096, dimension, 7 + (std::uint64_t{1} << 32)}, 3) == points, spec.deterministic)
                 << "the seed has 64 bits";
         }
     }
@@ -77,8 +76,7 @@ TEST(LatticeSide, GivesTheNearestSquareOrCube)
         return static_cast<std::int64_t>(dimension == 2 ? side * side : side * side * side);
     };
     for (const int dimension : {2, 3}) {
-        for (const std::size_t points :
-             {1, 2, 3, 6, 7, 14, 15, 100, 999, 1000, 1001, 16384, 1000000, 100000000}) {
+        for (const std::size_t points : {1, 2, 3, 6, 7, 14, 15, 100, 999, 1000, 1001, 16384, 1000000, 100000000}) {
             const std::uint32_t side = lattice_side(points, dimension);
             const auto off = [&](std::uint64_t s) {
                 return std::abs(power(s, dimension) - static_cast<std::int64_t>(points));
@@ -124,8 +122,7 @@ TEST(Random, HasAsManyPointsAsAsked)
 
 TEST(Regular, LiesAtTheCentresOfCells)
 {
-    EXPECT_EQ(sample(regular_sampler(), {4, 2, 1}),
-              (PointSet{2, {0.25, 0.25, 0.75, 0.25, 0.25, 0.75, 0.75, 0.75}}));
+    EXPECT_EQ(sample(regular_sampler(), {4, 2, 1}), (PointSet{2, {0.25, 0.25, 0.75, 0.25, 0.25, 0.75, 0.75, 0.75}}));
     const PointSet cube = sample(regular_sampler(), {27, 3, 1});
     ASSERT_EQ(cube.size(), 27U);
     for (std::size_t i = 0; i < 27; ++i) {
@@ -139,8 +136,7 @@ TEST(Regular, LiesAtTheCentresOfCells)
 
 TEST(Jittered, HasOnePointInEachCellInOrder)
 {
-    for (const auto& [points, dimension] :
-         {std::pair{10000U, 2}, {16129U, 2}, {1U, 2}, {1000U, 3}, {29791U, 3}}) {
+    for (const auto& [points, dimension] : {std::pair{10000U, 2}, {16129U, 2}, {1U, 2}, {1000U, 3}, {29791U, 3}}) {
         const PointSet set = sample(jittered_sampler(), {points, dimension, 1}, 2);
         ASSERT_EQ(set.size(), points);
         const std::uint32_t side = lattice_side(points, dimension);
@@ -153,16 +149,14 @@ TEST(Jittered, IsUniformWithinItsCells)
     const double bound = test::z_bound(4);
     for (const int dimension : {2, 3}) {
         for (std::uint32_t realization = 0; realization < 2; ++realization) {
-            const PointSet set =
-                sample(jittered_sampler(), {64000, dimension, 1}, realization); // 253^2, 40^3
+            const PointSet set = sample(jittered_sampler(), {64000, dimension, 1}, realization); // 253^2, 40^3
             const std::uint64_t side = lattice_side(64000, dimension);
             const std::uint64_t bins = dimension == 2 ? 16 : 6;
             std::vector<std::size_t> counts(static_cast<std::size_t>(std::pow(bins, dimension)));
             for (std::size_t i = 0; i < set.size(); ++i) {
                 std::vector<double> within;
                 for (const double x : set[i])
-                    within.push_back(x * static_cast<double>(side) -
-                                     std::floor(x * static_cast<double>(side)));
+                    within.push_back(x * static_cast<double>(side) - std::floor(x * static_cast<double>(side)));
                 ++counts[cell_of(within, bins)];
             }
             EXPECT_LT(std::abs(chi_square_z(counts)), bound);

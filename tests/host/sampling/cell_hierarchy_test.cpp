@@ -43,8 +43,7 @@ TEST(CellHierarchy, CellsHoldOnePointAndReachIsEnough)
             for (std::uint64_t i = 0; i < h.size; ++i) {
                 widest = std::max(widest, h.lower_bound(i + 1, 0) - h.lower_bound(i, 0));
                 if (i + reach <= h.size) {
-                    narrowest_reach =
-                        std::min(narrowest_reach, h.lower_bound(i + reach, 0) - h.lower_bound(i, 0));
+                    narrowest_reach = std::min(narrowest_reach, h.lower_bound(i + reach, 0) - h.lower_bound(i, 0));
                 }
             }
             // Coordinates in one cell differ by less than its width, so two points there would be too near.

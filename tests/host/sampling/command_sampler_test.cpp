@@ -1,11 +1,11 @@
 // Other programs as samplers, played by /bin/sh.
 #include "host/sampling/command_sampler.hpp"
 
-#include "tests/support/message_of.hpp"
-#include "host/config/plan.hpp"
-#include "tests/support/program.hpp"
 #include "base/points/point_file.hpp"
+#include "host/config/plan.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -71,7 +71,8 @@ protected:
         folder_.write("script.sh", script);
         return folder_.write("c.toml", "seed = 3\n[analysis]\npoints = 16\nrealizations = 2\n[[method]]\n"
                                        "sampler = \"command\"\n"
-                                       "command = \"/bin/sh script.sh {points} {seed} {realization} {out}\"\n" + more);
+                                       "command = \"/bin/sh script.sh {points} {seed} {realization} {out}\"\n" +
+                                           more);
     }
 
     std::unique_ptr<Sampler> sampler_of(const std::string& script, const std::string& more = "") const
@@ -254,8 +255,8 @@ TEST(YourMethod, Runs)
 {
     const TemporaryFolder out;
     const Outcome outcome =
-        run_program(out.path(), {"run", source_folder() + "/configs/your-method.toml", "--set",
-                                 "analysis.points=256", "--set", "analysis.realizations=2", "--out", "o"});
+        run_program(out.path(), {"run", source_folder() + "/configs/your-method.toml", "--set", "analysis.points=256",
+                                 "--set", "analysis.realizations=2", "--out", "o"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     // One point in each row and column is what N-rooks is.
     const PointSet points = read_points(out.path() / "o/command-awk/realization-001.dat").at(0);

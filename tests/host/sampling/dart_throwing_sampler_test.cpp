@@ -1,8 +1,8 @@
 // What the sampler "dart-throwing" accepts, refuses, and says.
 #include "host/sampling/sampler.hpp"
 
-#include "host/device/device.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
 
 #include <gmock/gmock.h>
@@ -61,12 +61,12 @@ TEST(DartThrowingSampler, RefusesCombinationsThatMakeNoSense)
                 HasSubstr("test.toml:11: min_distance = 0.01: "));
     EXPECT_THAT(refusal(parameters({{"stop", std::string("saturation")}, {"relative_radius", 0.7}})),
                 HasSubstr("test.toml:11: relative_radius = 0.7: "));
-    EXPECT_THAT(refusal(parameters({{"stop", std::string("saturation")}, {"min_distance", 1e-5}})),
-                AllOf(HasSubstr("test.toml:11: min_distance = 1e-05: needs a finer grid"),
-                      HasSubstr("at least 8.64e-05")));
-    EXPECT_THAT(refusal(parameters({{"relative_radius", 0.005}})),
-                AllOf(HasSubstr("test.toml:10: relative_radius = 0.005: needs a finer grid"),
-                      HasSubstr("at least 0.0103")));
+    EXPECT_THAT(
+        refusal(parameters({{"stop", std::string("saturation")}, {"min_distance", 1e-5}})),
+        AllOf(HasSubstr("test.toml:11: min_distance = 1e-05: needs a finer grid"), HasSubstr("at least 8.64e-05")));
+    EXPECT_THAT(
+        refusal(parameters({{"relative_radius", 0.005}})),
+        AllOf(HasSubstr("test.toml:10: relative_radius = 0.005: needs a finer grid"), HasSubstr("at least 0.0103")));
 }
 
 TEST(DartThrowingSampler, SaysWhatWasReachedWhenASetSaturatesEarly)
@@ -81,10 +81,9 @@ TEST(DartThrowingSampler, SaysWhatWasReachedWhenASetSaturatesEarly)
             sampler->sample(0);
             FAIL() << "the set was made";
         } catch (const InputError& error) {
-            EXPECT_THAT(
-                error.what(),
-                AllOf(HasSubstr("test.toml:10: relative_radius = 0.783: realization 0 is saturated with"),
-                      HasSubstr("of 4096 points"), HasSubstr("about 0.77")));
+            EXPECT_THAT(error.what(),
+                        AllOf(HasSubstr("test.toml:10: relative_radius = 0.783: realization 0 is saturated with"),
+                              HasSubstr("of 4096 points"), HasSubstr("about 0.77")));
         }
     }
 }
@@ -102,14 +101,13 @@ TEST(DartThrowingSampler, EnginesGiveTheSameBytes)
 
 TEST(DartThrowingSampler, SaturatesAtTheAskedDistanceOrNearTheAskedSize)
 {
-    const auto by_distance =
-        spec().create(parameters({{"stop", std::string("saturation")}, {"min_distance", 0.02}}), {9, 2, 1},
-                      Engine::opencl, device());
+    const auto by_distance = spec().create(parameters({{"stop", std::string("saturation")}, {"min_distance", 0.02}}),
+                                           {9, 2, 1}, Engine::opencl, device());
     EXPECT_TRUE(by_distance->sizes_vary());
     EXPECT_GE(test::brute_force_min_distance(by_distance->sample(0)), 0.02);
 
-    const auto by_size = spec().create(parameters({{"stop", std::string("saturation")}}), {2000, 2, 1},
-                                       Engine::opencl, device());
+    const auto by_size =
+        spec().create(parameters({{"stop", std::string("saturation")}}), {2000, 2, 1}, Engine::opencl, device());
     // Six standard deviations of the number of points, sqrt(0.059 N).
     EXPECT_NEAR(static_cast<double>(by_size->sample(0).size()), 2000, 6 * std::sqrt(0.059 * 2000));
 }

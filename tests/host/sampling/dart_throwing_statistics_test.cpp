@@ -58,9 +58,8 @@ void expect_same_means(const test::Features& features)
 TEST(DartThrowingStatistics, PairCorrelationNearContactIsTheTextbooks)
 {
     // From contact to twice the minimum distance, in 20 classes.
-    expect_same_means([](const PointSet& set) {
-        return test::pairs_by_distance(set, min_distance(), 2 * min_distance(), 20);
-    });
+    expect_same_means(
+        [](const PointSet& set) { return test::pairs_by_distance(set, min_distance(), 2 * min_distance(), 20); });
 }
 
 TEST(DartThrowingStatistics, RadialPowerIsTheTextbooks)

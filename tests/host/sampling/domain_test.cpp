@@ -50,16 +50,14 @@ double height_over(const ConvexRegion& region, const Vector& position)
         difference[k] -= std::rint(difference[k]);
     }
     double height = -1;
-    for (const HalfSpace& h : region.half_spaces)
-        height = std::max(height, product(h.normal, difference) - h.offset);
+    for (const HalfSpace& h : region.half_spaces) height = std::max(height, product(h.normal, difference) - h.offset);
     return height;
 }
 
 double height_over(const Domain& domain, const Vector& position)
 {
     double height = 1;
-    for (const ConvexRegion& region : domain.forbidden)
-        height = std::min(height, height_over(region, position));
+    for (const ConvexRegion& region : domain.forbidden) height = std::min(height, height_over(region, position));
     return height;
 }
 
@@ -163,8 +161,7 @@ TEST(Domain, MovementEndsAtASquareOrSlidesAlongIt)
 TEST(Domain, ASlidingPointMayMeetTwoSides)
 {
     // Along the strip's side into the octagon's, which is inclined by 45 degrees, and up that.
-    const Domain domain{{polygon_region({0.5, 0.5, 0}, octagon), box_region({0.5, 0.5, 0}, {0.5, r, 0}, 2)},
-                        {}};
+    const Domain domain{{polygon_region({0.5, 0.5, 0}, octagon), box_region({0.5, 0.5, 0}, {0.5, r, 0}, 2)}, {}};
     const Vector moved = allowed_displacement(domain, {0.5 + a + 0.05, 0.5 + r, 0}, {-0.09, -0.01, 0}, true);
     expect_near(moved, {-0.05 - 0.02, 0.02, 0});
 }
@@ -173,8 +170,7 @@ TEST(Domain, SlabsSpanTheTorus)
 {
     const Domain domain{{box_region({0.5, 0.25, 0.1}, {0.5, 0.05, 0.5}, 3)}, {}};
     for (const double x : {0.0, 0.01, 0.499, 0.5, 0.501, 0.999}) {
-        expect_near(allowed_displacement(domain, {x, 0.35, 0.6}, {0.3, -0.1, 0.4}, false),
-                    {0.15, -0.05, 0.2});
+        expect_near(allowed_displacement(domain, {x, 0.35, 0.6}, {0.3, -0.1, 0.4}, false), {0.15, -0.05, 0.2});
         expect_near(allowed_displacement(domain, {x, 0.35, 0.6}, {0.3, -0.1, 0.4}, true), {0.3, -0.05, 0.4});
         expect_near(allowed_displacement(domain, {x, 0.9, 0.6}, {0.3, 0.5, 0.4}, false), {0.18, 0.3, 0.24});
     }
@@ -266,8 +262,7 @@ TEST(Domain, ManyMovementsDoNotLeadIn)
             for (int pass = 0; pass < 400; ++pass) {
                 const Vector noise = random_vector(random, dimension, -0.02, 0.02);
                 const Vector movement = sum_of(pass % 100 < 50 ? push : Vector{}, noise);
-                position =
-                    wrapped(sum_of(position, allowed_displacement(domain, position, movement, i % 4 > 0)));
+                position = wrapped(sum_of(position, allowed_displacement(domain, position, movement, i % 4 > 0)));
                 ASSERT_GE(height_over(domain, position), -depth_allowed) << "pass " << pass;
             }
         }
@@ -283,8 +278,7 @@ TEST(Domain, APointThatIsHeldDownDoesNotDriftIn)
         const Domain domain{{{{0.5, 0.5, 0}, {half_space}}}, {}};
         Vector position = sum_of({0.5, 0.5, 0}, half_space.normal, 0.1);
         for (int pass = 0; pass < 2000; ++pass) {
-            const Vector movement =
-                sum_of(random_vector(random, dimension, -1e-3, 1e-3), half_space.normal, -0.01);
+            const Vector movement = sum_of(random_vector(random, dimension, -1e-3, 1e-3), half_space.normal, -0.01);
             position = sum_of(position, allowed_displacement(domain, position, movement, true));
             ASSERT_GE(height_over(domain, position), -rounding) << "pass " << pass;
         }
@@ -303,8 +297,7 @@ TEST(Domain, PointsInsideLeaveButDoNotGetDeeper)
         const Vector movement = random_vector(random, dimension, -0.1, 0.1);
         for (const bool slides : {false, true}) {
             const Vector moved = allowed_displacement(domain, position, movement, slides);
-            EXPECT_GE(height_over(domain, sum_of(position, moved)),
-                      std::min(before, -depth_allowed) - rounding);
+            EXPECT_GE(height_over(domain, sum_of(position, moved)), std::min(before, -depth_allowed) - rounding);
         }
     }
     const Domain square{{box_region({0.5, 0.5, 0}, {0.1, 0.1, 0}, 2)}, {}};

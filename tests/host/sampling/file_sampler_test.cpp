@@ -46,8 +46,7 @@ protected:
         } catch (const InputError& e) {
             std::string message = e.what();
             const std::string prefix = folder.path().string() + "/";
-            for (std::size_t at; (at = message.find(prefix)) != std::string::npos;)
-                message.erase(at, prefix.size());
+            for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) message.erase(at, prefix.size());
             return message;
         }
         ADD_FAILURE() << "no error";
@@ -79,8 +78,7 @@ TEST_F(FileSampler, TakesOddNamesLiterally)
     // A glob in a folder whose own name looks like one.
     folder.write("a[b]*/x.dat", "0.3 0\n");
     Parameters p;
-    p.set("path", std::vector<std::string>{"*.dat"},
-          {(folder.path() / "a[b]*" / "experiment.toml").string(), 1});
+    p.set("path", std::vector<std::string>{"*.dat"}, {(folder.path() / "a[b]*" / "experiment.toml").string(), 1});
     EXPECT_EQ(spec.available_realizations(p), 1U);
 }
 
@@ -94,8 +92,7 @@ TEST_F(FileSampler, TakesEveryRealizationOfAFile)
 TEST_F(FileSampler, TakesNoSetTwice)
 {
     folder.write("a.dat", "0.1 0\n");
-    EXPECT_THAT(error({"a.dat", "*.dat"}),
-                StartsWith("experiment.toml:12: path = *.dat: a.dat is named twice"));
+    EXPECT_THAT(error({"a.dat", "*.dat"}), StartsWith("experiment.toml:12: path = *.dat: a.dat is named twice"));
     EXPECT_THAT(error({"a.dat", "./a.dat"}), HasSubstr("named twice"));
 }
 
@@ -111,17 +108,15 @@ TEST_F(FileSampler, RefusesSetsOfUnequalSize)
 {
     folder.write("a.dat", "0.1 0\n0.2 0\n");
     folder.write("b.dat", "0.1 0\n0.2 0\n#\n0.3 0\n");
-    EXPECT_EQ(
-        error({"*.dat"}),
-        "experiment.toml:12: path = *.dat: all realizations must be of one size, but a.dat has 2 2D points, "
-        "and b.dat has 1 2D points (realization 3)");
+    EXPECT_EQ(error({"*.dat"}),
+              "experiment.toml:12: path = *.dat: all realizations must be of one size, but a.dat has 2 2D points, "
+              "and b.dat has 1 2D points (realization 3)");
 }
 
 TEST_F(FileSampler, RefusesSetsOfAnotherDimension)
 {
     folder.write("a.dat", "0.1 0 0\n");
-    EXPECT_EQ(error({"a.dat"}),
-              "experiment.toml:12: path = a.dat: holds 3D points; the experiment has dimension = 2");
+    EXPECT_EQ(error({"a.dat"}), "experiment.toml:12: path = a.dat: holds 3D points; the experiment has dimension = 2");
     folder.write("b.dat", "0.1 0\n");
     EXPECT_THAT(error({"b.dat", "a.dat"}), HasSubstr("b.dat has 1 2D points, and a.dat has 1 3D points"));
 }

@@ -48,8 +48,7 @@ Domain some_domain(const PointSet& points)
     Domain domain;
     domain.forbidden.push_back(box_region({0.25, 0.25, 0.5}, {0.1, 0.1, 0.1}, points.dimension));
     const std::array<std::array<double, 2>, 3> triangle = {{{-0.1, -0.1}, {0.12, -0.05}, {0, 0.15}}};
-    domain.forbidden.push_back(
-        polygon_region({0.95, 0.6, 0.9}, triangle, 2, points.dimension == 3 ? 0.1 : 1));
+    domain.forbidden.push_back(polygon_region({0.95, 0.6, 0.9}, triangle, 2, points.dimension == 3 ? 0.1 : 1));
     domain.is_fixed.resize(points.size());
     for (std::size_t i = 0; i < points.size(); i += 10) domain.is_fixed[i] = 1;
     return domain;
@@ -96,13 +95,11 @@ TEST_P(LloydRelaxationIn, AgreesWithCgal)
     const LloydResult expected = reference::relax(start, {}, request);
     ASSERT_EQ(kernels.iterations.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(kernels.iterations[i].relative_radius, expected.iterations[i].relative_radius, 1e-11)
-            << i;
+        EXPECT_NEAR(kernels.iterations[i].relative_radius, expected.iterations[i].relative_radius, 1e-11) << i;
         EXPECT_NEAR(kernels.iterations[i].energy, expected.iterations[i].energy, 1e-12) << i;
     }
     // Roundings of 2^-53, magnified by the smallest of some n angles between bisectors, in three iterations.
-    for (std::size_t i = 0; i < start.size(); ++i)
-        EXPECT_LT(torus_distance(kernels.points, expected.points, i), 1e-12);
+    for (std::size_t i = 0; i < start.size(); ++i) EXPECT_LT(torus_distance(kernels.points, expected.points, i), 1e-12);
 }
 
 TEST_P(LloydRelaxationIn, AgreesWithCgalInDomains)
@@ -115,8 +112,7 @@ TEST_P(LloydRelaxationIn, AgreesWithCgalInDomains)
     std::size_t moved = 0;
     for (std::size_t i = 0; i < start.size(); ++i) {
         EXPECT_LT(torus_distance(kernels.points, expected.points, i), 1e-12);
-        for (const ConvexRegion& region : domain.forbidden)
-            EXPECT_FALSE(is_inside(region, kernels.points[i]));
+        for (const ConvexRegion& region : domain.forbidden) EXPECT_FALSE(is_inside(region, kernels.points[i]));
         if (domain.is_fixed[i]) {
             EXPECT_EQ(torus_distance(kernels.points, start, i), 0);
         } else {
@@ -130,9 +126,8 @@ TEST_P(LloydRelaxationIn, NeverRaisesTheEnergy)
 {
     const std::size_t n = 2000;
     std::mt19937_64 random(8);
-    for (const PointSet& start :
-         {random_set(n, dimension(), 5), test::clustered_points(n, dimension(), 3, 0.1, random),
-          thrown(n, dimension(), 0)}) {
+    for (const PointSet& start : {random_set(n, dimension(), 5), test::clustered_points(n, dimension(), 3, 0.1, random),
+                                  thrown(n, dimension(), 0)}) {
         const auto iterations = LloydRelaxation(Device::open()).relax(start, {}, {40}).iterations;
         ASSERT_EQ(iterations.size(), 41u);
         for (std::size_t i = 1; i < iterations.size(); ++i) {
@@ -146,9 +141,8 @@ TEST_P(LloydRelaxationIn, StartsWithTheEnergyOfAPoissonProcess)
 {
     // Mean squared distance to the nearest of N points, times N^(2/D): 1 / pi, and Gamma(5/3) (4 pi /
     // 3)^(-2/3).
-    const double expected = dimension() == 2
-                                ? 1 / std::numbers::pi
-                                : std::tgamma(5.0 / 3) * std::pow(4 * std::numbers::pi / 3, -2.0 / 3);
+    const double expected =
+        dimension() == 2 ? 1 / std::numbers::pi : std::tgamma(5.0 / 3) * std::pow(4 * std::numbers::pi / 3, -2.0 / 3);
     std::vector<double> energies;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         const PointSet start = random_set(2000, dimension(), 100 + seed);
@@ -163,8 +157,7 @@ TEST_P(LloydRelaxationIn, GivesTheSameBitsForAllWorkGroupsAndThreads)
     const LloydResult expected = LloydRelaxation(Device::open()).relax(start, {}, {4});
     for (const std::size_t group_size : {1, 16, 48}) {
         for (const unsigned threads : {1u, 2u}) {
-            const LloydResult result =
-                LloydRelaxation(Device::open({}, threads), group_size).relax(start, {}, {4});
+            const LloydResult result = LloydRelaxation(Device::open({}, threads), group_size).relax(start, {}, {4});
             EXPECT_EQ(result.points, expected.points);
             for (std::size_t i = 0; i < 5; ++i) {
                 EXPECT_EQ(result.iterations[i].energy, expected.iterations[i].energy);
@@ -193,8 +186,7 @@ TEST_P(LloydRelaxationIn, StopsAtARelativeRadius)
     const LloydResult result = LloydRelaxation(Device::open()).relax(start, {}, {500, 0.5});
     ASSERT_LT(result.iterations.size(), 501u);
     EXPECT_GE(result.iterations.back().relative_radius, 0.5);
-    for (std::size_t i = 0; i + 1 < result.iterations.size(); ++i)
-        EXPECT_LT(result.iterations[i].relative_radius, 0.5);
+    for (std::size_t i = 0; i + 1 < result.iterations.size(); ++i) EXPECT_LT(result.iterations[i].relative_radius, 0.5);
 }
 
 TEST_P(LloydRelaxationIn, CanKeepTheBestIterate)
@@ -213,8 +205,7 @@ TEST_P(LloydRelaxationIn, SeparatesCoincidingPoints)
 {
     PointSet start = random_set(20, dimension(), 11);
     const std::vector<double> once = start.coordinates;
-    for (int copy = 0; copy < 4; ++copy)
-        start.coordinates.insert(start.coordinates.end(), once.begin(), once.end());
+    for (int copy = 0; copy < 4; ++copy) start.coordinates.insert(start.coordinates.end(), once.begin(), once.end());
     const LloydResult result = LloydRelaxation(Device::open()).relax(start, {}, {200});
     EXPECT_EQ(result.iterations.front().relative_radius, 0);
     EXPECT_GT(result.iterations.back().relative_radius, 0.5);
@@ -225,8 +216,7 @@ TEST(LloydRelaxation, LeavesLatticesAsTheyAre)
     // Cells of a lattice have their sites as centroids. The energy of the square lattice is 1/6.
     const PointSet square = test::square_lattice(16, 2);
     const LloydResult relaxed = LloydRelaxation(Device::open()).relax(square, {}, {3});
-    for (std::size_t i = 0; i < square.size(); ++i)
-        EXPECT_LT(torus_distance(relaxed.points, square, i), 1e-15);
+    for (std::size_t i = 0; i < square.size(); ++i) EXPECT_LT(torus_distance(relaxed.points, square, i), 1e-15);
     EXPECT_NEAR(relaxed.iterations[0].energy, 1.0 / 6, 1e-14);
 }
 
@@ -261,8 +251,7 @@ TEST(LloydRelaxationCourse, IsTheMeasuredOne)
             const test::Mean mean = test::mean_of(radii[i]);
             const double spread = mean.standard_error * std::sqrt(static_cast<double>(sets));
             const double bound = 11.0 * std::hypot(spread, mean.standard_error) + 0.005;
-            EXPECT_NEAR(mean.value, expected[from][i], std::min(bound, 0.05))
-                << "from " << from << " after " << at[i];
+            EXPECT_NEAR(mean.value, expected[from][i], std::min(bound, 0.05)) << "from " << from << " after " << at[i];
         }
     }
 }

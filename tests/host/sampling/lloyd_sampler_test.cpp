@@ -51,9 +51,8 @@ const ParameterValue eight = std::int64_t{8};
 TEST(LloydSampler, RefusesWhatHasNoMeaning)
 {
     EXPECT_EQ(refusal(parameters({{"iterations", eight}})), "accepted");
-    EXPECT_EQ(
-        refusal(parameters({{"iterations", none}, {"repulsion", true}, {"until_relative_radius", 0.8}})),
-        "accepted");
+    EXPECT_EQ(refusal(parameters({{"iterations", none}, {"repulsion", true}, {"until_relative_radius", 0.8}})),
+              "accepted");
     EXPECT_EQ(refusal(parameters({{"iterations", none}, {"repulsion", false}})), "accepted");
     EXPECT_THAT(refusal(parameters({})), AllOf(HasSubstr("test.toml:9"), HasSubstr("needs iterations")));
     EXPECT_THAT(refusal(parameters({{"iterations", eight}, {"repulsion", true}})),
@@ -66,8 +65,8 @@ TEST(LloydSampler, WithoutIterationsGivesItsStart)
         const ParameterValue start = start_from("dart-throwing", {{"relative_radius", 0.7}});
         const auto sampler = create({{"iterations", none}, {"start", start}}, dimension);
         const auto from = find_sampler("dart-throwing");
-        const auto plain = from->create(parameters({{"relative_radius", 0.7}}), {512, dimension, 7},
-                                        Engine::reference, nullptr);
+        const auto plain =
+            from->create(parameters({{"relative_radius", 0.7}}), {512, dimension, 7}, Engine::reference, nullptr);
         EXPECT_EQ(sampler->sample(3), plain->sample(3));
         EXPECT_EQ(sampler->iterations().size(), 1u);
     }

@@ -42,10 +42,9 @@ TEST(RelaxationDartThrowingSampler, AcceptsWhatIsPossible)
     EXPECT_EQ(refusal(parameters({})), "accepted");
     EXPECT_EQ(refusal(parameters({{"factor", 0.999}, {"attempts", std::int64_t{10000}}})), "accepted");
     // No reduction is needed at all.
-    EXPECT_EQ(
-        refusal(parameters(
-            {{"initial_radius", 1e-6}, {"factor", 1 - 1e-9}, {"attempts", std::int64_t{1'000'000'000}}})),
-        "accepted");
+    EXPECT_EQ(refusal(parameters(
+                  {{"initial_radius", 1e-6}, {"factor", 1 - 1e-9}, {"attempts", std::int64_t{1'000'000'000}}})),
+              "accepted");
 }
 
 TEST(RelaxationDartThrowingSampler, RefusesWhatWouldNotEnd)
@@ -54,17 +53,16 @@ TEST(RelaxationDartThrowingSampler, RefusesWhatWouldNotEnd)
                 AllOf(HasSubstr("test.toml:10: factor = 0.999999999: "), HasSubstr("4e+15 darts")));
     EXPECT_THAT(refusal(parameters({{"attempts", std::int64_t{1} << 40}}), 1000),
                 "accepted"); // weeks, but they end
-    EXPECT_THAT(refusal(parameters({{"initial_radius", 0.5}, {"attempts", std::int64_t{1} << 40}}), 1 << 30),
-                AllOf(HasSubstr("test.toml:11: attempts = 1099511627776: 1073741824 points"),
-                      HasSubstr("fewer attempts")));
+    EXPECT_THAT(
+        refusal(parameters({{"initial_radius", 0.5}, {"attempts", std::int64_t{1} << 40}}), 1 << 30),
+        AllOf(HasSubstr("test.toml:11: attempts = 1099511627776: 1073741824 points"), HasSubstr("fewer attempts")));
 }
 
 TEST(RelaxationDartThrowingSampler, EnginesGiveTheSameBytes)
 {
     for (const int dimension : {2, 3}) {
         const SampleRequest request{500, dimension, 5};
-        const Parameters p =
-            parameters({{"initial_radius", 0.2}, {"factor", 0.97}, {"attempts", std::int64_t{200}}});
+        const Parameters p = parameters({{"initial_radius", 0.2}, {"factor", 0.97}, {"attempts", std::int64_t{200}}});
         const auto kernel = spec().create(p, request, Engine::opencl, device());
         const auto plain = spec().create(p, request, Engine::reference, {});
         for (std::uint32_t k = 0; k < 3; ++k) EXPECT_EQ(kernel->sample(k), plain->sample(k));
@@ -75,10 +73,8 @@ TEST(RelaxationDartThrowingSampler, EnginesGiveTheSameBytes)
 
 TEST(RelaxationDartThrowingSampler, ParametersAreWhatTheAlgorithmIsTold)
 {
-    RelaxationDartThrowingRequest request{2,   300, 0.3,
-                                          0.9, 77,  stream_key(5, Purpose::relaxation_dart_throwing, 2)};
-    const Parameters p =
-        parameters({{"initial_radius", 0.3}, {"factor", 0.9}, {"attempts", std::int64_t{77}}});
+    RelaxationDartThrowingRequest request{2, 300, 0.3, 0.9, 77, stream_key(5, Purpose::relaxation_dart_throwing, 2)};
+    const Parameters p = parameters({{"initial_radius", 0.3}, {"factor", 0.9}, {"attempts", std::int64_t{77}}});
     EXPECT_EQ(spec().create(p, {300, 2, 5}, Engine::reference, {})->sample(2),
               reference::throw_relaxation_darts(request).points);
 

@@ -15,8 +15,7 @@ namespace poissonlab {
 namespace {
 
 /// Sets by the kernels, one for each realization from 0 to count - 1.
-std::vector<PointSet> kernel_sets(RelaxationDartThrowingRequest request, std::uint64_t seed,
-                                  std::uint32_t count)
+std::vector<PointSet> kernel_sets(RelaxationDartThrowingRequest request, std::uint64_t seed, std::uint32_t count)
 {
     std::vector<PointSet> sets;
     RelaxationDartThrower thrower(Device::open());
@@ -92,8 +91,7 @@ TEST(RelaxationDartThrowingStatistics, PrefixesAreAsWellSpreadAsSetsOfTheirSize)
             prefixes.push_back({2, {set.coordinates.begin(), end}});
         }
         const test::Mean of_prefixes = test::mean_of(relative_radii_of(prefixes));
-        const test::Mean of_sets =
-            test::mean_of(relative_radii_of(kernel_sets({2, size, 0.15, 0.99, 1'000}, 3, 30)));
+        const test::Mean of_sets = test::mean_of(relative_radii_of(kernel_sets({2, size, 0.15, 0.99, 1'000}, 3, 30)));
         EXPECT_LT(std::abs(test::z_score(of_prefixes, of_sets)), test::z_bound(sizes.size()))
             << size << " points: " << of_prefixes.value << " and " << of_sets.value;
         EXPECT_GT(of_prefixes.value, 0.65);
@@ -128,8 +126,7 @@ void expect_same_means(const test::Features& features)
 TEST(RelaxationDartThrowingStatistics, PairCorrelationIsTheTextbooks)
 {
     const double unit = max_min_distance(point_count, 2);
-    expect_same_means(
-        [&](const PointSet& set) { return test::pairs_by_distance(set, 0.55 * unit, 2 * unit, 20); });
+    expect_same_means([&](const PointSet& set) { return test::pairs_by_distance(set, 0.55 * unit, 2 * unit, 20); });
 }
 
 TEST(RelaxationDartThrowingStatistics, RadialPowerIsTheTextbooks)
@@ -161,8 +158,7 @@ TEST(RelaxationDartThrowingStatistics, EarlyAndLatePointsAreTheTextbooks)
         std::vector<double> means(point_count / 32);
         for (std::size_t i = 1; i < set.size(); ++i) {
             double nearest = 1;
-            for (std::size_t j = 0; j < i; ++j)
-                nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
+            for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
             means[i / 32] += std::sqrt(nearest) / 32;
         }
         return means;

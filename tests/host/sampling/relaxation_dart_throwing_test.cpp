@@ -22,8 +22,8 @@ struct Case
 
 void PrintTo(const Case& c, std::ostream* out)
 {
-    *out << c.dimension << "D, " << c.points << " points, radius " << c.initial_radius << ", times "
-         << c.factor << " after " << c.attempts << ", seed " << c.seed;
+    *out << c.dimension << "D, " << c.points << " points, radius " << c.initial_radius << ", times " << c.factor
+         << " after " << c.attempts << ", seed " << c.seed;
 }
 
 RelaxationDartThrowingRequest request_for(const Case& c)
@@ -65,8 +65,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{3, 1, 0.15, 0.9, 100, 16}, Case{3, 2, 0.5, 0.99, 100, 17}, Case{3, 17, 0.5, 0.9, 50, 18},
         Case{3, 40, 0.15, 0.9, 30, 19}, Case{3, 100, 0.15, 0.99, 1000, 20},
         // 20 to 23
-        Case{3, 1024, 0.15, 0.99, 1000, 21}, Case{3, 1024, 0.5, 0.5, 1, 22},
-        Case{3, 1024, 1e-7, 0.9, 100, 23}, Case{3, 16384, 0.15, 0.9, 100, 24}));
+        Case{3, 1024, 0.15, 0.99, 1000, 21}, Case{3, 1024, 0.5, 0.5, 1, 22}, Case{3, 1024, 1e-7, 0.9, 100, 23},
+        Case{3, 16384, 0.15, 0.9, 100, 24}));
 
 TEST(RelaxationDartThrowingOnDevices, TheDissertationsSetsAreTheReferences)
 {
@@ -84,8 +84,7 @@ TEST(RelaxationDartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
         const RelaxationDarts expected = reference::throw_relaxation_darts(request);
         for (const unsigned threads : {1u, 2u}) {
             for (const std::size_t group : {1u, 7u, 32u, 128u}) {
-                EXPECT_EQ(RelaxationDartThrower(Device::open({}, threads), group).throw_darts(request),
-                          expected)
+                EXPECT_EQ(RelaxationDartThrower(Device::open({}, threads), group).throw_darts(request), expected)
                     << threads << " threads, groups of " << group;
             }
         }
@@ -113,8 +112,7 @@ RelaxationDarts all_pairs(const RelaxationDartThrowingRequest& request)
     for (; points.size() < request.points; ++dart) {
         const std::uint64_t block = D == 2 ? dart / 2 : dart;
         const auto words =
-            philox({static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block >> 32), 0, 0},
-                   request.stream);
+            philox({static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block >> 32), 0, 0}, request.stream);
         TorusPoint<D> position;
         for (std::size_t k = 0; k < D; ++k) position[k] = words[k + (D == 2 ? 2 * (dart % 2) : 0)];
         bool free = true;
@@ -136,12 +134,11 @@ RelaxationDarts all_pairs(const RelaxationDartThrowingRequest& request)
 
 TEST(RelaxationDartThrowingReference, DoesWhatALoopOverAllPairsDoes)
 {
-    for (const Case& c :
-         {Case{2, 1, 0.5, 0.9, 10, 1}, Case{2, 30, 0.5, 0.9, 10, 2}, Case{2, 300, 0.15, 0.97, 50, 3},
-          Case{2, 200, 0.4, 0.5, 1, 4}, Case{2, 150, 0.2, 0.99, 7, 5}, Case{2, 100, 1e-9, 0.5, 1, 6}})
+    for (const Case& c : {Case{2, 1, 0.5, 0.9, 10, 1}, Case{2, 30, 0.5, 0.9, 10, 2}, Case{2, 300, 0.15, 0.97, 50, 3},
+                          Case{2, 200, 0.4, 0.5, 1, 4}, Case{2, 150, 0.2, 0.99, 7, 5}, Case{2, 100, 1e-9, 0.5, 1, 6}})
         EXPECT_EQ(reference::throw_relaxation_darts(request_for(c)), all_pairs<2>(request_for(c)));
-    for (const Case& c : {Case{3, 1, 0.5, 0.9, 10, 1}, Case{3, 60, 0.5, 0.9, 10, 2},
-                          Case{3, 300, 0.15, 0.97, 50, 3}, Case{3, 200, 0.4, 0.5, 1, 4}})
+    for (const Case& c : {Case{3, 1, 0.5, 0.9, 10, 1}, Case{3, 60, 0.5, 0.9, 10, 2}, Case{3, 300, 0.15, 0.97, 50, 3},
+                          Case{3, 200, 0.4, 0.5, 1, 4}})
         EXPECT_EQ(reference::throw_relaxation_darts(request_for(c)), all_pairs<3>(request_for(c)));
 }
 

@@ -49,8 +49,7 @@ LowFrequencyPower power_at_zero(int dimension)
 {
     SpectrumEstimate estimate(dimension, dimension == 2 ? 128 : 32, true);
     for (const PointSet& set : saturated_sets(dimension)) estimate.add(set);
-    return low_frequency_power(radial_statistics(estimate.mean()), low_frequency_range(points, dimension))
-        .value();
+    return low_frequency_power(radial_statistics(estimate.mean()), low_frequency_range(points, dimension)).value();
 }
 
 // The limits are those of Zhang and Torquato, Precise algorithm to generate random sequential addition of
@@ -109,8 +108,7 @@ TEST(SaturatedSpectrum, PairCorrelationGrowsLogarithmicallyTowardsContact)
         }
         const test::Mean grown = test::mean_of(growth), bent = test::mean_of(bend);
         EXPECT_LT(std::abs(bent.value), test::z_bound(2) * bent.standard_error) << dimension;
-        EXPECT_LT(test::z_bound(2) * bent.standard_error, grown.value / 4)
-            << "the check sees steps of different size";
+        EXPECT_LT(test::z_bound(2) * bent.standard_error, grown.value / 4) << "the check sees steps of different size";
     }
 }
 

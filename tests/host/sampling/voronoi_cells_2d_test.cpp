@@ -69,8 +69,7 @@ PointSet circle_around_a_point(std::size_t n)
     PointSet set{2, {0.5, 0.5}};
     for (std::size_t i = 0; i < n; ++i) {
         const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(n);
-        set.coordinates.insert(set.coordinates.end(),
-                               {0.5 + 0.125 * std::cos(angle), 0.5 + 0.125 * std::sin(angle)});
+        set.coordinates.insert(set.coordinates.end(), {0.5 + 0.125 * std::cos(angle), 0.5 + 0.125 * std::sin(angle)});
     }
     return set;
 }
@@ -85,10 +84,7 @@ PointSet repeated(const PointSet& points, std::size_t copies)
     return set;
 }
 
-double sum_of(const std::vector<double>& values)
-{
-    return std::accumulate(values.begin(), values.end(), 0.0);
-}
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 class VoronoiCells2d : public ::testing::TestWithParam<Case>
 {
@@ -107,16 +103,13 @@ TEST_P(VoronoiCells2d, AgreeWithCgal)
     const double length_error = 16 * 0x1p-53 * GetParam().magnification * std::max(diameter, 1 / n);
     for (std::size_t i = 0; i < points.size(); ++i) {
         EXPECT_NEAR(cells.volumes[i], expected.volumes[i], length_error * diameter) << "of point " << i;
-        EXPECT_NEAR(cells.energies[i], expected.energies[i], length_error * std::pow(diameter, 3))
-            << "of point " << i;
-        EXPECT_NEAR(cells.squared_near[i], expected.squared_near[i], 16 * 0x1p-53 * diameter)
-            << "of point " << i;
+        EXPECT_NEAR(cells.energies[i], expected.energies[i], length_error * std::pow(diameter, 3)) << "of point " << i;
+        EXPECT_NEAR(cells.squared_near[i], expected.squared_near[i], 16 * 0x1p-53 * diameter) << "of point " << i;
         for (std::size_t k = 0; k < 2; ++k) {
             // A displacement is a moment over an area; the moments have errors as the areas have, times the
             // diameter.
             EXPECT_NEAR(cells.volumes[i] * cells.displacements[2 * i + k],
-                        expected.volumes[i] * expected.displacements[2 * i + k],
-                        length_error * diameter * diameter)
+                        expected.volumes[i] * expected.displacements[2 * i + k], length_error * diameter * diameter)
                 << "of point " << i;
         }
     }
@@ -156,14 +149,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"nearly a lattice", brick_lattice(32, 1e-9)}, Case{"brick lattice", brick_lattice(32, 0)},
         Case{"square lattice", test::square_lattice(32, 2)},
         Case{"square lattice of odd size", test::square_lattice(21, 2)},
-        Case{"small square lattice", test::square_lattice(2, 2)},
-        Case{"a cluster", clusters(1000, 1, 1e-3), 1e6}, Case{"a tiny cluster", clusters(500, 1, 1e-6), 1e9},
-        Case{"clusters", clusters(2000, 5, 1e-2), 1e6}, Case{"pairs", repeated(random_set(100), 2), 200},
-        Case{"triples", repeated(random_set(100), 3), 300},
+        Case{"small square lattice", test::square_lattice(2, 2)}, Case{"a cluster", clusters(1000, 1, 1e-3), 1e6},
+        Case{"a tiny cluster", clusters(500, 1, 1e-6), 1e9}, Case{"clusters", clusters(2000, 5, 1e-2), 1e6},
+        Case{"pairs", repeated(random_set(100), 2), 200}, Case{"triples", repeated(random_set(100), 3), 300},
         Case{"coinciding lattice", repeated(test::square_lattice(8, 2), 4)},
         Case{"all in one place", repeated(random_set(1), 50)}, Case{"collinear", on_a_line(200, 0), 1e4},
-        Case{"collinear, skew", on_a_line(200, 1), 1e4},
-        Case{"many edges", circle_around_a_point(300), 1e4}));
+        Case{"collinear, skew", on_a_line(200, 1), 1e4}, Case{"many edges", circle_around_a_point(300), 1e4}));
 
 /// Few points of every kind, for interpreters of kernels.
 INSTANTIATE_TEST_SUITE_P(Small, VoronoiCells2d,

@@ -17,8 +17,7 @@ using Draw = std::function<double()>;
 
 Draw uniform(std::uint64_t seed)
 {
-    return
-        [engine = std::mt19937_64(seed)]() mutable { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+    return [engine = std::mt19937_64(seed)]() mutable { return static_cast<double>(engine() >> 11) * 0x1p-53; };
 }
 
 void add(PointSet& set, double x, double y, double z)
@@ -113,10 +112,7 @@ PointSet sphere_around_a_point(std::size_t n)
     return set;
 }
 
-double sum_of(const std::vector<double>& values)
-{
-    return std::accumulate(values.begin(), values.end(), 0.0);
-}
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// Neighbours compute their common corners from different sums, so what one cell has too much is missing in
 /// the other but for roundings: some units of 2^-53 for cells that reach through the torus, and of 2^-53 / n
@@ -181,20 +177,16 @@ TEST_P(VoronoiCells3d, AreThoseOfTheReference)
 INSTANTIATE_TEST_SUITE_P(
     Sets, VoronoiCells3d,
     ::testing::Values(
-        Case{"random", random_points(1, 1)}, Case{"random", random_points(2, 2)},
-        Case{"random", random_points(3, 3)}, Case{"random", random_points(10, 4)},
-        Case{"random", random_points(500, 5)}, Case{"random", random_points(4096, 6)},
-        Case{"one cluster", clusters(1, 500, 1e-3, 7), 1e-3},
-        Case{"clusters", clusters(8, 100, 0.02, 8), 0.02},
-        Case{"tiny cluster", clusters(1, 40, 1e-9, 9), 1e-9},
+        Case{"random", random_points(1, 1)}, Case{"random", random_points(2, 2)}, Case{"random", random_points(3, 3)},
+        Case{"random", random_points(10, 4)}, Case{"random", random_points(500, 5)},
+        Case{"random", random_points(4096, 6)}, Case{"one cluster", clusters(1, 500, 1e-3, 7), 1e-3},
+        Case{"clusters", clusters(8, 100, 0.02, 8), 0.02}, Case{"tiny cluster", clusters(1, 40, 1e-9, 9), 1e-9},
         Case{"jittered lattice", lattice(12, false, 1e-3, 10)},
-        Case{"hardly jittered lattice", lattice(8, false, 1e-9, 11)},
-        Case{"jittered bcc", lattice(8, true, 0.2, 12)}, Case{"cubic lattice", lattice(8, false, 0, 0)},
-        Case{"bcc lattice", lattice(7, true, 0, 0)}, Case{"pairs", repeated(random_points(300, 13), 2)},
-        Case{"triples", repeated(random_points(300, 14), 3)},
-        Case{"all the same", repeated(random_points(1, 15), 50)},
-        Case{"collinear", on_a_line(24, false), 1e-3}, Case{"skew collinear", on_a_line(24, true), 1e-3},
-        Case{"coplanar", on_a_plane(150), 1e-2},
+        Case{"hardly jittered lattice", lattice(8, false, 1e-9, 11)}, Case{"jittered bcc", lattice(8, true, 0.2, 12)},
+        Case{"cubic lattice", lattice(8, false, 0, 0)}, Case{"bcc lattice", lattice(7, true, 0, 0)},
+        Case{"pairs", repeated(random_points(300, 13), 2)}, Case{"triples", repeated(random_points(300, 14), 3)},
+        Case{"all the same", repeated(random_points(1, 15), 50)}, Case{"collinear", on_a_line(24, false), 1e-3},
+        Case{"skew collinear", on_a_line(24, true), 1e-3}, Case{"coplanar", on_a_plane(150), 1e-2},
         Case{"sphere around a point", sphere_around_a_point(150), 1e-2}));
 
 /// Few points of every kind, for interpreters of kernels.
@@ -216,8 +208,7 @@ TEST(VoronoiCells3dClosedForms, CubicLattice)
             error = std::max(error, std::abs(cells.volumes[i] * n - 1));
             error = std::max(error, std::abs(cells.energies[i] * std::pow(n, 5.0 / 3) * 4 - 1));
             error = std::max(error, std::abs(cells.squared_near[i] * std::pow(n, 2.0 / 3) - 1));
-            for (int k = 0; k < 3; ++k)
-                error = std::max(error, std::abs(cells.displacements[3 * i + k]) * side);
+            for (int k = 0; k < 3; ++k) error = std::max(error, std::abs(cells.displacements[3 * i + k]) * side);
         }
         EXPECT_LT(error, 0x1p-44 * side) << side;
     }

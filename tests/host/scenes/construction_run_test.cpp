@@ -1,8 +1,8 @@
 // Runs of constructions: what is stored is what reports read, and how many points of each class there are.
-#include "tests/support/program.hpp"
-#include "tiles/poisson/tile_pieces.hpp"
 #include "results/pictures/stored_constructions.hpp"
 #include "tests/support/picture.hpp"
+#include "tests/support/program.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,8 +77,8 @@ TEST_F(ConstructionRun, StagesOfAPieceKeepTheirPoints)
 
 TEST_F(ConstructionRun, StagesOfATileEndWithAllItsPoints)
 {
-    const json root = results(table(plane + "show = \"tile\"\nvariant = 6\n") +
-                              table(plane + "show = \"tiles\"\ncount = 4\n"));
+    const json root =
+        results(table(plane + "show = \"tile\"\nvariant = 6\n") + table(plane + "show = \"tiles\"\ncount = 4\n"));
     const StoredScene stages = scene(root, 0);
     ASSERT_EQ(stages.panels.size(), 4u);
     const StoredPanel& cut = stages.panels[3];
@@ -107,8 +107,7 @@ TEST_F(ConstructionRun, TilingsKeepTheDistance)
         double closest = 1e300;
         for (std::size_t a = 0; a < points.size(); ++a)
             for (std::size_t b = 0; b < a; ++b)
-                closest =
-                    std::min(closest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]));
+                closest = std::min(closest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1]));
         EXPECT_GE(closest, 2 * tiling.radius);
         EXPECT_EQ(tiling.panels[0].tiles.size(), 12u);
     }
@@ -126,13 +125,11 @@ TEST_F(ConstructionRun, TemplatesAreWhatTilesShare)
     ASSERT_EQ(master.panels.size(), 2u);
     for (const StoredPanel& panel : master.panels) EXPECT_EQ(count(panel, StoredPointClass::inner), 16u);
     ASSERT_EQ(kept.panels.size(), 2u);
-    EXPECT_EQ(count(kept.panels[0], StoredPointClass::held) + count(kept.panels[0], StoredPointClass::outer),
-              16u);
+    EXPECT_EQ(count(kept.panels[0], StoredPointClass::held) + count(kept.panels[0], StoredPointClass::outer), 16u);
     EXPECT_EQ(count(kept.panels[1], StoredPointClass::outer), 0u);
     ASSERT_EQ(tile.panels.size(), 3u);
     EXPECT_EQ(count(tile.panels[0], StoredPointClass::held), count(kept.panels[1], StoredPointClass::held));
-    EXPECT_EQ(count(tile.panels[2], StoredPointClass::held) + count(tile.panels[2], StoredPointClass::inner),
-              16u);
+    EXPECT_EQ(count(tile.panels[2], StoredPointClass::held) + count(tile.panels[2], StoredPointClass::inner), 16u);
 }
 
 TEST_F(ConstructionRun, ShowsRegionsAndPiecesInSpace)
@@ -167,17 +164,15 @@ TEST_F(ConstructionRun, GivesTheSameBytesAgain)
     auto first = files_below(out_);
     results(tables);
     auto second = files_below(out_);
-    for (const char* with_times : {"index.html", "results.json"})
-        first.erase(with_times), second.erase(with_times);
+    for (const char* with_times : {"index.html", "results.json"}) first.erase(with_times), second.erase(with_times);
     EXPECT_EQ(first, second);
     EXPECT_TRUE(first.contains("construction-edge-edge/construction.json"));
 }
 
 TEST_F(ConstructionRun, SaysWhichTableCannotBeMade)
 {
-    folder_.write("c.toml",
-                  "engine = \"reference\"\n[[construction]]\nshow = \"corner\"\npoints_per_tile = 16\n"
-                  "relative_radius = 0.97\nlloyd_iterations = 0\nrepulsion = false\n");
+    folder_.write("c.toml", "engine = \"reference\"\n[[construction]]\nshow = \"corner\"\npoints_per_tile = 16\n"
+                            "relative_radius = 0.97\nlloyd_iterations = 0\nrepulsion = false\n");
     const Outcome outcome = run_program(folder_.path(), {"run", "c.toml", "--out", "out"});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.error, testing::HasSubstr("c.toml:2: relative_radius = 0.97: one of the corners"));

@@ -31,8 +31,8 @@ std::map<std::string, Files> hashed_files()
     return files;
 }
 
-/// The files of the project that a file includes: paths from the root, or, of kernels and headers for other programs, from
-/// the folder of their own.
+/// The files of the project that a file includes: paths from the root, or, of kernels and headers for other programs,
+/// from the folder of their own.
 Files includes(const std::string& file)
 {
     static const std::regex line("#include \"([^\"]+)\"");

@@ -43,8 +43,7 @@ TEST(ImportedPoints, UnequalSizesNameBothPlaces)
     EXPECT_EQ(message_of([&] {
                   import_points({a, b}, "");
               }),
-              b + ": realization 2: has 1 points where " + a +
-                  " has 2: realizations must have the same number");
+              b + ": realization 2: has 1 points where " + a + " has 2: realizations must have the same number");
 }
 
 TEST(ImportedPoints, AllSetsHaveTheDimensionOfTheFirst)
@@ -53,10 +52,7 @@ TEST(ImportedPoints, AllSetsHaveTheDimensionOfTheFirst)
     const std::string a = folder.write("a.dat", "0.1 0.2 0.3\n");
     const std::string b = folder.write("b.dat", "0.1 0.2\n");
     EXPECT_EQ(import_points({a}, "").dimension, 3);
-    EXPECT_EQ(message_of([&] {
-                  import_points({a, b}, "");
-              }),
-              b + ": has 2D points where " + a + " has 3D ones");
+    EXPECT_EQ(message_of([&] { import_points({a, b}, ""); }), b + ": has 2D points where " + a + " has 3D ones");
 }
 
 TEST(ImportedPoints, FoldersAreNoFiles)

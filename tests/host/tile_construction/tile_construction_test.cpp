@@ -3,9 +3,9 @@
 #include "host/tile_construction/tile_construction.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/small_tile_sets.hpp"
 #include "tests/tiles/poisson/made_up_tilings.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
-#include "tests/support/small_tile_sets.hpp"
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -56,8 +56,7 @@ protected:
 TEST_P(TileConstruction, EveryTilingKeepsTheDistance)
 {
     const PoissonTileSet set = built(p_);
-    ASSERT_EQ(set.points.size(),
-              std::size_t{p_.tiles} * p_.points_per_tile * static_cast<unsigned>(p_.dimension));
+    ASSERT_EQ(set.points.size(), std::size_t{p_.tiles} * p_.points_per_tile * static_cast<unsigned>(p_.dimension));
     const TileCertificate proof = certify(set);
     EXPECT_GE(proof.squared_min_distance, asked_squared_distance(p_));
 
@@ -103,27 +102,22 @@ INSTANTIATE_TEST_SUITE_P(
                     SmallSet{"template", with_repulsion(tile_set_parameters(frame, 2, 12, 32, 0.85))},
                     SmallSet{"template_one", tile_set_parameters(frame, 2, 1, 16, 0.75)},
                     SmallSet{"template_few", tile_set_parameters(frame, 2, 7, 4, 0.75)},
-                    SmallSet{"sphere",
-                             with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 2, 32, 0.55), 2))}),
+                    SmallSet{"sphere", with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 2, 32, 0.55), 2))}),
     [](const auto& set) { return std::string(set.param.name); });
 
 class TileConstructionTwins : public TileConstruction
 {
 };
 
-TEST_P(TileConstructionTwins, KernelsAndReferenceMakeTheSameTiles)
-{
-    EXPECT_EQ(built(p_), built_by_reference(p_));
-}
+TEST_P(TileConstructionTwins, KernelsAndReferenceMakeTheSameTiles) { EXPECT_EQ(built(p_), built_by_reference(p_)); }
 
 INSTANTIATE_TEST_SUITE_P(
     Sets, TileConstructionTwins,
-    testing::Values(
-        SmallSet{"corner", with_repulsion(with_lloyd(tile_set_parameters(corner, 2, 2, 16, 0.8), 4))},
-        SmallSet{"edge", with_lloyd(tile_set_parameters(edge, 2, 1, 16, 0.6), 3)},
-        SmallSet{"template", with_repulsion(with_lloyd(tile_set_parameters(frame, 2, 4, 24, 0.85), 4))},
-        SmallSet{"darts", by_darts()},
-        SmallSet{"sphere", with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 1, 32, 0.55), 1))}),
+    testing::Values(SmallSet{"corner", with_repulsion(with_lloyd(tile_set_parameters(corner, 2, 2, 16, 0.8), 4))},
+                    SmallSet{"edge", with_lloyd(tile_set_parameters(edge, 2, 1, 16, 0.6), 3)},
+                    SmallSet{"template", with_repulsion(with_lloyd(tile_set_parameters(frame, 2, 4, 24, 0.85), 4))},
+                    SmallSet{"darts", by_darts()},
+                    SmallSet{"sphere", with_repulsion(with_lloyd(tile_set_parameters(corner, 3, 1, 32, 0.55), 1))}),
     [](const auto& set) { return std::string(set.param.name); });
 
 TEST(TileConstructionSeeds, MakeOtherTiles)
@@ -153,8 +147,7 @@ class StubbornFiller final : public TileFiller
 {
 public:
     StubbornFiller(const PoissonTileParameters& parameters, std::uint32_t tile, int failures)
-        : filler_(make_tile_filler(fill_settings(parameters), Device::open())), tile_(tile),
-          failures_(failures)
+        : filler_(make_tile_filler(fill_settings(parameters), Device::open())), tile_(tile), failures_(failures)
     {}
 
     std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,

@@ -1,8 +1,8 @@
 // Points are as dense near corners and edges as in interiors: a seam would show here first.
-#include "tiles/poisson/tile_certificate.hpp"
+#include "host/tile_construction/tile_construction.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/statistics.hpp"
-#include "host/tile_construction/tile_construction.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,8 +52,7 @@ std::array<double, 2> spread_of_counts()
     }
     std::array<double, 2> spread{};
     for (std::size_t i = 0; i < 2; ++i)
-        spread[i] =
-            test::mean_of(counts[i]).standard_error * std::sqrt(static_cast<double>(counts[i].size()));
+        spread[i] = test::mean_of(counts[i]).standard_error * std::sqrt(static_cast<double>(counts[i].size()));
     return spread;
 }
 

@@ -60,8 +60,7 @@ protected:
                 for (std::int32_t offset : {-3000, 0}) {
                     TilePosition position{};
                     for (int k = 0; k < c.dimension; ++k)
-                        position[k] =
-                            wrapped((base >> k & 1) * tile_units + (k == 0 ? 3 * offset : offset + 11));
+                        position[k] = wrapped((base >> k & 1) * tile_units + (k == 0 ? 3 * offset : offset + 11));
                     problem.held.push_back(position);
                 }
             }
@@ -96,13 +95,12 @@ TEST_P(TileFilling, KernelsAndReferenceAgree)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Stages, TileFilling,
-    testing::Values(Case{"empty", 2, false, 0, false}, Case{"one_tile", 2, true, 0, false},
-                    Case{"corners", 2, false, 3, false}, Case{"interior", 2, false, 4, true},
-                    Case{"empty_3d", 3, false, 0, false}, Case{"corners_3d", 3, false, 5, false},
-                    Case{"interior_3d", 3, false, 8, true}),
-    [](const auto& stage) { return std::string(stage.param.name); });
+INSTANTIATE_TEST_SUITE_P(Stages, TileFilling,
+                         testing::Values(Case{"empty", 2, false, 0, false}, Case{"one_tile", 2, true, 0, false},
+                                         Case{"corners", 2, false, 3, false}, Case{"interior", 2, false, 4, true},
+                                         Case{"empty_3d", 3, false, 0, false}, Case{"corners_3d", 3, false, 5, false},
+                                         Case{"interior_3d", 3, false, 8, true}),
+                         [](const auto& stage) { return std::string(stage.param.name); });
 
 }
 }

@@ -1,7 +1,7 @@
 // kernels/tile_points.cl against its plain twin, bit for bit, and the twin against the header for engines.
 #include "base/errors/errors.hpp"
-#include "tests/support/random_tile_set.hpp"
 #include "host/tile_points/tile_points.hpp"
+#include "tests/support/random_tile_set.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,8 +40,8 @@ protected:
 
     std::vector<TileBlock> blocks() const
     {
-        return {block({0, 0, 0}, {1, 1, 1}), block({-3, -2, -1}, {5, 7, 3}),
-                block({1000, -70000, 2}, {33, 3, 2}), block({-7, INT32_MIN, 0}, {1, 20, 4})};
+        return {block({0, 0, 0}, {1, 1, 1}), block({-3, -2, -1}, {5, 7, 3}), block({1000, -70000, 2}, {33, 3, 2}),
+                block({-7, INT32_MIN, 0}, {1, 20, 4})};
     }
 };
 
@@ -114,14 +114,12 @@ TEST_P(TilePoints, AreThoseOfTheHeaderForEngines)
 
 using enum PoissonTileKind;
 INSTANTIATE_TEST_SUITE_P(Small, TilePoints,
-                         testing::Values(Case{corner, 2, 3, 7, 1}, Case{corner, 2, 4, 64},
-                                         Case{corner, 2, 4, 64, 33}, Case{corner, 2, 2, 4},
-                                         Case{corner, 2, 3, 24}, Case{corner, 2, 3, 32, 8},
-                                         Case{corner, 2, 8, 65}, Case{corner, 3, 2, 16},
-                                         Case{corner, 3, 2, 5, 7}, Case{corner, 3, 2, 13},
-                                         Case{corner, 3, 3, 48}, Case{edge, 2, 2, 9},
-                                         Case{edge, 2, 2, 16, 128}, Case{frame, 2, 1, 31},
-                                         Case{frame, 2, 1, 1}, Case{frame, 2, 1, 40, 64}));
+                         testing::Values(Case{corner, 2, 3, 7, 1}, Case{corner, 2, 4, 64}, Case{corner, 2, 4, 64, 33},
+                                         Case{corner, 2, 2, 4}, Case{corner, 2, 3, 24}, Case{corner, 2, 3, 32, 8},
+                                         Case{corner, 2, 8, 65}, Case{corner, 3, 2, 16}, Case{corner, 3, 2, 5, 7},
+                                         Case{corner, 3, 2, 13}, Case{corner, 3, 3, 48}, Case{edge, 2, 2, 9},
+                                         Case{edge, 2, 2, 16, 128}, Case{frame, 2, 1, 31}, Case{frame, 2, 1, 1},
+                                         Case{frame, 2, 1, 40, 64}));
 
 TEST(TilePointStream, CoversBlocksLargerThanItsMemory)
 {

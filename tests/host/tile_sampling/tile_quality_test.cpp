@@ -8,9 +8,9 @@
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "host/sampling/repulsion.hpp"
-#include "tests/support/small_tile_sets.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "tests/support/small_tile_sets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,7 @@ Spectrum spectrum_of(PoissonTileKind kind, std::uint32_t number)
     const PoissonTileSet tiles = build_tile_set(p, Engine::opencl, []() -> Device& { return device(); }).set;
     TilePointGenerator generator(device(), tiles);
     SpectrumEstimate estimate(2, frequencies, true);
-    for (std::uint32_t seed = 1; seed <= realizations; ++seed)
-        estimate.add(generator.generate_torus(seed, side));
+    for (std::uint32_t seed = 1; seed <= realizations; ++seed) estimate.add(generator.generate_torus(seed, side));
     return estimate.mean();
 }
 

@@ -1,8 +1,8 @@
 // What the samplers of Poisson disk tiles accept, refuse, and make.
 #include "host/tile_sampling/tile_samplers.hpp"
 
-#include "host/device/device.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -74,9 +74,8 @@ TEST_F(TileSamplers, KeepTheRelativeRadiusOfTheSet)
         const char* sampler;
         std::pair<std::string, ParameterValue> size;
     };
-    for (const Case& c :
-         {Case{"corner-tiles", {"colors", whole(3)}}, Case{"edge-tiles", {"colors", whole(1)}},
-          Case{"template-tiles", {"tiles", whole(5)}}}) {
+    for (const Case& c : {Case{"corner-tiles", {"colors", whole(3)}}, Case{"edge-tiles", {"colors", whole(1)}},
+                          Case{"template-tiles", {"tiles", whole(5)}}}) {
         const auto sampler =
             create(c.sampler, {c.size, {"points_per_tile", whole(16)}, {"relative_radius", 0.7}}, 1024);
         for (std::uint32_t realization = 0; realization < 2; ++realization) {
@@ -137,9 +136,9 @@ TEST_F(TileSamplers, RefuseWhatCannotBe)
     EXPECT_EQ(refusal("corner-tiles", {{"colors", whole(2)}}), "accepted");
     EXPECT_THAT(refusal("corner-tiles", {}), AllOf(StartsWith("test.toml:9"), HasSubstr("needs colors")));
     EXPECT_THAT(refusal("template-tiles", {}), HasSubstr("needs tiles"));
-    EXPECT_THAT(refusal("corner-tiles",
-                        {{"colors", whole(2)}, {"points_per_tile", whole(4)}, {"relative_radius", 0.8}}),
-                AllOf(StartsWith("test.toml:12: relative_radius = 0.8"), HasSubstr("at most 0.54")));
+    EXPECT_THAT(
+        refusal("corner-tiles", {{"colors", whole(2)}, {"points_per_tile", whole(4)}, {"relative_radius", 0.8}}),
+        AllOf(StartsWith("test.toml:12: relative_radius = 0.8"), HasSubstr("at most 0.54")));
     EXPECT_THAT(refusal("corner-tiles", {{"colors", whole(32)}, {"points_per_tile", whole(4096)}}),
                 HasSubstr("more than 4 GiB"));
 }

@@ -1,11 +1,11 @@
 // Tile sets are built once, and files that are not what they should be are replaced.
 #include "host/tile_sampling/tile_set_cache.hpp"
 
-#include "tiles/poisson/tile_set_file.hpp"
 #include "host/store/file_lock.hpp"
+#include "host/tile_sampling/tile_set_build.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/temporary_folder.hpp"
-#include "host/tile_sampling/tile_set_build.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,10 +33,7 @@ protected:
         return result.set;
     }
 
-    std::filesystem::path file() const
-    {
-        return folder_.path() / tile_cache_name(parameters, &device_.info());
-    }
+    std::filesystem::path file() const { return folder_.path() / tile_cache_name(parameters, &device_.info()); }
 
     TemporaryFolder folder_;
     Device device_ = Device::open();
@@ -146,8 +143,8 @@ TEST_F(TileSetCache, TakesSetsWithoutTimes)
     const PoissonTileSet built = cached();
     const std::string record = build_record_file(file()).filename().string();
     const auto with = [](const std::string& seconds, const std::string& version = "1") {
-        return R"({"format": "poissonlab-tile-set-build", "format_version": )" + version +
-               R"(, "build_seconds": )" + seconds + R"(, "device": "d", "threads": 2})";
+        return R"({"format": "poissonlab-tile-set-build", "format_version": )" + version + R"(, "build_seconds": )" +
+               seconds + R"(, "device": "d", "threads": 2})";
     };
     folder_.write(record, with("0.5"));
     cached();

@@ -4,9 +4,9 @@
 
 #include "base/files/whole_file.hpp"
 #include "results/radial_table.hpp"
+#include "tests/reports/support/synthetic_results.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/picture.hpp"
-#include "tests/reports/support/synthetic_results.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // Each claim with results that agree and with results that do not.
 #include "reports/claims/paper_claims.hpp"
 
-#include "base/images/square_image_file.hpp"
 #include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "base/images/square_image_file.hpp"
 #include "tests/reports/support/made_up_series.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -2,9 +2,9 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "tests/reports/support/made_up_run.hpp"
 #include "reports/diff/comparison_page.hpp"
 #include "reports/diff/comparison_text.hpp"
+#include "tests/reports/support/made_up_run.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/temporary_folder.hpp"
 

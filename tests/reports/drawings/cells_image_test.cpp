@@ -2,8 +2,8 @@
 #include "reports/drawings/cells_image.hpp"
 
 #include "analysis/measures/voronoi_diagram.hpp"
-#include "tests/support/point_patterns.hpp"
 #include "tests/reports/support/drawn.hpp"
+#include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Pictures of the construction of Poisson tiles: regions in their colours, points where they are.
 #include "reports/drawings/construction_image.hpp"
 
-#include "tests/reports/support/construction_scene.hpp"
 #include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/region_colors.hpp"
 #include "reports/drawings/space_view.hpp"
+#include "tests/reports/support/construction_scene.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -30,8 +30,7 @@ TEST(ConstructionImage, DrawsPointsAndRegionsWhereTheyAre)
     const PanelPlace place = panel_places(scene, size)[0];
     const test::Pixels pixels(draw_construction(scene), 4);
     const auto at = [&](double x, double y) {
-        return pixels.at(place.origin[0] + (x + 20000) * place.scale,
-                         place.origin[1] + (60000 - y) * place.scale);
+        return pixels.at(place.origin[0] + (x + 20000) * place.scale, place.origin[1] + (60000 - y) * place.scale);
     };
     const StoredPanel& panel = scene.panels[0];
     for (std::size_t kind = 0; kind < panel.points.size(); ++kind) {
@@ -54,8 +53,7 @@ TEST(ConstructionImage, DrawsOnlyPartsOfRegions)
     const PanelPlace place = panel_places(scene, size)[1];
     const test::Pixels pixels(draw_construction(scene), 4);
     const auto at = [&](double x, double y) {
-        return pixels.at(place.origin[0] + (x + 20000) * place.scale,
-                         place.origin[1] + (60000 - y) * place.scale);
+        return pixels.at(place.origin[0] + (x + 20000) * place.scale, place.origin[1] + (60000 - y) * place.scale);
     };
     EXPECT_EQ(at(4000, 4000), "#dcdcdc") << "no colour: grey";
     EXPECT_EQ(at(-4000, 4000), "#ffffff");
@@ -73,8 +71,7 @@ TEST(ConstructionImage, HasItsLettersBelowThePanels)
     EXPECT_EQ(drawing.width, size[0]);
     const auto strokes_around = [&](const DrawingPoint& middle) {
         return std::ranges::count_if(drawing.shapes, [&](const Shape& shape) {
-            return shape.outline.size() == 2 &&
-                   std::abs(shape.outline[0][0] - middle[0]) < panel_label_height &&
+            return shape.outline.size() == 2 && std::abs(shape.outline[0][0] - middle[0]) < panel_label_height &&
                    std::abs(shape.outline[0][1] - middle[1]) < panel_label_height;
         });
     };
@@ -112,8 +109,7 @@ TEST(ConstructionImage, CornersOfEdgeBasedTilesHaveWedges)
         std::vector<std::size_t> found;
         for (std::size_t i = 0; i < parts.size(); ++i)
             if (std::ranges::all_of(parts[i].bounds, [&](const ShapeHalfSpace& half) {
-                    return half.normal[0] * (x + tile_units) + half.normal[1] * (y + tile_units) <=
-                           half.limit;
+                    return half.normal[0] * (x + tile_units) + half.normal[1] * (y + tile_units) <= half.limit;
                 }))
                 found.push_back(i);
         return found;

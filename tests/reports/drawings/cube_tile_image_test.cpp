@@ -45,8 +45,7 @@ TEST(CubeTileImage, ShowsThreeFacesAndSevenCorners)
     const View view;
     for (int corner = 0; corner < 8; ++corner) {
         if (corner == 2) continue; // north-west, at the bottom
-        EXPECT_EQ(pixels.at(view(corner & 1, corner >> 1 & 1, corner >> 2)),
-                  tile_color(static_cast<Color>(corner)))
+        EXPECT_EQ(pixels.at(view(corner & 1, corner >> 1 & 1, corner >> 2)), tile_color(static_cast<Color>(corner)))
             << corner;
     }
     // The hidden corner around the nearest one: from 5 to 7 units, with an outline of 0.6.
@@ -109,8 +108,7 @@ TEST(CubeTileImage, ShowsSetsInRows)
     EXPECT_NEAR(drawing.height, 16 + 13 * 64 + 12 * 16, 1e-9);
     const test::Pixels pixels(drawing, 2);
     for (const std::size_t i : {0u, 1u, 19u, 20u, 103u, 255u}) {
-        const View view{8 + (width + 16) * static_cast<double>(i % 20),
-                        8 + 80.0 * static_cast<double>(i / 20)};
+        const View view{8 + (width + 16) * static_cast<double>(i % 20), 8 + 80.0 * static_cast<double>(i / 20)};
         const CornerCube cube = cube_tile(static_cast<TileIndex>(i), 2);
         EXPECT_EQ(pixels.at(view(0, 0, 0)), tile_color(cube.bottom.south_west)) << i;
         EXPECT_EQ(pixels.at(view(1, 1, 0)), tile_color(cube.bottom.north_east)) << i;
@@ -171,8 +169,7 @@ TEST(CubeTileImage, HasTheAreasOfTheRegions)
     auto areas = test::filled_areas(draw_cube_regions(grid, r));
     const double rhomb = 1024 * std::sqrt(0.75);
     for (const double shade : {0.0, 0.08, 0.16}) {
-        EXPECT_NEAR(areas[mixed_color("#ff0000", black, shade)], (4 * A * A - 2 * (A - B) * (A - B)) * rhomb,
-                    1e-9);
+        EXPECT_NEAR(areas[mixed_color("#ff0000", black, shade)], (4 * A * A - 2 * (A - B) * (A - B)) * rhomb, 1e-9);
         EXPECT_NEAR(areas[mixed_color("#ff9999", black, shade)], 4 * B * (1 - 2 * A) * rhomb, 1e-9);
         EXPECT_NEAR(areas[mixed_color(white, black, shade)], rhomb, 1e-9); // under the regions
     }

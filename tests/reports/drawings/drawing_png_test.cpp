@@ -123,8 +123,7 @@ TEST(DrawingPng, FillsWhatIsInsideTwice)
 
 TEST(DrawingPng, DrawsLaterOverEarlier)
 {
-    const std::vector<DrawingPoint> left{{0, 0}, {6, 0}, {6, 4}, {0, 4}},
-        right{{4, 0}, {9, 0}, {9, 4}, {4, 4}};
+    const std::vector<DrawingPoint> left{{0, 0}, {6, 0}, {6, 4}, {0, 4}}, right{{4, 0}, {9, 0}, {9, 4}, {4, 4}};
     const auto one = test::drawn({10, 4, {{left, red, {}}, {right, blue, {}}}}, 10);
     EXPECT_EQ(one.at(3, 2), red);
     EXPECT_EQ(one.at(5, 2), blue);
@@ -157,11 +156,10 @@ TEST(DrawingPng, CentresStrokesOnOutlines)
                     area_error({{6, 6}, {14, 6}, {14, 14}, {6, 14}}, scale) + error_of_corners(4, 2));
     const double width = 1.5, length = std::hypot(13, 10);
     const double dx = -10 / length * width / 2, dy = 13 / length * width / 2;
-    EXPECT_NEAR(
-        red_area(test::drawn({20, 20, {{{{3, 3}, {16, 13}}, {}, red, width}}}, 20 * scale)),
-        (width * length + width * width / 4 * disk) * scale * scale,
-        area_error({{3 + dx, 3 + dy}, {16 + dx, 13 + dy}, {16 - dx, 13 - dy}, {3 - dx, 3 - dy}}, scale) +
-            error_of_corners(2, width));
+    EXPECT_NEAR(red_area(test::drawn({20, 20, {{{{3, 3}, {16, 13}}, {}, red, width}}}, 20 * scale)),
+                (width * length + width * width / 4 * disk) * scale * scale,
+                area_error({{3 + dx, 3 + dy}, {16 + dx, 13 + dy}, {16 - dx, 13 - dy}, {3 - dx, 3 - dy}}, scale) +
+                    error_of_corners(2, width));
 }
 
 TEST(DrawingPng, CutsOffWhatIsOutside)
@@ -170,8 +168,7 @@ TEST(DrawingPng, CutsOffWhatIsOutside)
     const auto picture = test::drawn(drawing, 4);
     ASSERT_EQ(picture.height, 40);
     for (int row = 0; row < 40; ++row)
-        for (int column = 0; column < 4; ++column)
-            EXPECT_EQ(picture.at(column, row), column < 2 ? red : white);
+        for (int column = 0; column < 4; ++column) EXPECT_EQ(picture.at(column, row), column < 2 ? red : white);
 }
 
 TEST(DrawingPng, HasSquarePixels)

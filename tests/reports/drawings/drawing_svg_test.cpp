@@ -3,8 +3,8 @@
 
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/tile_regions_image.hpp"
-#include "tests/support/browser.hpp"
 #include "tests/reports/support/drawn.hpp"
+#include "tests/support/browser.hpp"
 
 #include <gmock/gmock.h>
 
@@ -46,9 +46,7 @@ TEST(DrawingSvg, IsShort)
 
 TEST(DrawingSvg, JoinsOnlyWhatLooksTheSame)
 {
-    const auto paths = [](std::vector<Shape> shapes) {
-        return count(drawing_svg({8, 4, std::move(shapes)}), "<path");
-    };
+    const auto paths = [](std::vector<Shape> shapes) { return count(drawing_svg({8, 4, std::move(shapes)}), "<path"); };
     EXPECT_EQ(paths({}), 0u);
     EXPECT_EQ(paths({{square, {}, {}}}), 0u);
     EXPECT_EQ(paths({{square, red, {}}, {backwards, red, {}}}), 1u);
@@ -64,8 +62,7 @@ TEST(DrawingSvg, JoinsOnlyWhatLooksTheSame)
 TEST(DrawingSvg, RefusesWhatItCannotDraw)
 {
     EXPECT_THROW(drawing_svg({8, 4, {{square, "\"/><script>", {}}}}), std::logic_error);
-    EXPECT_THROW(drawing_svg({8, 4, {{{{0, std::numeric_limits<double>::infinity()}}, red, {}}}}),
-                 std::logic_error);
+    EXPECT_THROW(drawing_svg({8, 4, {{{{0, std::numeric_limits<double>::infinity()}}, red, {}}}}), std::logic_error);
     EXPECT_THROW(drawing_svg({0, 4, {}}), std::logic_error);
 }
 

@@ -96,8 +96,7 @@ TEST(TileImage, ShowsSetsInOrderWithGaps)
     EXPECT_EQ(drawing.height, 168);
     const test::Pixels pixels(drawing, 4);
     for (std::size_t tile = 0; tile < 16; ++tile) {
-        const double x = 8.0 + 40.0 * static_cast<double>(tile % 4),
-                     y = 8.0 + 40.0 * static_cast<double>(tile / 4);
+        const double x = 8.0 + 40.0 * static_cast<double>(tile % 4), y = 8.0 + 40.0 * static_cast<double>(tile / 4);
         const auto places = beside_corners(x, y);
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const auto digit = static_cast<Color>(tile >> (3 - corner) & 1); // binary digits

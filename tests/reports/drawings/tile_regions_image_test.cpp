@@ -17,15 +17,9 @@ const std::string white = "#ffffff", grey = "#d0d0d0", black = "#000000", outlin
 constexpr double r = 0.15;
 const double a = r * (1 + std::numbers::sqrt2);
 
-TileGrid one_wang_tile()
-{
-    return tile_set_grid(TileSet(TileKind::wang, {4, 4}, {wang_index({0, 1, 2, 3}, {4, 4})}));
-}
+TileGrid one_wang_tile() { return tile_set_grid(TileSet(TileKind::wang, {4, 4}, {wang_index({0, 1, 2, 3}, {4, 4})})); }
 
-TileGrid one_corner_tile()
-{
-    return tile_set_grid(TileSet(TileKind::corner, {4, 4}, {corner_index({0, 1, 2, 3}, 4)}));
-}
+TileGrid one_corner_tile() { return tile_set_grid(TileSet(TileKind::corner, {4, 4}, {corner_index({0, 1, 2, 3}, 4)})); }
 
 /// A place in the tile from (8, 8) to (40, 40), x and y from 0 to 1, y upwards.
 DrawingPoint in_tile(double x, double y) { return {8 + 32 * x, 40 - 32 * y}; }

@@ -11,10 +11,7 @@ namespace {
 
 constexpr int size = 64;
 
-std::vector<Spectrum> grey_planes()
-{
-    return {6, Spectrum{2, size, 1, 1, std::vector<double>(size * size, 1.0)}};
-}
+std::vector<Spectrum> grey_planes() { return {6, Spectrum{2, size, 1, 1, std::vector<double>(size * size, 1.0)}}; }
 
 /// Makes a square of 9 x 9 frequencies around one white.
 void add_spot(Spectrum& plane, int fx, int fy)
@@ -42,8 +39,8 @@ TEST(CubeImage, ShowsCoordinatePlanesWhereTheEighthIsMissing)
     const double places[3][3] = {{half, half, 0}, {half, 0, half}, {0, half, half}};
     for (std::size_t i = 0; i < 3; ++i) {
         auto planes = grey_planes();
-        const int plain = grey_at(draw_spectrum_cube(planes, report_tone_mapping), places[i][0], places[i][1],
-                                  places[i][2]);
+        const int plain =
+            grey_at(draw_spectrum_cube(planes, report_tone_mapping), places[i][0], places[i][1], places[i][2]);
         EXPECT_GT(plain, 100);
         EXPECT_LT(plain, 255);
         add_spot(planes[i], quarter, quarter);
@@ -59,8 +56,7 @@ TEST(CubeImage, ShowsOuterFacesMirrored)
     for (std::size_t i = 0; i < 3; ++i) {
         auto planes = grey_planes();
         add_spot(planes[3 + i], -quarter, quarter);
-        EXPECT_EQ(grey_at(draw_spectrum_cube(planes, report_tone_mapping), places[i][0], places[i][1],
-                          places[i][2]),
+        EXPECT_EQ(grey_at(draw_spectrum_cube(planes, report_tone_mapping), places[i][0], places[i][1], places[i][2]),
                   255)
             << i;
     }

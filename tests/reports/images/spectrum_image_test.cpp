@@ -12,9 +12,7 @@ Spectrum with_spike(int size, int fx, int fy, double power)
     Spectrum spectrum;
     spectrum.size = size;
     spectrum.power.assign(static_cast<std::size_t>(size * size), 1.0);
-    const auto index = [&](int x, int y) {
-        return static_cast<std::size_t>((y + size / 2) * size + x + size / 2);
-    };
+    const auto index = [&](int x, int y) { return static_cast<std::size_t>((y + size / 2) * size + x + size / 2); };
     spectrum.power[index(0, 0)] = 256;
     spectrum.power[index(fx, fy)] = power;
     return spectrum;

@@ -36,8 +36,8 @@ TEST(GreyScale, IsTheToneMapping)
     const GreyScale grey(report_tone_mapping);
     for (double power = 1e-3; power < 100; power *= 1.0001)
         ASSERT_EQ(grey(power), report_tone_mapping.grey(power)) << power;
-    for (const double power : {0.0, -1.0, 0.01, 10.0, std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::quiet_NaN()})
+    for (const double power :
+         {0.0, -1.0, 0.01, 10.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
         EXPECT_EQ(grey(power), report_tone_mapping.grey(power)) << power;
 }
 

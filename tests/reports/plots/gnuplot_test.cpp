@@ -44,8 +44,7 @@ TEST(Gnuplot, DrawsSvgAndPng)
 TEST(Gnuplot, TellsWhatGnuplotSaid)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(error_of({{"plot no_such_function(x)", 300, 200, folder.path() / "a"}}),
-                HasSubstr("no_such_function"));
+    EXPECT_THAT(error_of({{"plot no_such_function(x)", 300, 200, folder.path() / "a"}}), HasSubstr("no_such_function"));
     EXPECT_TRUE(folder.names().empty());
 }
 

@@ -16,8 +16,8 @@ using testing::ElementsAre;
 class IntegrationCurves : public testing::Test
 {
 protected:
-    void add(const std::string& sampler, const std::string& label, const std::string& parameter,
-             std::size_t points, double error)
+    void add(const std::string& sampler, const std::string& label, const std::string& parameter, std::size_t points,
+             double error)
     {
         StoredSeries series;
         series.sampler = sampler;

@@ -2,8 +2,8 @@
 #include "reports/plots/key_layout.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "tests/support/picture.hpp"
 #include "reports/plots/plot_style.hpp"
+#include "tests/support/picture.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -40,8 +40,7 @@ void check(const std::vector<std::string>& labels)
         EXPECT_GE(lines.size(), 1);
         EXPECT_LE(lines.size(), 2);
         for (const auto& line : lines)
-            EXPECT_LE(layout.scale * (room.sample_size + room.font_size * text_width(line)), room.width)
-                << line;
+            EXPECT_LE(layout.scale * (room.sample_size + room.font_size * text_width(line)), room.width) << line;
     }
     const std::set<std::string> different(labels.begin(), labels.end());
     const std::set<std::vector<std::string>> shown(layout.lines.begin(), layout.lines.end());
@@ -50,8 +49,7 @@ void check(const std::vector<std::string>& labels)
 
 TEST(KeyLayout, WidthsAreThoseOfDejaVuSans)
 {
-    EXPECT_NEAR(text_width("Lloyd relaxation, N = 256, i = 128, start = Dart throwing (rho = 0.70)"), 34.904,
-                0.001);
+    EXPECT_NEAR(text_width("Lloyd relaxation, N = 256, i = 128, start = Dart throwing (rho = 0.70)"), 34.904, 0.001);
     EXPECT_GT(text_width("ä"), text_width("a"));
     EXPECT_LT(text_width("ä"), 1);
 }
@@ -75,10 +73,9 @@ TEST(KeyLayout, ThenLabelsBreakAtACommaAndLettersGrow)
 {
     const auto layout = lay_out_key({"Random", lloyd + ", engine = reference"}, room);
     EXPECT_GT(layout.scale, 0.75);
-    EXPECT_THAT(layout.lines,
-                ElementsAre(ElementsAre("Random"), ElementsAre("Lloyd relaxation, N = 16,384, i = 128,",
-                                                               "    start = Dart throwing (rho = 0.70), "
-                                                               "engine = reference")));
+    EXPECT_THAT(layout.lines, ElementsAre(ElementsAre("Random"), ElementsAre("Lloyd relaxation, N = 16,384, i = 128,",
+                                                                             "    start = Dart throwing (rho = 0.70), "
+                                                                             "engine = reference")));
 }
 
 TEST(KeyLayout, ThenTheMiddleIsLeftOut)
@@ -130,8 +127,8 @@ void check_picture(const std::vector<std::string>& labels)
     std::size_t dark_near_it = 0;
     for (std::size_t y = 0; y < static_cast<std::size_t>(picture.height); ++y)
         for (int from_right = 1; from_right <= 120; ++from_right) {
-            const auto grey = picture.grey[(y + 1) * static_cast<std::size_t>(picture.width) -
-                                           static_cast<std::size_t>(from_right)];
+            const auto grey =
+                picture.grey[(y + 1) * static_cast<std::size_t>(picture.width) - static_cast<std::size_t>(from_right)];
             (from_right <= 8 ? dark_at_border : dark_near_it) += grey < 160;
         }
     EXPECT_EQ(dark_at_border, 0) << labels.front();

@@ -17,9 +17,8 @@ protected:
     {
         StoredSeries series;
         series.sampler = sampler;
-        series.parameters = {{"colors", "3"},
-                             {"points_per_tile", std::to_string(points_per_tile)},
-                             {"relative_radius", radius}};
+        series.parameters = {
+            {"colors", "3"}, {"points_per_tile", std::to_string(points_per_tile)}, {"relative_radius", radius}};
         series.tile_set.emplace();
         series.tile_set->points_per_tile = points_per_tile;
         series.tile_set->regions = {{"corners", corners, 3}, {"edges", 2 * corners, 6}, {"interior", 10, 10}};

@@ -1,7 +1,7 @@
 // Iterations in the report: which plots there are, what their axes say, and damaged results.
+#include "reports/plots/iteration_curves.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
-#include "reports/plots/iteration_curves.hpp"
 #include "tests/support/picture.hpp"
 
 #include <gmock/gmock.h>
@@ -51,8 +51,8 @@ TEST_F(IterationReport, PlotsSeriesThatHaveThemAndAllOfThese)
     EXPECT_THAT(text, HasSubstr("From 0.3000 to 0.1700 in 20 iterations."));
     EXPECT_THAT(text, HasSubstr("<b>Energy</b> over iterations."));
     EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 5 + 2 * 2 + 2 * (2 + 2)) << "overlays are on two pages";
-    for (const char* file : {"random/relative-radius", "random/energy", "jittered/energy",
-                             "relative-radius-all", "energy-all"}) {
+    for (const char* file :
+         {"random/relative-radius", "random/energy", "jittered/energy", "relative-radius-all", "energy-all"}) {
         const auto png = read_whole_file(path() / (std::string(file) + ".png"));
         EXPECT_GT(test::decode_png(png).variance(), 1) << file;
         EXPECT_THAT(svg(std::string(file) + ".svg"), HasSubstr(">iterations<")) << file;

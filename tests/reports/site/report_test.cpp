@@ -2,12 +2,12 @@
 #include "reports/site/report.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "tests/reports/support/page_text.hpp"
-#include "tests/support/picture.hpp"
 #include "reports/plots/curves.hpp"
 #include "reports/words/number_format.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
+#include "tests/support/picture.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include "base/errors/errors.hpp"
 
@@ -196,8 +196,8 @@ TEST_F(ReportTest, SeveralFoldersShareOnePage)
     EXPECT_THAT(text,
                 HasSubstr("<td data-key=\"run\" class=\"text\"><a href=\"run-2/index.html\">The other run</a></td>"));
     EXPECT_THAT(test::attribute_values(text, "href"),
-                testing::IsSupersetOf({"run/index.html", "run-2/index.html", "run/regular/index.html",
-                                       "run-2/regular/index.html"}));
+                testing::IsSupersetOf(
+                    {"run/index.html", "run-2/index.html", "run/regular/index.html", "run-2/regular/index.html"}));
     EXPECT_THAT(test::attribute_values(read_whole_file(out / "run/index.html"), "href"),
                 testing::IsSupersetOf({"../index.html", "../run-2/index.html", "random/index.html"}));
     EXPECT_THAT(read_whole_file(out / "radial-all.svg"),
@@ -274,8 +274,7 @@ TEST_F(ReportTest, LabelsAreNoCommands)
     const TemporaryFolder other;
     auto json = test::write_synthetic_results(other.path());
     json["series"][0]["label"] = "x' ; system 'touch " + (other.path() / "harm").string() + "'\n!date";
-    json["series"][1]["label"] =
-        "{/Symbol a} \\ \" `date` %s $series0 " + std::string(100, '.') + "\u00e9\u00e9";
+    json["series"][1]["label"] = "{/Symbol a} \\ \" `date` %s $series0 " + std::string(100, '.') + "\u00e9\u00e9";
     test::write_results_json(other.path(), json);
     write_report({other.path()}, other.path());
     EXPECT_FALSE(fs::exists(other.path() / "harm"));

@@ -1,7 +1,7 @@
 // The site: grids as tables of pictures, the ranking's cells, the compare page's data, collections, several machines.
+#include "reports/words/number_format.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
-#include "reports/words/number_format.hpp"
 #include "tests/support/picture.hpp"
 
 #include <fmt/format.h>
@@ -97,8 +97,7 @@ TEST_F(SiteTest, AGridIsATableOfPictures)
 TEST_F(SiteTest, ATableIsCalledWhatItsSeriesHaveInCommon)
 {
     make_grid();
-    for (int i = 0; i < 3; ++i)
-        json_["series"][i]["label"] = fmt::format("Tiles, C = {}, N = 64, repulsion", i);
+    for (int i = 0; i < 3; ++i) json_["series"][i]["label"] = fmt::format("Tiles, C = {}, N = 64, repulsion", i);
     EXPECT_THAT(page(), HasSubstr("<h2>Tiles, N = 64, repulsion</h2>"));
 }
 
@@ -124,8 +123,8 @@ TEST_F(SiteTest, FurtherAxesMakeATableForEachOfTheirValues)
     json_["methods"][0]["axes"].push_back({{"key", "x"}, {"symbol", "X"}, {"values", {"a", "b"}}});
     for (int i = 0; i < 3; ++i) json_["series"][i]["place"].push_back(i % 2);
     page();
-    EXPECT_THAT(file("index.html"), testing::AllOf(HasSubstr("<h2>corner-tiles, X = a</h2>"),
-                                                   HasSubstr("<h2>corner-tiles, X = b</h2>")));
+    EXPECT_THAT(file("index.html"),
+                testing::AllOf(HasSubstr("<h2>corner-tiles, X = a</h2>"), HasSubstr("<h2>corner-tiles, X = b</h2>")));
 }
 
 TEST_F(SiteTest, PlacesOutsideTheGridAreErrors)
@@ -144,15 +143,14 @@ TEST_F(SiteTest, PlacesOutsideTheGridAreErrors)
 TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)
 {
     auto& first = json_["series"][0];
-    first["measures"] = {{"effective_nyquist", 0.6314159},
-                         {"effective_nyquist_standard_error", 0.00123},
-                         {"oscillation", {{"value", 2.5}, {"noise_floor", 0.1}, {"standard_error", 0.25}}},
-                         {"lattice_peaks",
-                          {{"tiles", 4}, {"max_ratio", 9.0}, {"mean_ratio", 3.25}, {"peaks", 12},
-                           {"mean_ratio_standard_error", 0.5}}},
-                         {"peak_anisotropy",
-                          {{"db", -7.25}, {"frequency", 20.0}, {"standard_error_db", 0.125}, {"samples", 120}}},
-                         {"largest_empty", {{"radius", 0.1}, {"relative_radius", 0.875}}}};
+    first["measures"] = {
+        {"effective_nyquist", 0.6314159},
+        {"effective_nyquist_standard_error", 0.00123},
+        {"oscillation", {{"value", 2.5}, {"noise_floor", 0.1}, {"standard_error", 0.25}}},
+        {"lattice_peaks",
+         {{"tiles", 4}, {"max_ratio", 9.0}, {"mean_ratio", 3.25}, {"peaks", 12}, {"mean_ratio_standard_error", 0.5}}},
+        {"peak_anisotropy", {{"db", -7.25}, {"frequency", 20.0}, {"standard_error_db", 0.125}, {"samples", 120}}},
+        {"largest_empty", {{"radius", 0.1}, {"relative_radius", 0.875}}}};
     first["tile_set"] = {{"tiles", 16}, {"points_per_tile", 64}, {"build_seconds", 0.25}, {"cached", true}};
     page();
     const auto text = file("index.html");

@@ -1,6 +1,6 @@
 // The sampling test in the report: pictures, plots, words, and damaged results.
-#include "base/images/square_image_file.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "base/images/square_image_file.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
 #include "tests/support/picture.hpp"
@@ -44,9 +44,8 @@ TEST_F(ZonePlateReport, ShowsPicturesPlotsAndNumbers)
                                 "cycle per pixel."));
     EXPECT_THAT(text, HasSubstr("64 × 64 pixels, 256 samples (first of 2 realizations)."));
     EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 5 + 2 * 2 + 2 * (2 + 1) + 1);
-    for (const char* file :
-         {"random/zone-plate.png", "random/zone-plate-error.png", "jittered/zone-plate.png",
-          "zone-plate-error-all.png", "zone-plate-reference.png"})
+    for (const char* file : {"random/zone-plate.png", "random/zone-plate-error.png", "jittered/zone-plate.png",
+                             "zone-plate-error-all.png", "zone-plate-reference.png"})
         EXPECT_GT(test::decode_png(read_whole_file(path() / file)).variance(), 1) << file;
     EXPECT_FALSE(fs::exists(path() / "regular/zone-plate.png"));
     EXPECT_EQ(page(), text) << "the same every time";

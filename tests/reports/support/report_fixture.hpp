@@ -3,10 +3,10 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "tests/reports/support/page_text.hpp"
 #include "reports/site/report.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

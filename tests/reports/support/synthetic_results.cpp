@@ -4,9 +4,9 @@
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "analysis/spectra/spectrum_file.hpp"
+#include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
-#include "base/files/whole_file.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <fmt/format.h>
@@ -39,14 +39,14 @@ void write_radial_table(const std::filesystem::path& file, const Spectrum& spect
 {
     std::string csv = "frequency,power,anisotropy_db,samples,power_error\n";
     for (const auto& bin : radial_statistics(spectrum))
-        csv += fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples,
-                           bin.power_error);
+        csv +=
+            fmt::format("{},{},{},{},{}\n", bin.frequency, bin.power, bin.anisotropy_db, bin.samples, bin.power_error);
     write_whole_file(file, csv);
 }
 
 // Writes the files of one series and returns its member of results.json.
-nlohmann::json write_series(const std::filesystem::path& folder, const std::string& name,
-                            const std::string& label, const std::vector<PointSet>& sets)
+nlohmann::json write_series(const std::filesystem::path& folder, const std::string& name, const std::string& label,
+                            const std::vector<PointSet>& sets)
 {
     std::filesystem::create_directories(folder / name);
     SpectrumEstimate estimate(2, spectrum_samples);
@@ -81,8 +81,7 @@ nlohmann::json write_series(const std::filesystem::path& folder, const std::stri
              {{"kind", count > 1 ? "power spectrum estimate" : "periodogram"},
               {"size", spectrum_samples},
               {"file", name + "/spectrum.exr"}}},
-            {"radial",
-             {{"file", name + "/radial.csv"}, {"background_anisotropy_db", background_anisotropy_db(count)}}},
+            {"radial", {{"file", name + "/radial.csv"}, {"background_anisotropy_db", background_anisotropy_db(count)}}},
             {"point_files", files},
             {"timing",
              {{"sample_seconds", std::vector<double>(sets.size(), 0.0123)},
@@ -98,8 +97,7 @@ nlohmann::json write_synthetic_results(const std::filesystem::path& folder)
     const auto series = {
         write_series(folder, "random", "Random <b>bold</b> & \"quoted\"",
                      {random_points(side * side, 2, random), random_points(side * side, 2, random)}),
-        write_series(folder, "jittered", "Jittered, it's fine",
-                     {jittered_points(random), jittered_points(random)}),
+        write_series(folder, "jittered", "Jittered, it's fine", {jittered_points(random), jittered_points(random)}),
         write_series(folder, "regular", "Regular grid", {square_lattice(side, 2)})};
     nlohmann::json results = {{"format", "poissonlab-results"},
                               {"format_version", 1},

@@ -19,8 +19,8 @@ TEST(NumberFormat, PointsInLabels)
     EXPECT_EQ(with_formatted_points("Random, N = 16384"), "Random, N = 16,384");
     EXPECT_EQ(with_formatted_points("A, N = 1024, i = 2048, start = B (N = 1048576)"),
               "A, N = 1,024, i = 2048, start = B (N = 1,048,576)");
-    for (const char* label : {"", "Random", "N = 256", "N = 16,384", "N = 1234.5", "N = 1234,567",
-                              "SIN = 1234", "N = 123456789012345678901234567890"})
+    for (const char* label : {"", "Random", "N = 256", "N = 16,384", "N = 1234.5", "N = 1234,567", "SIN = 1234",
+                              "N = 123456789012345678901234567890"})
         EXPECT_EQ(with_formatted_points(label), label);
 }
 
@@ -54,8 +54,7 @@ TEST(NumberFormat, Seconds)
 
 TEST(NumberFormat, ExactNumbersReadBack)
 {
-    for (const double value : {0.1, 1.0 / 3, 5.877e-3, 1e-300})
-        EXPECT_EQ(std::stod(format_exact(value)), value);
+    for (const double value : {0.1, 1.0 / 3, 5.877e-3, 1e-300}) EXPECT_EQ(std::stod(format_exact(value)), value);
 }
 
 TEST(NumberFormat, Median)

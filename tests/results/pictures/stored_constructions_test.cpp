@@ -68,8 +68,7 @@ TEST_F(StoredConstructions, DamagedScenesNameTheMember)
     EXPECT_THAT(error_after([](json& j) { j["width"] = 40000; }), HasSubstr("width = 40000: "));
     EXPECT_THAT(error_after([](json& j) { j["radius"] = 0; }), HasSubstr("radius = 0: "));
     EXPECT_THAT(error_after([](json& j) { j["columns"] = 0; }), HasSubstr("columns = 0: "));
-    EXPECT_THAT(error_after([](json& j) { j["panels"] = json::array(); }),
-                HasSubstr("panels: must hold at least one"));
+    EXPECT_THAT(error_after([](json& j) { j["panels"] = json::array(); }), HasSubstr("panels: must hold at least one"));
     EXPECT_THAT(error_after([](json& j) {
                     j["panels"][1]["window"]["size"] = {0, 1};
                 }),
@@ -82,18 +81,12 @@ TEST_F(StoredConstructions, DamagedScenesNameTheMember)
                 HasSubstr("colors: must be none, one, or 2"));
     EXPECT_THAT(error_after([](json& j) { j["panels"][0]["pieces"][1]["colors"] = {-1}; }),
                 HasSubstr("must not be negative"));
-    EXPECT_THAT(error_after([](json& j) {
-                    j["panels"][0]["pieces"][1]["at"] = {1e9, 0};
-                }),
-                HasSubstr("too far away"));
+    EXPECT_THAT(error_after([](json& j) { j["panels"][0]["pieces"][1]["at"] = {1e9, 0}; }), HasSubstr("too far away"));
     EXPECT_THAT(error_after([](json& j) {
                     j["panels"][0]["points"]["held"] = {1, 2, 3};
                 }),
                 HasSubstr("points.held: must have 2 coordinates"));
-    EXPECT_THAT(error_after([](json& j) {
-                    j["panels"][0]["points"]["held"] = {1e300, 0};
-                }),
-                HasSubstr("too far away"));
+    EXPECT_THAT(error_after([](json& j) { j["panels"][0]["points"]["held"] = {1e300, 0}; }), HasSubstr("too far away"));
     folder_.write("construction.json", "{");
     EXPECT_THROW(read_scene(folder_.path() / "construction.json"), InputError);
 }

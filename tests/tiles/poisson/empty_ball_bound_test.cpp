@@ -64,13 +64,12 @@ TEST(EmptyBall, IsThatOfPointsInTheCorners)
 {
     constexpr std::int32_t u = tile_units;
     const double half = u / 2.0;
-    EXPECT_NEAR(
-        EmptyBallSearch(2).radius(std::vector<UnitPosition>{{0, 0, 0}, {u, 0, 0}, {0, u, 0}, {u, u, 0}}, 0),
-        half * std::sqrt(2), 1e-9);
-    EXPECT_NEAR(EmptyBallSearch(2).radius(std::vector<UnitPosition>{{u / 2, u / 2, 0}}, 0),
-                half * std::sqrt(2), half * std::sqrt(2) * EmptyBallSearch::tolerance);
-    EXPECT_NEAR(EmptyBallSearch(3).radius(std::vector<UnitPosition>{{u / 2, u / 2, u / 2}}, 0),
-                half * std::sqrt(3), half * std::sqrt(3) * EmptyBallSearch::tolerance);
+    EXPECT_NEAR(EmptyBallSearch(2).radius(std::vector<UnitPosition>{{0, 0, 0}, {u, 0, 0}, {0, u, 0}, {u, u, 0}}, 0),
+                half * std::sqrt(2), 1e-9);
+    EXPECT_NEAR(EmptyBallSearch(2).radius(std::vector<UnitPosition>{{u / 2, u / 2, 0}}, 0), half * std::sqrt(2),
+                half * std::sqrt(2) * EmptyBallSearch::tolerance);
+    EXPECT_NEAR(EmptyBallSearch(3).radius(std::vector<UnitPosition>{{u / 2, u / 2, u / 2}}, 0), half * std::sqrt(3),
+                half * std::sqrt(3) * EmptyBallSearch::tolerance);
 }
 
 TEST(EmptyBall, IsAtLeastWhatIsKnown)

@@ -27,8 +27,7 @@ inline std::int64_t squared_distance(const TestPosition& a, const TestPosition& 
     return sum;
 }
 
-inline PoissonTileParameters corner_parameters(std::uint32_t colors, std::uint32_t points = 48,
-                                               double radius = 0.55)
+inline PoissonTileParameters corner_parameters(std::uint32_t colors, std::uint32_t points = 48, double radius = 0.55)
 {
     PoissonTileParameters p;
     p.colors = colors;
@@ -91,8 +90,8 @@ private:
         const double expected = parameters_.points_per_tile * regions_.volume(axes);
         for (std::uint32_t variant = 0; variant < piece_count(parameters_, axes); ++variant) {
             const double extra = std::uniform_real_distribution(0.0, 1.0)(random_);
-            const Points around = parameters_.kind == PoissonTileKind::edge ? edges_of_corner(axes, variant)
-                                                                            : border_of(axes, variant);
+            const Points around =
+                parameters_.kind == PoissonTileKind::edge ? edges_of_corner(axes, variant) : border_of(axes, variant);
             pieces_[{axes, variant}] =
                 darts(axes, around, static_cast<std::size_t>(std::floor(expected + extra)), 2000);
         }
@@ -121,8 +120,7 @@ private:
             Points points;
             for (const PlacedPiece& piece : all) {
                 const int upper = piece.base[0] | piece.base[1] << 1 | piece.base[2] << 2;
-                const bool is_on_border =
-                    (piece.axes & ~axes) == 0 && (upper & ~axes) == 0 && piece.axes != axes;
+                const bool is_on_border = (piece.axes & ~axes) == 0 && (upper & ~axes) == 0 && piece.axes != axes;
                 if (is_on_border) append(points, piece.axes, piece.variant, piece.base);
             }
             return points;
@@ -138,8 +136,7 @@ private:
         Points own;
         std::ranges::copy_if(around, std::back_inserter(own), [this](const TestPosition& p) {
             for (int k = 0; k < parameters_.dimension; ++k)
-                if (p[static_cast<std::size_t>(k)] < 0 || p[static_cast<std::size_t>(k)] >= tile_units)
-                    return false;
+                if (p[static_cast<std::size_t>(k)] < 0 || p[static_cast<std::size_t>(k)] >= tile_units) return false;
             return true;
         });
         const std::size_t missing = parameters_.points_per_tile - own.size();
@@ -151,8 +148,7 @@ private:
                 coordinates.push_back(static_cast<std::uint16_t>(p[static_cast<std::size_t>(k)]));
     }
 
-    void append(Points& points, std::uint8_t axes, std::uint32_t variant,
-                const std::array<std::int8_t, 3>& base)
+    void append(Points& points, std::uint8_t axes, std::uint32_t variant, const std::array<std::int8_t, 3>& base)
     {
         for (TestPosition p : pieces_.at({axes, variant})) {
             for (std::size_t k = 0; k < 3; ++k) p[k] += base[k] * tile_units;
@@ -176,9 +172,7 @@ private:
             }
             const TileCell cell =
                 regions_.cell_of(std::span(in_tile).first(static_cast<std::size_t>(regions_.dimension)));
-            const auto is_far = [&](const TestPosition& q) {
-                return squared_distance(p, q) >= squared_distance_;
-            };
+            const auto is_far = [&](const TestPosition& q) { return squared_distance(p, q) >= squared_distance_; };
             if (cell != TileCell{axes, upper} || !std::ranges::all_of(around, is_far) ||
                 !std::ranges::all_of(points, is_far))
                 continue;
@@ -212,8 +206,7 @@ inline PoissonTileSet random_points(const PoissonTileParameters& parameters, uns
 }
 
 /// All tiles hold the same jittered grid, a Poisson disk pattern on the torus.
-inline PoissonTileSet same_grid_everywhere(PoissonTileParameters parameters, std::int32_t jitter,
-                                           unsigned seed = 1)
+inline PoissonTileSet same_grid_everywhere(PoissonTileParameters parameters, std::int32_t jitter, unsigned seed = 1)
 {
     constexpr std::int32_t side = 8;
     parameters.points_per_tile = side * side;
@@ -223,8 +216,7 @@ inline PoissonTileSet same_grid_everywhere(PoissonTileParameters parameters, std
     std::vector<std::uint16_t> grid;
     for (std::int32_t i = 0; i < side * side; ++i) {
         for (const std::int32_t place : {i % side, i / side})
-            grid.push_back(
-                static_cast<std::uint16_t>((2 * place + 1) * tile_units / (2 * side) + offset(random)));
+            grid.push_back(static_cast<std::uint16_t>((2 * place + 1) * tile_units / (2 * side) + offset(random)));
     }
     for (std::uint32_t tile = 0; tile < parameters.tiles; ++tile)
         set.points.insert(set.points.end(), grid.begin(), grid.end());

@@ -20,8 +20,7 @@ public:
         : parameters_(parameters), period_(period), dimension_(parameters.dimension)
     {
         std::mt19937 random(seed);
-        const std::uint32_t choices =
-            parameters.kind == PoissonTileKind::frame ? parameters.tiles : parameters.colors;
+        const std::uint32_t choices = parameters.kind == PoissonTileKind::frame ? parameters.tiles : parameters.colors;
         const int layers = dimension_ == 3 ? period : 2; // 2D: of edges, eastwards and northwards
         colors_.resize(static_cast<std::size_t>(period * period * layers));
         for (std::uint32_t& color : colors_) color = static_cast<std::uint32_t>(random() % choices);

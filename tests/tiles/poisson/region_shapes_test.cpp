@@ -55,8 +55,7 @@ TEST(RegionShapes, CornerTilesAreGreatRhombicuboctahedra)
     do {
         for (int signs = 0; signs < 8; ++signs) {
             std::array<long, 3> corner{};
-            for (std::size_t k = 0; k < 3; ++k)
-                corner[k] = std::lround((signs >> k & 1 ? -10 : 10) * lengths[k]);
+            for (std::size_t k = 0; k < 3; ++k) corner[k] = std::lround((signs >> k & 1 ? -10 : 10) * lengths[k]);
             expected.insert(corner);
         }
     } while (std::ranges::next_permutation(lengths).found);
@@ -70,8 +69,7 @@ TEST(RegionShapes, EdgesAndFacesAreOctagonal)
     for (std::uint8_t axes = 1; axes < all_axes(3); ++axes) {
         const RegionShape shape = region_shape(regions, axes, {1, -2, 3});
         EXPECT_EQ(shape.faces.size(), 10u);
-        EXPECT_EQ(
-            std::ranges::count_if(shape.faces, [](const ShapeFace& f) { return f.corners.size() == 8; }), 2);
+        EXPECT_EQ(std::ranges::count_if(shape.faces, [](const ShapeFace& f) { return f.corners.size() == 8; }), 2);
     }
     EXPECT_EQ(region_shape(modified_regions(2, width), 0, {}).faces.at(0).corners.size(), 8u);
     EXPECT_EQ(region_shape(modified_regions(2, width), 1, {}).faces.at(0).corners.size(), 4u);
@@ -98,8 +96,7 @@ TEST(RegionShapes, OfATileFillIt)
             for (std::uint8_t axes = 0; axes <= all_axes(dimension); ++axes)
                 for (std::int32_t upper = 0; upper <= all_axes(dimension); ++upper) {
                     if ((upper & axes) != 0) continue;
-                    const RegionShape whole =
-                        region_shape(regions, axes, {upper & 1, upper >> 1 & 1, upper >> 2 & 1});
+                    const RegionShape whole = region_shape(regions, axes, {upper & 1, upper >> 1 & 1, upper >> 2 & 1});
                     const double side = tile_units;
                     sum += volume_of(clipped_to_box(whole, dimension, {0, 0, 0}, {side, side, side}));
                 }

@@ -40,9 +40,8 @@ std::vector<UnitPosition> cut_out(const PoissonTileSet& set, const MadeUpTiling&
 
 TEST(SharedPieces, ClosuresAreWhatTilingsHave)
 {
-    for (const PoissonTileParameters& p :
-         {corner_parameters(2), corner_parameters(3), edge_parameters(1), edge_parameters(2),
-          template_parameters(3), sphere_parameters(2)}) {
+    for (const PoissonTileParameters& p : {corner_parameters(2), corner_parameters(3), edge_parameters(1),
+                                           edge_parameters(2), template_parameters(3), sphere_parameters(2)}) {
         const PoissonTileSet set = made_up(p);
         const SharedPieces pieces(set);
         const int period = p.dimension == 3 ? 4 : 10;

@@ -109,26 +109,25 @@ TEST_P(Certificate, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(certify(set_), certificate_);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Kinds, Certificate,
-    testing::Values(Case{"Corner1", corner_parameters(1), 8}, Case{"Corner2", corner_parameters(2), 32},
-                    Case{"Corner3", corner_parameters(3), 32}, Case{"Edge1", edge_parameters(1), 8},
-                    Case{"Edge2", edge_parameters(2), 32}, Case{"Template", template_parameters(3), 32},
-                    Case{"Sphere2", sphere_parameters(2), 4}),
-    [](const auto& parameter) { return std::string(parameter.param.name); });
+INSTANTIATE_TEST_SUITE_P(Kinds, Certificate,
+                         testing::Values(Case{"Corner1", corner_parameters(1), 8},
+                                         Case{"Corner2", corner_parameters(2), 32},
+                                         Case{"Corner3", corner_parameters(3), 32},
+                                         Case{"Edge1", edge_parameters(1), 8}, Case{"Edge2", edge_parameters(2), 32},
+                                         Case{"Template", template_parameters(3), 32},
+                                         Case{"Sphere2", sphere_parameters(2), 4}),
+                         [](const auto& parameter) { return std::string(parameter.param.name); });
 
 /// The smallest distance among all points of a list.
 std::uint64_t brute_force(const std::vector<TestPosition>& points)
 {
     std::int64_t smallest = INT64_MAX;
     for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            smallest = std::min(smallest, squared_distance(points[i], points[j]));
+        for (std::size_t j = 0; j < i; ++j) smallest = std::min(smallest, squared_distance(points[i], points[j]));
     return static_cast<std::uint64_t>(smallest);
 }
 
-void append_tile(const PoissonTileSet& set, std::uint32_t tile, const TestPosition& at,
-                 std::vector<TestPosition>& to)
+void append_tile(const PoissonTileSet& set, std::uint32_t tile, const TestPosition& at, std::vector<TestPosition>& to)
 {
     const auto coordinates = set.tile(tile);
     const auto dimension = static_cast<std::size_t>(set.parameters.dimension);
@@ -200,9 +199,7 @@ TEST(TileCertificate, IsTheSmallestDistanceInAllPairsOfSphereTiles)
     const PoissonTileSet set = made_up(sphere_parameters(2));
     std::uint64_t smallest = UINT64_MAX;
     for (unsigned colors = 0; colors < 4096; ++colors) {
-        const auto color = [&](unsigned x, unsigned y, unsigned z) {
-            return colors >> (4 * x + 2 * y + z) & 1;
-        };
+        const auto color = [&](unsigned x, unsigned y, unsigned z) { return colors >> (4 * x + 2 * y + z) & 1; };
         std::vector<TestPosition> points;
         for (unsigned x = 0; x < 2; ++x) {
             unsigned tile = 0;
@@ -221,8 +218,7 @@ TEST(TileCertificate, IsTheSmallestDistanceInAllPairsOfSphereTiles)
 
 TEST(TileCertificate, OfTheSameGridEverywhereIsThatOfTheTorus)
 {
-    for (const PoissonTileParameters& p :
-         {corner_parameters(2, 64, 0.6), edge_parameters(1), template_parameters(4)}) {
+    for (const PoissonTileParameters& p : {corner_parameters(2, 64, 0.6), edge_parameters(1), template_parameters(4)}) {
         const PoissonTileSet set = same_grid_everywhere(p, 900);
         const TileCertificate certificate = certify(set);
         std::vector<TestPosition> points;
@@ -236,15 +232,13 @@ TEST(TileCertificate, OfTheSameGridEverywhereIsThatOfTheTorus)
 }
 
 /// The index of a coordinate of a point of a tile in the region of a cell that extends along so many axes.
-std::size_t point_in_region(const PoissonTileSet& set, std::uint32_t tile, int cell_dimension,
-                            std::size_t skip = 0)
+std::size_t point_in_region(const PoissonTileSet& set, std::uint32_t tile, int cell_dimension, std::size_t skip = 0)
 {
     const auto dimension = static_cast<std::size_t>(set.parameters.dimension);
     const TileRegions regions = regions_of(set.parameters);
     const auto points = set.tile(tile);
     for (std::size_t i = 0; i < points.size(); i += dimension) {
-        if (std::popcount(regions.cell_of(points.subspan(i, dimension)).axes) == cell_dimension &&
-            skip-- == 0)
+        if (std::popcount(regions.cell_of(points.subspan(i, dimension)).axes) == cell_dimension && skip-- == 0)
             return tile * points.size() + i;
     }
     throw std::logic_error("no such point");
@@ -289,12 +283,10 @@ TEST(TileCertificate, NamesTileAndCell)
     ASSERT_EQ(refusal(set), "");
     PoissonTileSet moved = set;
     moved.points[2 * 8 + 5] = 65530;
-    EXPECT_EQ(refusal(moved),
-              "tile 2: points near its edge (x, 1), variant 0, differ from tile 0's: must be the same "
-              "in all tiles that have it");
+    EXPECT_EQ(refusal(moved), "tile 2: points near its edge (x, 1), variant 0, differ from tile 0's: must be the same "
+                              "in all tiles that have it");
     moved.points[2 * 8 + 4] = 3;
-    EXPECT_THAT(refusal(moved),
-                StartsWith("tile 2: points near its corner (0, 1), variant 0, differ from tile 0's"));
+    EXPECT_THAT(refusal(moved), StartsWith("tile 2: points near its corner (0, 1), variant 0, differ from tile 0's"));
     moved = set;
     moved.points[8 + 6] = 20000;
     EXPECT_EQ(refusal(moved), "tile 1: two points at (20000, 40000): must differ");
@@ -304,16 +296,13 @@ TEST(TileCertificate, NamesTileAndCell)
 
 TEST(TileCertificate, IsLoweredByPointsThatAreNear)
 {
-    for (const PoissonTileParameters& p :
-         {corner_parameters(2), template_parameters(3), sphere_parameters(2)}) {
+    for (const PoissonTileParameters& p : {corner_parameters(2), template_parameters(3), sphere_parameters(2)}) {
         PoissonTileSet set = made_up(p);
         const std::uint32_t tile = p.tiles / 2;
         const std::size_t a = point_in_region(set, tile, p.dimension);
         const std::size_t b = point_in_region(set, tile, p.dimension, 1);
-        for (std::size_t k = 0; k < static_cast<std::size_t>(p.dimension); ++k)
-            set.points[b + k] = set.points[a + k];
-        set.points[b + 1] =
-            static_cast<std::uint16_t>(set.points[b + 1] + (set.points[b + 1] < 32768 ? 7 : -7));
+        for (std::size_t k = 0; k < static_cast<std::size_t>(p.dimension); ++k) set.points[b + k] = set.points[a + k];
+        set.points[b + 1] = static_cast<std::uint16_t>(set.points[b + 1] + (set.points[b + 1] < 32768 ? 7 : -7));
         EXPECT_EQ(certify(set).squared_min_distance, 49U);
         EXPECT_EQ(certify(set).squared_closure_distance, 49U);
     }
@@ -321,8 +310,7 @@ TEST(TileCertificate, IsLoweredByPointsThatAreNear)
 
 TEST(TileCertificate, SeparationIsThatOfPointsNearBorders)
 {
-    for (const PoissonTileParameters& p :
-         {corner_parameters(2), template_parameters(3), sphere_parameters(2)}) {
+    for (const PoissonTileParameters& p : {corner_parameters(2), template_parameters(3), sphere_parameters(2)}) {
         PoissonTileSet set = made_up(p);
         const auto width = static_cast<std::uint16_t>(regions_of(p).width);
         const std::size_t a = point_in_region(set, 0, p.dimension);

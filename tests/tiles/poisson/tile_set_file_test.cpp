@@ -3,9 +3,9 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "tests/tiles/poisson/made_up_tile_sets.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/tiles/poisson/made_up_tile_sets.hpp"
 
 #include <gmock/gmock.h>
 
@@ -118,10 +118,9 @@ TEST(TileSetFile, BytesAreAsDocumented)
     };
     EXPECT_EQ(bytes.substr(0, 8), "PTILES\r\n");
     const std::vector<std::pair<std::size_t, std::uint32_t>> expected{
-        {8, 1},           {12, 128},        {16, 0},        {20, 2},          {24, 1}, {28, 1},
-        {32, 4},          {36, 0},          {40, 99},       {44, 0},          {48, 0}, {52, 0x3fe00000},
-        {56, 0x55667788}, {60, 0x11223344}, {64, 1},        {68, 100},        {80, 0}, {84, 0},
-        {88, 0},          {116, 0},         {128, 0x10000}, {136, 0xffff1234}};
+        {8, 1},   {12, 128}, {16, 0}, {20, 2},          {24, 1},          {28, 1},          {32, 4}, {36, 0},
+        {40, 99}, {44, 0},   {48, 0}, {52, 0x3fe00000}, {56, 0x55667788}, {60, 0x11223344}, {64, 1}, {68, 100},
+        {80, 0},  {84, 0},   {88, 0}, {116, 0},         {128, 0x10000},   {136, 0xffff1234}};
     for (const auto& [offset, value] : expected) EXPECT_EQ(u32(offset), value) << offset;
     EXPECT_EQ(resealed(bytes), bytes);
 }
@@ -139,10 +138,8 @@ TEST(TileSetFile, EveryFieldIsChecked)
     EXPECT_THAT(error_after(28, 80u), HasSubstr("tiles = 80: "));
     EXPECT_THAT(error_after(32, 0xffffffffu), HasSubstr("points_per_tile = 4294967295: "));
     EXPECT_EQ(error_after(36, 1u), "a.ptiles: reserved number at byte 36: 1: must be 0");
-    EXPECT_THAT(error_after(40, UINT64_MAX),
-                HasSubstr("guaranteed squared minimum distance 18446744073709551615: "));
-    EXPECT_THAT(error_after(48, std::numeric_limits<double>::quiet_NaN()),
-                HasSubstr("relative_radius = nan: "));
+    EXPECT_THAT(error_after(40, UINT64_MAX), HasSubstr("guaranteed squared minimum distance 18446744073709551615: "));
+    EXPECT_THAT(error_after(48, std::numeric_limits<double>::quiet_NaN()), HasSubstr("relative_radius = nan: "));
     EXPECT_THAT(error_after(64, 2u), HasSubstr("filling = 2: must be at most 1"));
     EXPECT_THAT(error_after(68, 0u), HasSubstr("attempts = 0: "));
     EXPECT_THAT(error_after(72, std::numeric_limits<double>::quiet_NaN()), HasSubstr("factor = nan: "));
@@ -156,12 +153,9 @@ TEST(TileSetFile, DamageIsNeverOverlooked)
     const std::string bytes = encode_tile_set(random_points(corner_parameters(2, 6)));
     for (std::size_t offset = 0; offset < 128; ++offset)
         for (int change = 1; change < 256; ++change)
-            ASSERT_NE(error_of(changed(bytes, offset, static_cast<char>(bytes[offset] ^ change))), "")
-                << offset;
-    for (std::size_t size = 0; size < bytes.size(); ++size)
-        ASSERT_NE(error_of(bytes.substr(0, size)), "") << size;
-    for (const std::size_t extra : {1, 2, 24, 100'000})
-        EXPECT_NE(error_of(bytes + std::string(extra, '\0')), "");
+            ASSERT_NE(error_of(changed(bytes, offset, static_cast<char>(bytes[offset] ^ change))), "") << offset;
+    for (std::size_t size = 0; size < bytes.size(); ++size) ASSERT_NE(error_of(bytes.substr(0, size)), "") << size;
+    for (const std::size_t extra : {1, 2, 24, 100'000}) EXPECT_NE(error_of(bytes + std::string(extra, '\0')), "");
     std::mt19937 random(1);
     for (int i = 0; i < 2000; ++i) {
         const std::size_t offset = 128 + random() % (bytes.size() - 128);
@@ -200,8 +194,7 @@ TEST(TileSetFile, RandomHeadersTakeNoMemory)
         std::string damaged = bytes;
         for (unsigned change = 0; change <= random() % 3; ++change) {
             const std::size_t offset = 16 + 4 * (random() % 18);
-            damaged =
-                changed(damaged, offset, static_cast<std::uint32_t>(random() % 2 ? random() : random() % 70));
+            damaged = changed(damaged, offset, static_cast<std::uint32_t>(random() % 2 ? random() : random() % 70));
         }
         error_of(resealed(damaged)); // other exceptions fail the test
     }
@@ -285,14 +278,11 @@ TEST_F(TileSetJson, EveryValueIsChecked)
     EXPECT_EQ(error_with("\"colors\": 1,", ""), "a.ptiles: colors: is missing");
     EXPECT_EQ(error_with("\"colors\"", "\"colours\": 1, \"colors\"").substr(0, 40),
               "a.ptiles: colours: unknown key; known ke");
-    EXPECT_EQ(error_with("\"repulsion\": false", "\"repulsion\": 0"),
-              "a.ptiles: repulsion = 0: must be true or false");
+    EXPECT_EQ(error_with("\"repulsion\": false", "\"repulsion\": 0"), "a.ptiles: repulsion = 0: must be true or false");
     EXPECT_EQ(error_with("\"relative_radius\": 0.5", "\"relative_radius\": {}"),
               "a.ptiles: relative_radius = object: must be a number");
-    EXPECT_THAT(error_with("\"tiles\": 1", "\"tiles\": 4000000000"),
-                HasSubstr("tiles = 4000000000: must be"));
-    EXPECT_EQ(error_with("65535", "65536"),
-              "a.ptiles: tile_points[0] = 65536: must be an integer from 0 to 65535");
+    EXPECT_THAT(error_with("\"tiles\": 1", "\"tiles\": 4000000000"), HasSubstr("tiles = 4000000000: must be"));
+    EXPECT_EQ(error_with("65535", "65536"), "a.ptiles: tile_points[0] = 65536: must be an integer from 0 to 65535");
     EXPECT_EQ(error_with("65535", "-1"), "a.ptiles: tile_points[0] = -1: must be an integer from 0 to 65535");
     EXPECT_EQ(error_with(", 65535", ""), "a.ptiles: tile_points[0]: a point: must be a list of 2");
     EXPECT_EQ(error_with(", [7, 65535]", ""), "a.ptiles: tile_points[0]: must be a list of 4");
@@ -315,8 +305,7 @@ TEST_F(TileSetJson, DamageIsReadOrRefused)
         }
         error_of(text); // other exceptions fail the test
     }
-    for (std::size_t size = 0; size + 2 < text_.size(); ++size)
-        ASSERT_NE(error_of(text_.substr(0, size)), "");
+    for (std::size_t size = 0; size + 2 < text_.size(); ++size) ASSERT_NE(error_of(text_.substr(0, size)), "");
     error_of("{\"a\":" + std::string(1'000'000, '['));
 }
 

@@ -75,10 +75,9 @@ TEST(CubeTiling, IsMadeOfTheHashFunction)
             for (int up = 0; up < 2; ++up) {
                 for (int north = 0; north < 2; ++north) {
                     for (int east = 0; east < 2; ++east)
-                        ASSERT_EQ(
-                            corners.at[up][north][east],
-                            std::visit([&](const auto& h) { return h(i + east, 2 * i + north, 7 - i + up); },
-                                       tiling.hash()));
+                        ASSERT_EQ(corners.at[up][north][east],
+                                  std::visit([&](const auto& h) { return h(i + east, 2 * i + north, 7 - i + up); },
+                                             tiling.hash()));
                 }
             }
         }

@@ -79,8 +79,8 @@ TEST(LongPeriodHash, IsThatOfTheDissertation)
         const LongPeriodHash hash(c, key);
         const Tables tables(hash);
         for (int i = 0; i < 10'000; ++i) {
-            const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500,
-                                                   INT64_MIN + i, INT64_MAX - i};
+            const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500, INT64_MIN + i,
+                                                   INT64_MAX - i};
             const std::int64_t x = near[random() % 4];
             const std::int64_t y = near[random() % 4];
             const std::int64_t z = near[random() % 4];
@@ -112,8 +112,8 @@ TEST(LongPeriodHash, HasThePeriodThatItReportsInFull)
         for (Color c = 2; c <= design.range; ++c) {
             if (design.range % c != 0) continue;
             const LongPeriodHash hash(c, design, key);
-            const std::int64_t product = std::accumulate(design.sizes.begin(), design.sizes.end(),
-                                                         std::int64_t{1}, std::multiplies<>());
+            const std::int64_t product =
+                std::accumulate(design.sizes.begin(), design.sizes.end(), std::int64_t{1}, std::multiplies<>());
             const auto repeats = [&](std::int64_t dx, std::int64_t dy) {
                 for (std::int64_t x = 0; x < product; ++x) {
                     for (std::int64_t y = 0; y < product; ++y) {
@@ -126,8 +126,8 @@ TEST(LongPeriodHash, HasThePeriodThatItReportsInFull)
             while (x_period <= product && !repeats(x_period, 0)) ++x_period;
             std::int64_t y_period = 1;
             while (y_period <= product && !repeats(0, y_period)) ++y_period;
-            EXPECT_EQ(hash.period(), (HashPeriod{static_cast<std::uint64_t>(x_period),
-                                                 static_cast<std::uint64_t>(y_period)}));
+            EXPECT_EQ(hash.period(),
+                      (HashPeriod{static_cast<std::uint64_t>(x_period), static_cast<std::uint64_t>(y_period)}));
         }
     }
 }
@@ -179,9 +179,7 @@ TEST(LongPeriodHash, ColorsAreAsFrequentOverAPeriod)
 
 TEST(LongPeriodHash, RefusesDesignsThatDoNotKeepItsPromises)
 {
-    const auto make = [](Color c, LongPeriodDesign design) {
-        return LongPeriodHash(c, std::move(design), key);
-    };
+    const auto make = [](Color c, LongPeriodDesign design) { return LongPeriodHash(c, std::move(design), key); };
     EXPECT_THROW(make(5, {24, {23, 24, 25}}), InputError); // 24 is no multiple of 5
     EXPECT_THROW(make(2, {24, {17, 19, 23}}), InputError); // the range is not there
     EXPECT_THROW(make(2, {24, {24, 27}}), InputError);     // not coprime

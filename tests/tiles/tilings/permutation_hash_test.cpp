@@ -51,8 +51,7 @@ TEST(RandomPermutation, AllAreEquallyLikely)
     for (std::uint32_t table = 0; table < 120'000; ++table) {
         const auto found = random_permutation(5, key, table);
         std::ranges::copy(found, all.begin());
-        ++counts[static_cast<std::size_t>(std::ranges::lower_bound(permutations, all) -
-                                          permutations.begin())];
+        ++counts[static_cast<std::size_t>(std::ranges::lower_bound(permutations, all) - permutations.begin())];
     }
     EXPECT_TRUE(test::are_equally_likely(counts, 1));
 }
@@ -66,8 +65,8 @@ TEST(PermutationHash, IsThatOfTheDissertation)
         const PermutationHash hash(5, p);
         for (int i = 0; i < 5000; ++i) {
             // Near the origin, anywhere, and at both ends of the coordinates.
-            const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500,
-                                                   INT64_MIN + i, INT64_MAX - i};
+            const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500, INT64_MIN + i,
+                                                   INT64_MAX - i};
             const std::int64_t x = near[random() % 4];
             const std::int64_t y = near[random() % 4];
             const std::int64_t z = near[random() % 4];

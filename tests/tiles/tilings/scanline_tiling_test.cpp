@@ -35,8 +35,7 @@ test::Sides sides(const TileSet& set, TileIndex index)
 }
 
 /// Row after row, from the north.
-std::vector<std::vector<TileIndex>> rows_of(const TileSet& set, std::uint64_t width, int height,
-                                            std::uint64_t seed)
+std::vector<std::vector<TileIndex>> rows_of(const TileSet& set, std::uint64_t width, int height, std::uint64_t seed)
 {
     ScanlineTiling tiling(set, width, seed);
     std::vector<std::vector<TileIndex>> rows;
@@ -99,9 +98,9 @@ TEST(ScanlineTiling, WhatFitsIsWhatMatches)
                 // Tiles with a common corner: of corner tiles, those to the north and west share the
                 // north-west.
                 const TileIndex west = set.index(j);
-                const bool meet = set.kind() == TileKind::wang ||
-                                  test::corner_sides(north, set.colors().horizontal).south[0] ==
-                                      test::corner_sides(west, set.colors().horizontal).east[1];
+                const bool meet =
+                    set.kind() == TileKind::wang || test::corner_sides(north, set.colors().horizontal).south[0] ==
+                                                        test::corner_sides(west, set.colors().horizontal).east[1];
                 if (meet) expect_matching(&north, &west);
             }
         }
@@ -125,11 +124,9 @@ TEST(ScanlineTiling, RefusesSetsThatLeaveNoChoice)
     // The first leaves one choice somewhere, the second none: nothing fits where two corners do not agree.
     std::vector<TileIndex> indices;
     const TileSet compact = compact_wang_set(3);
-    for (std::uint64_t position = 1; position < compact.size(); ++position)
-        indices.push_back(compact.index(position));
+    for (std::uint64_t position = 1; position < compact.size(); ++position) indices.push_back(compact.index(position));
     EXPECT_THROW(ScanlineTiling(TileSet(TileKind::wang, {3, 3}, indices), 5, 1), InputError);
-    EXPECT_THROW(ScanlineTiling(equivalent_wang_set(TileSet::complete(TileKind::corner, 2)), 5, 1),
-                 InputError);
+    EXPECT_THROW(ScanlineTiling(equivalent_wang_set(TileSet::complete(TileKind::corner, 2)), 5, 1), InputError);
     EXPECT_THROW(ScanlineTiling(TileSet::complete(TileKind::corner, 33), 5, 1), InputError);
     EXPECT_NO_THROW(ScanlineTiling(compact_wang_set(32), 5, 1));
     EXPECT_THROW(ScanlineTiling(compact_wang_set(2), max_scanline_width + 1, 1), InputError);

@@ -17,8 +17,7 @@ namespace {
 std::vector<TileIndex> indices_of(const TileSet& set)
 {
     std::vector<TileIndex> indices;
-    for (std::uint64_t position = 0; position < set.size(); ++position)
-        indices.push_back(set.index(position));
+    for (std::uint64_t position = 0; position < set.size(); ++position) indices.push_back(set.index(position));
     return indices;
 }
 
@@ -86,8 +85,7 @@ TEST(TileSet, CompactSetsHaveTheTilesThatTheyPromise)
         }
         for (const TileIndex index : indices_of(compact_corner_set(c))) {
             const CornerTile tile = corner_tile(index, c);
-            EXPECT_LT((tile.south_east + 3 * c - tile.north_east - tile.south_west - tile.north_west) % c,
-                      2u);
+            EXPECT_LT((tile.south_east + 3 * c - tile.north_east - tile.south_west - tile.north_west) % c, 2u);
         }
     }
 }
@@ -119,8 +117,7 @@ TEST(TileSet, TheOneHashSetHasTheSumsOfAllCornerColors)
 
 TEST(TileSet, PositionsGoBothWays)
 {
-    for (const TileSet& set :
-         {compact_corner_set(5), one_hash_wang_set(4), TileSet::complete(TileKind::wang, 3)}) {
+    for (const TileSet& set : {compact_corner_set(5), one_hash_wang_set(4), TileSet::complete(TileKind::wang, 3)}) {
         std::set<TileIndex> members;
         for (std::uint64_t position = 0; position < set.size(); ++position) {
             EXPECT_EQ(set.position(set.index(position)), position);
@@ -150,10 +147,8 @@ TEST(TileSet, TheEquivalentWangTilesFitWhereTheCornerTilesFit)
             for (TileIndex j = 0; j < corners.size(); ++j) {
                 const CornerTile b = corner_tile(j, c);
                 const WangTile wang_b = equivalent_wang_tile(b, c);
-                EXPECT_EQ(fits_east(wang_a, wang_b),
-                          a.north_east == b.north_west && a.south_east == b.south_west);
-                EXPECT_EQ(fits_north(wang_a, wang_b),
-                          a.north_west == b.south_west && a.north_east == b.south_east);
+                EXPECT_EQ(fits_east(wang_a, wang_b), a.north_east == b.north_west && a.south_east == b.south_west);
+                EXPECT_EQ(fits_north(wang_a, wang_b), a.north_west == b.south_west && a.north_east == b.south_east);
             }
         }
     }

@@ -49,8 +49,8 @@ protected:
     TilingKernel() { places_buffer_.write(places_); }
 
     /// The tiles that a kernel gives at all places.
-    std::vector<TileIndex> on_device(const std::string& kernel, const ColorHash& horizontal,
-                                     const ColorHash& vertical, Period period)
+    std::vector<TileIndex> on_device(const std::string& kernel, const ColorHash& horizontal, const ColorHash& vertical,
+                                     Period period)
     {
         const auto words = [&](const ColorHash& hash) {
             const auto values = std::visit([](const auto& h) { return h.device_words(); }, hash);
@@ -59,8 +59,7 @@ protected:
             return buffer;
         };
         auto tiles = device_.buffer<TileIndex>(count);
-        device_
-            .kernel_from_text(kernel_source("common/tiling.clh") + kernels, "tiling_kernel_test.cl", kernel)
+        device_.kernel_from_text(kernel_source("common/tiling.clh") + kernels, "tiling_kernel_test.cl", kernel)
             .run(count, 64, words(horizontal), words(vertical), places_buffer_, period.x, period.y, period.z,
                  static_cast<std::uint32_t>(count), tiles);
         return tiles.read(0, count);
@@ -85,13 +84,10 @@ TEST_F(TilingKernel, GivesTheTilesOfTheHost)
         for (const Color c : {2u, 7u}) {
             for (const Period period : {Period{}, Period{1000, 13, 0}, Period{0, 256, 0}}) {
                 expect_same("look_up_corner", Tiling(DirectAlgorithm::corner, {c, c}, hash, 1, period));
-                expect_same("look_up_sums",
-                            Tiling(DirectAlgorithm::wang_two_hashes, {c, 3}, hash, 1, period));
+                expect_same("look_up_sums", Tiling(DirectAlgorithm::wang_two_hashes, {c, 3}, hash, 1, period));
                 expect_same("look_up_sums", Tiling(DirectAlgorithm::wang_one_hash, {c, c}, hash, 1, period));
-                expect_same("look_up_edges",
-                            Tiling(DirectAlgorithm::wang_edge_hash, {c, c}, hash, 1, period));
-                expect_same("look_up_edges",
-                            Tiling(DirectAlgorithm::wang_edge_hash, {3, c}, hash, 1, period));
+                expect_same("look_up_edges", Tiling(DirectAlgorithm::wang_edge_hash, {c, c}, hash, 1, period));
+                expect_same("look_up_edges", Tiling(DirectAlgorithm::wang_edge_hash, {3, c}, hash, 1, period));
             }
         }
     }

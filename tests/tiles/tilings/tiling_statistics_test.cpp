@@ -46,8 +46,7 @@ TEST(TilingStatistics, EveryTileIsAsFrequent)
                 const Tiling tiling(algorithm, {c, c}, hash, c);
                 const std::uint64_t samples = 50 * std::max<std::uint64_t>(tiling.tile_set().size(), 1000);
                 const auto counts = counts_at_random_places(tiling, samples);
-                EXPECT_TRUE(test::are_equally_likely(counts, comparisons))
-                    << static_cast<int>(algorithm) << " " << c;
+                EXPECT_TRUE(test::are_equally_likely(counts, comparisons)) << static_cast<int>(algorithm) << " " << c;
             }
         }
     }

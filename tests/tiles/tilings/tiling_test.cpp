@@ -103,8 +103,7 @@ TEST(Tiling, IsThatOfTheDissertation)
             for (Color c = 2; c <= 8; ++c) {
                 const Tiling tiling(algorithm, {c, c}, hash, 3);
                 for (std::int64_t x = -30; x < 30; ++x) {
-                    for (std::int64_t y = -30; y < 30; ++y)
-                        ASSERT_EQ(tiling.tile(x, y), defined_tile(tiling, x, y));
+                    for (std::int64_t y = -30; y < 30; ++y) ASSERT_EQ(tiling.tile(x, y), defined_tile(tiling, x, y));
                 }
             }
         }
@@ -125,8 +124,7 @@ TEST(Tiling, DoesNotDependOnTheOrderOfEvaluation)
                         const std::int64_t y = stepped(y0, random() % height);
                         tiles[{x, y}] = tiling.tile(x, y);
                     }
-                    const auto expect_same = [&](std::int64_t x, std::int64_t y,
-                                                 std::span<const TileIndex> row) {
+                    const auto expect_same = [&](std::int64_t x, std::int64_t y, std::span<const TileIndex> row) {
                         for (std::size_t i = 0; i < row.size(); ++i) {
                             const auto known = tiles.find({stepped(x, i), y});
                             if (known == tiles.end()) continue;
@@ -187,10 +185,8 @@ TEST(Tiling, ClosesAfterItsPeriodAndNotElsewhere)
                     EXPECT_EQ(torus.tile(x, y), torus.tile(x + 11, y - 6));
                     EXPECT_EQ(cylinder.tile(x, y), cylinder.tile(x - 11, y));
                     cylinder_differs += cylinder.tile(x, y) != cylinder.tile(x, y + 6);
-                    for (std::int64_t t = 1; t < 11; ++t)
-                        x_differ[t] += torus.tile(x, y) != torus.tile(x + t, y);
-                    for (std::int64_t t = 1; t < 6; ++t)
-                        y_differ[t] += torus.tile(x, y) != torus.tile(x, y + t);
+                    for (std::int64_t t = 1; t < 11; ++t) x_differ[t] += torus.tile(x, y) != torus.tile(x + t, y);
+                    for (std::int64_t t = 1; t < 6; ++t) y_differ[t] += torus.tile(x, y) != torus.tile(x, y + t);
                     // Inside the period it is the tiling of the plane.
                     if (x >= 0 && x < 10 && y >= 0 && y < 5) {
                         EXPECT_EQ(torus.tile(x, y), plane.tile(x, y));
@@ -209,8 +205,7 @@ bool repeats(const Tiling& tiling, std::int64_t steps)
 {
     for (std::int64_t x = 0; x < 40; ++x) {
         for (std::int64_t y = 0; y < 40; ++y) {
-            if (tiling.tile(x, y) != tiling.tile(x + steps, y) ||
-                tiling.tile(x, y) != tiling.tile(x, y + steps))
+            if (tiling.tile(x, y) != tiling.tile(x + steps, y) || tiling.tile(x, y) != tiling.tile(x, y + steps))
                 return false;
         }
     }
