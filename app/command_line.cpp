@@ -132,8 +132,7 @@ CLI::Validator integer()
 class CommandLine
 {
 public:
-    CommandLine(const ReportWriter& write_report, const RunComparer& compare_runs)
-        : write_report_(write_report), compare_runs_(compare_runs)
+    CommandLine()
     {
         app_.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
         app_.footer(main_footer);
@@ -169,8 +168,6 @@ private:
     void explain();
     std::vector<std::string> command_names() const;
 
-    const ReportWriter& write_report_;
-    const RunComparer& compare_runs_;
     CLI::App app_{"poissonlab: makes Poisson disk point sets on OpenCL devices, analyses them, and reports.",
                   "poissonlab"};
     RunOptions run_options_;
@@ -430,11 +427,11 @@ void CommandLine::explain()
 
 int CommandLine::execute()
 {
-    if (*diff_) return diff_command(diff_options_, compare_runs_) ? exit_changed : 0;
-    if (*run_) run_command(run_options_, write_report_);
+    if (*diff_) return diff_command(diff_options_) ? exit_changed : 0;
+    if (*run_) run_command(run_options_);
     if (*merge_) merge_command(merge_options_);
-    if (*analyze_) analyze_command(analyze_options_, write_report_);
-    if (*report_) report_command(report_options_, write_report_);
+    if (*analyze_) analyze_command(analyze_options_);
+    if (*report_) report_command(report_options_);
     if (*tiling_) tiling_command(tiling_options_);
     if (*tiles_build_) tiles_build_command(tiles_build_options_);
     if (*tiles_points_) tiles_points_command(tiles_points_options_);
@@ -487,12 +484,11 @@ int tell_of_exception()
 
 }
 
-int run_command_line(int argc, const char* const* argv, const ReportWriter& write_report,
-                     const RunComparer& compare_runs)
+int run_command_line(int argc, const char* const* argv)
 {
     open_standard_streams();
     try {
-        CommandLine command_line(write_report, compare_runs);
+        CommandLine command_line;
         try {
             command_line.parse(argc, argv);
         } catch (const CLI::ParseError& outcome) {

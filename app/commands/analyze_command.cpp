@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report)
+void analyze_command(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
     std::optional<CoordinateRange> domain;
@@ -24,7 +24,7 @@ void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_re
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
     run_experiment(experiment, out, progress);
-    finish_report({out}, out, write_report, progress);
+    finish_report({out}, out, progress);
 }
 
 }

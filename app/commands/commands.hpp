@@ -1,7 +1,6 @@
 // What each subcommand does, once its arguments are known. command_line.cpp says what the arguments are.
 #pragma once
 
-#include "app/command_line.hpp"
 #include "host/config/collection.hpp"
 #include "host/run/progress.hpp"
 
@@ -103,12 +102,12 @@ struct TilesVerifyOptions
     bool json = false;
 };
 
-void run_command(const RunOptions& options, const ReportWriter& write_report);
-void analyze_command(const AnalyzeOptions& options, const ReportWriter& write_report);
-void report_command(const ReportOptions& options, const ReportWriter& write_report);
+void run_command(const RunOptions& options);
+void analyze_command(const AnalyzeOptions& options);
+void report_command(const ReportOptions& options);
 
 /// Prints what changed between two results; true where something did.
-bool diff_command(const DiffOptions& options, const RunComparer& compare_runs);
+bool diff_command(const DiffOptions& options);
 
 /// Prints what OpenCL offers on this machine. Throws DeviceError when that is nothing.
 void devices_command();
@@ -134,6 +133,6 @@ void merge_command(const MergeOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   const ReportWriter& write_report, Progress& progress);
+                   Progress& progress);
 
 }

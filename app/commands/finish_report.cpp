@@ -1,10 +1,11 @@
 #include "app/commands/commands.hpp"
 #include "base/programs/interrupt.hpp"
+#include "reports/site/report.hpp"
 
 namespace poissonlab {
 
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   const ReportWriter& write_report, Progress& progress)
+                   Progress& progress)
 {
     write_report(folders, out, [&](const std::string& step) {
         stop_if_interrupted();

@@ -132,18 +132,17 @@ void note_run(const RunPlan& plan, CollectionFile& done, const PlannedRun& run)
     write_collection_file(plan.out, done);
 }
 
-void write_final_report(const RunPlan& plan, const CollectionFile& done, const ReportWriter& write_report,
-                        Progress& progress)
+void write_final_report(const RunPlan& plan, const CollectionFile& done, Progress& progress)
 {
     const FileLock lock(plan.out / unit_folder_name / publish_lock_name); // nobody else writes there
     remove_stale_temporary_files(plan.out, std::chrono::seconds(0), unit_folder_name);
     if (plan.is_collection) write_collection_file(plan.out, done); // a second run may have listed less meanwhile
-    finish_report({plan.out}, plan.out, write_report, progress);
+    finish_report({plan.out}, plan.out, progress);
 }
 
 }
 
-void run_command(const RunOptions& options, const ReportWriter& write_report)
+void run_command(const RunOptions& options)
 {
     const auto shard = parse_shard(options.shard);
     const auto crew = make_crew();
@@ -178,7 +177,7 @@ void run_command(const RunOptions& options, const ReportWriter& write_report)
                                             "command without --shard writes the results (`poissonlab merge` first, "
                                             "where shards have folders of their own)",
                                             options.shard, settings.units.string()));
-    write_final_report(plan, done, write_report, progress);
+    write_final_report(plan, done, progress);
 }
 
 }
