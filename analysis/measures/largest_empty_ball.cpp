@@ -2,13 +2,9 @@
 
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/geometry/torus_delaunay.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
-#include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
-#include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,25 +14,8 @@ namespace poissonlab {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Traits2 = CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>;
-using Triangulation2 = CGAL::Periodic_2_Delaunay_triangulation_2<Traits2>;
-using Traits3 = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
-using Triangulation3 = CGAL::Periodic_3_Delaunay_triangulation_3<Traits3>;
-
 template <int D>
 using Coordinates = std::array<double, D>;
-
-/// A corner of a triangle or tetrahedron: a point of the unit square or cube, and in which image of it.
-template <int D>
-struct Corner
-{
-    Coordinates<D> position{};
-    std::array<int, D> image{};
-};
-
-template <int D>
-using Simplex = std::array<Corner<D>, D + 1>;
 
 template <class Number>
 Number cross(const std::array<Number, 2>& a, const std::array<Number, 2>& b)
@@ -80,7 +59,7 @@ std::array<Number, 3> scaled_centre(const std::array<std::array<Number, 3>, 3>& 
 }
 
 template <class Number, int D>
-std::array<std::array<Number, D>, D> edges_of(const Simplex<D>& simplex)
+std::array<std::array<Number, D>, D> edges_of(const DelaunaySimplex<D>& simplex)
 {
     std::array<std::array<Number, D>, D> edges;
     for (std::size_t i = 0; i < D; ++i) {
@@ -96,7 +75,7 @@ std::array<std::array<Number, D>, D> edges_of(const Simplex<D>& simplex)
 /// 1e-16 of the longest edge's power and of the unit torus, stays far below the determinant; otherwise in
 /// exact rationals.
 template <int D>
-Coordinates<D> circumcentre(const Simplex<D>& simplex)
+Coordinates<D> circumcentre(const DelaunaySimplex<D>& simplex)
 {
     constexpr double flat = 1e-4;
     const auto edges = edges_of<double, D>(simplex);
@@ -120,7 +99,7 @@ template <int D>
 class LargestBall
 {
 public:
-    void show(const Simplex<D>& simplex)
+    void show(const DelaunaySimplex<D>& simplex)
     {
         const Coordinates<D> centre = circumcentre<D>(simplex);
         const double squared = dot(centre, centre);
@@ -144,57 +123,6 @@ private:
     std::array<double, 3> centre_{};
 };
 
-LargestEmptyBall largest_empty_circle(const PointSet& points)
-{
-    std::vector<Kernel::Point_2> positions;
-    for (std::size_t i = 0; i < points.size(); ++i) positions.emplace_back(points[i][0], points[i][1]);
-    Triangulation2 triangulation(Traits2::Iso_rectangle_2(0, 0, 1, 1));
-    triangulation.insert(positions.begin(), positions.end(), true);
-
-    LargestBall<2> largest;
-    for (auto face = triangulation.faces_begin(); face != triangulation.faces_end(); ++face) {
-        const auto triangle = triangulation.periodic_triangle(face);
-        Simplex<2> simplex;
-        for (int i = 0; i < 3; ++i) {
-            const auto& [point, image] = triangle[static_cast<std::size_t>(i)];
-            simplex[static_cast<std::size_t>(i)] = {{point.x(), point.y()}, {image.x(), image.y()}};
-        }
-        largest.show(simplex);
-    }
-    return largest.result(points.size());
-}
-
-/// Inserted as a range, points start from a regular set that is removed at the end: fast, but not where only
-/// few points are left.
-constexpr std::size_t few = 100;
-
-LargestEmptyBall largest_empty_sphere(const PointSet& points)
-{
-    std::vector<Kernel::Point_3> positions;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        positions.emplace_back(points[i][0], points[i][1], points[i][2]);
-    }
-    Triangulation3 triangulation(Traits3::Iso_cuboid_3(0, 0, 0, 1, 1, 1));
-    if (positions.size() <= few) {
-        for (const auto& position : positions) triangulation.insert(position);
-    } else {
-        triangulation.insert(positions.begin(), positions.end(), true);
-    }
-
-    LargestBall<3> largest;
-    for (auto cell = triangulation.cells_begin(); cell != triangulation.cells_end(); ++cell) {
-        const auto tetrahedron = triangulation.periodic_tetrahedron(cell);
-        Simplex<3> simplex;
-        for (int i = 0; i < 4; ++i) {
-            const auto& [point, image] = tetrahedron[static_cast<std::size_t>(i)];
-            simplex[static_cast<std::size_t>(i)] = {{point.x(), point.y(), point.z()},
-                                                    {image.x(), image.y(), image.z()}};
-        }
-        largest.show(simplex);
-    }
-    return largest.result(points.size());
-}
-
 }
 
 LargestEmptyBall largest_empty_ball(const PointSet& points)
@@ -203,7 +131,14 @@ LargestEmptyBall largest_empty_ball(const PointSet& points)
         throw InputError("largest empty ball: the dimension must be 2 or 3");
     }
     if (points.size() == 0) throw InputError("largest empty ball: the point set must not be empty");
-    return points.dimension == 2 ? largest_empty_circle(points) : largest_empty_sphere(points);
+    if (points.dimension == 2) {
+        LargestBall<2> largest;
+        visit_triangles(points, [&](const DelaunaySimplex<2>& triangle) { largest.show(triangle); });
+        return largest.result(points.size());
+    }
+    LargestBall<3> largest;
+    visit_tetrahedra(points, [&](const DelaunaySimplex<3>& tetrahedron) { largest.show(tetrahedron); });
+    return largest.result(points.size());
 }
 
 }

@@ -1,10 +1,7 @@
 #include "analysis/measures/voronoi_diagram.hpp"
 
 #include "base/errors/errors.hpp"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
+#include "base/geometry/torus_delaunay.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,33 +11,11 @@ namespace poissonlab {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Traits = CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>;
-using Triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<Traits>;
 using Position = std::array<double, 2>;
 using Polygon = std::vector<Position>;
 
 /// Some hundred times the rounding of circumcentres, of coordinates up to 1.
 constexpr double shortest_edge = 1e-13;
-
-/// Circumcentres of the triangles around a site: the vertices of its cell, counterclockwise and relative to
-/// the site.
-Polygon circumcentres(const Triangulation& triangulation, Triangulation::Vertex_handle site)
-{
-    Polygon polygon;
-    auto face = triangulation.incident_faces(site);
-    const auto first = face;
-    do {
-        const auto triangle = triangulation.triangle(triangulation.periodic_triangle(face));
-        const int own = face->index(site);
-        const auto p = triangle.vertex(own);
-        const auto a = triangle.vertex(Triangulation::ccw(own)) - p;
-        const auto b = triangle.vertex(Triangulation::cw(own)) - p;
-        const auto centre = CGAL::circumcenter(Kernel::Point_2(CGAL::ORIGIN), CGAL::ORIGIN + a, CGAL::ORIGIN + b);
-        polygon.push_back({centre.x(), centre.y()});
-    } while (++face != first);
-    return polygon;
-}
 
 /// Each corner once, and the start fixed: which triangles meet at a corner of four or more cells, and which
 /// one comes first, is up to the triangulation.
@@ -78,22 +53,16 @@ VoronoiDiagram voronoi_diagram(const PointSet& points)
     if (points.size() == 0) throw InputError("Voronoi diagram: the point set must not be empty");
 
     // The first point at each position has the cell.
-    std::vector<Kernel::Point_2> positions;
     std::map<Position, std::size_t> owners;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        positions.emplace_back(points[i][0], points[i][1]);
-        owners.try_emplace({points[i][0], points[i][1]}, i);
-    }
-    Triangulation triangulation(Traits::Iso_rectangle_2(0, 0, 1, 1));
-    triangulation.insert(positions.begin(), positions.end(), true);
+    for (std::size_t i = 0; i < points.size(); ++i) owners.try_emplace({points[i][0], points[i][1]}, i);
 
     VoronoiDiagram diagram{std::vector<VoronoiCell>(points.size())};
-    for (auto v = triangulation.unique_vertices_begin(); v != triangulation.unique_vertices_end(); ++v) {
-        VoronoiCell& cell = diagram.cells[owners.at({v->point().x(), v->point().y()})];
-        cell.polygon = tidy(circumcentres(triangulation, v));
+    visit_voronoi_cells_2d(points, [&](const TorusCell<2>& found) {
+        VoronoiCell& cell = diagram.cells[owners.at(found.site)];
+        cell.polygon = tidy(found.faces[0]);
         cell.area = area_of(cell.polygon);
         cell.neighbours = static_cast<int>(cell.polygon.size());
-    }
+    });
     return diagram;
 }
 

@@ -1,7 +1,6 @@
 // Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
 #include "host/tile_construction/tile_filling.hpp"
 #include "base/geometry/point_set.hpp"
-#include "host/sampling/reference/voronoi_cells.hpp"
 #include "host/sampling/voronoi_cells.hpp"
 
 #include <algorithm>

@@ -1,21 +1,16 @@
 // Saturated sets: nothing fits any more, and they cover what random sequential addition is known to cover.
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
+#include "base/geometry/torus_delaunay.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/support/statistics.hpp"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
-#include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 namespace poissonlab {
 namespace {
 
-using CgalKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Traits = CGAL::Periodic_2_Delaunay_triangulation_traits_2<CgalKernel>;
-using Triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<Traits>;
 using Integer = boost::multiprecision::int512_t;
 
 DartThrowingRequest saturation(double min_distance, std::uint64_t seed)
@@ -28,12 +23,15 @@ DartThrowingRequest saturation(double min_distance, std::uint64_t seed)
 
 /// Is the circumradius R of a triangle below the minimum distance? In integers: R = a b c / (4 area), so
 /// a^2 b^2 c^2 < 4 (2 area)^2 d^2.
-bool is_covered(const CgalKernel::Triangle_2& triangle, std::uint64_t squared_min_distance)
+bool is_covered(const DelaunaySimplex<2>& triangle, std::uint64_t squared_min_distance)
 {
     std::array<Integer, 3> x, y;
+    const auto fixed = [](double position, int image) { // exact: multiples of 2^-32
+        return static_cast<std::int64_t>(std::ldexp(position + image, 32));
+    };
     for (int i = 0; i < 3; ++i) {
-        x[i] = static_cast<std::int64_t>(std::ldexp(triangle[i].x(), 32)); // exact: multiples of 2^-32
-        y[i] = static_cast<std::int64_t>(std::ldexp(triangle[i].y(), 32));
+        x[i] = fixed(triangle[i].position[0], triangle[i].image[0]);
+        y[i] = fixed(triangle[i].position[1], triangle[i].image[1]);
     }
     const auto squared_edge = [&](int i, int j) {
         return Integer((x[i] - x[j]) * (x[i] - x[j]) + (y[i] - y[j]) * (y[i] - y[j]));
@@ -46,15 +44,12 @@ bool is_covered(const CgalKernel::Triangle_2& triangle, std::uint64_t squared_mi
 /// The number of Delaunay triangles of a set whose circumcircle leaves room for another point.
 std::size_t uncovered_places(const PointSet& points, double min_distance)
 {
-    std::vector<Triangulation::Point> sites;
-    for (std::size_t i = 0; i < points.size(); ++i) sites.emplace_back(points[i][0], points[i][1]);
-    Triangulation triangulation(sites.begin(), sites.end(), Triangulation::Iso_rectangle(0, 0, 1, 1));
-    EXPECT_EQ(triangulation.number_of_vertices(), points.size());
-    std::size_t uncovered = 0;
-    for (auto face = triangulation.faces_begin(); face != triangulation.faces_end(); ++face) {
-        const auto triangle = triangulation.triangle(triangulation.periodic_triangle(face));
+    std::size_t uncovered = 0, triangles = 0;
+    visit_triangles(points, [&](const DelaunaySimplex<2>& triangle) {
         uncovered += !is_covered(triangle, squared_threshold(min_distance));
-    }
+        ++triangles;
+    });
+    EXPECT_EQ(triangles, 2 * points.size()); // Euler: every point is a vertex
     return uncovered;
 }
 
