@@ -13,8 +13,8 @@
 // Needs DIMENSION (2 or 3), REACH (points in conflict are at most so many level 0 cells apart), and LARGE_DISKS (see
 // common/torus.clh).
 
-#include "common/philox.clh"
-#include "common/torus.clh"
+#include "kernels/common/philox.clh"
+#include "kernels/common/torus.clh"
 
 #define CHILDREN (1 << DIMENSION)
 #define WINDOW (2 * REACH + 1)

@@ -4,7 +4,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "common/domain.clh"
+#include "kernels/common/domain.clh"
 
 /// One work-item owns one point and moves it by what the domain allows of its displacement. `is_fixed` is by id.
 kernel void move_points(global double* positions, global const uint* ids, global const double* displacements,

@@ -21,10 +21,12 @@
 // distance within which one point has all of the part. That does not depend on the radius, so the table holds
 // until the host makes the grids finer.
 //
-// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3), and LARGE_DISKS (see common/torus.clh; either will do).
+// Needs DIMENSION (2 or 3) and COVER_BITS (2 or 3).
 
-#include "common/philox.clh"
-#include "common/torus.clh"
+#define LARGE_DISKS 1 // for common/torus.clh, of which only what does not depend on it is used
+
+#include "kernels/common/philox.clh"
+#include "kernels/common/torus.clh"
 
 // Darts come from blocks of four random words: in 2D darts 2 j and 2 j + 1 from block j, in 3D dart j.
 #define DARTS_A_BLOCK (4 / DIMENSION)

@@ -9,8 +9,8 @@
 //
 // Needs DIMENSION (2 or 3).
 
-#include "common/philox.clh"
-#include "common/tile_torus.clh"
+#include "kernels/common/philox.clh"
+#include "kernels/common/tile_torus.clh"
 
 #define BATCH 32
 #define MAX_DARTS (1u << 22)

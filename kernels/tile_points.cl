@@ -3,7 +3,7 @@
 // Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of
 // positions: float, in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at
 // (x0, y0, z0), and goes on along x, then y, then z.
-#include "../runtime/poisson_tiles_gpu.h"
+#include "runtime/poisson_tiles_gpu.h"
 
 #define VALUES (POINTS * DIMENSION) // of a tile
 #define JOINED(a, b) a##b

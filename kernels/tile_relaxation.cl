@@ -12,11 +12,11 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 #if DIMENSION == 2
-#include "common/voronoi_2d.clh"
+#include "kernels/common/voronoi_2d.clh"
 #else
-#include "common/voronoi_3d_window.clh"
+#include "kernels/common/voronoi_3d_window.clh"
 #endif
-#include "common/tile_torus.clh"
+#include "kernels/common/tile_torus.clh"
 
 #define MAX_ITEMS 256 // of a work-group
 #define LIST_WORDS (DIMENSION == 2 ? 64 : 256) // of a point's list of points around it

@@ -20,7 +20,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "common/voronoi_2d.clh"
+#include "kernels/common/voronoi_2d.clh"
 
 #define MAX_REACH 2 // rings of grid cells around a site's
 

@@ -9,7 +9,7 @@
 #ifndef POISSON_TILES_GPU_H
 #define POISSON_TILES_GPU_H
 
-#ifdef __OPENCL_VERSION__
+#if defined(__OPENCL_C_VERSION__) || defined(__OPENCL_VERSION__) // offline compilers define the former only
 #pragma OPENCL FP_CONTRACT OFF
 #ifdef __clang__ // without it PoCL calls functions, and runs one work-item at a time
 #define PTILES_FUNCTION static inline __attribute__((always_inline))

@@ -193,9 +193,9 @@ Device Device::open(const std::string& selector, unsigned threads)
 const DeviceInfo& Device::info() const { return impl_->info; }
 double Device::build_seconds() const { return impl_->build_seconds; }
 
-Kernel Device::kernel(const std::string& file, const std::string& name, const std::string& options)
+Kernel Device::kernel(const KernelProgram& program, const std::string& name)
 {
-    return kernel_from_text(kernel_source(file), file, name, options);
+    return kernel_from_text(kernel_source("kernels/" + program.file), program.file, name, program.options);
 }
 
 Kernel Device::kernel_from_text(const std::string& text, const std::string& file, const std::string& name,

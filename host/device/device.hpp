@@ -7,6 +7,7 @@
 #include "host/device/buffer.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/device/kernel.hpp"
+#include "host/device/kernel_program.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -61,9 +62,8 @@ public:
 
     const DeviceInfo& info() const;
 
-    /// A kernel of an embedded file, for example kernel("dart_throwing.cl", "throw_darts", "-D DIMENSION=2").
-    /// The program is built at its first use with these options, and kept.
-    Kernel kernel(const std::string& file, const std::string& name, const std::string& options = {});
+    /// A kernel of an embedded file. The program is built at its first use, and kept.
+    Kernel kernel(const KernelProgram& program, const std::string& name);
 
     /// The same for a source text that is not embedded; `file` is what messages call it.
     Kernel kernel_from_text(const std::string& text, const std::string& file, const std::string& name,

@@ -11,11 +11,11 @@ constexpr std::string_view include_directive = "#include \"";
 void append(std::string& out, std::string_view name, std::set<std::string, std::less<>>& done)
 {
     const std::string_view text = embedded_kernel_file(name);
-    if (text.empty()) throw std::logic_error("no embedded kernel file " + std::string(name));
+    if (text.empty()) throw std::logic_error("no embedded file " + std::string(name));
     done.emplace(name);
 
     const auto mark = [&](std::size_t line) {
-        out += "#line " + std::to_string(line) + " \"kernels/" + std::string(name) + "\"\n";
+        out += "#line " + std::to_string(line) + " \"" + std::string(name) + "\"\n";
     };
     mark(1);
     std::size_t line_number = 0;

@@ -6,7 +6,7 @@
 
 namespace poissonlab {
 
-/// The text of an embedded kernel file, named as below kernels/ ("common/philox.clh"); empty when there is
+/// The text of an embedded file, named from the root of the project ("kernels/common/philox.clh"); empty when there is
 /// none.
 std::string_view embedded_kernel_file(std::string_view name);
 

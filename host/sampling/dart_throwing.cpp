@@ -6,7 +6,6 @@
 #include "base/geometry/torus.hpp"
 #include "host/sampling/cell_hierarchy.hpp"
 
-#include <fmt/format.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -98,13 +97,13 @@ public:
           hierarchy_(cell_hierarchy(request.min_distance, D)),
           squared_min_distance_(squared_threshold(request.min_distance))
     {
-        const std::string file = "dart_throwing.cl";
-        const std::string options = fmt::format("-D DIMENSION={} -D REACH={} -D LARGE_DISKS={}", D, hierarchy_.reach,
-                                                request.min_distance > 0.25 ? 1 : 0);
-        throw_ = device.kernel(file, "throw_darts", options);
-        link_ = device.kernel(file, "link_darts", options);
-        resolve_ = device.kernel(file, "resolve_conflicts", options);
-        insert_ = device.kernel(file, "insert_points", options);
+        const KernelProgram program = kernel_program(
+            "dart_throwing.cl",
+            {{"DIMENSION", D}, {"REACH", hierarchy_.reach}, {"LARGE_DISKS", request.min_distance > 0.25 ? 1 : 0}});
+        throw_ = device.kernel(program, "throw_darts");
+        link_ = device.kernel(program, "link_darts");
+        resolve_ = device.kernel(program, "resolve_conflicts");
+        insert_ = device.kernel(program, "insert_points");
 
         Buffers& b = buffers_;
         const std::size_t cells = lattice_cells(hierarchy_.size, D);

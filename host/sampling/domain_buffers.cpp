@@ -1,7 +1,5 @@
 #include "host/sampling/domain_buffers.hpp"
 
-#include <fmt/format.h>
-
 #include <span>
 #include <vector>
 
@@ -49,7 +47,7 @@ DeviceMemory DomainBuffers::memory_of_torus()
 
 PointMover::PointMover(Device device, const Domain& domain, int dimension, std::size_t work_group_size)
     : work_group_size_(work_group_size), domain_(device, domain, dimension),
-      move_(device.kernel("relaxation.cl", "move_points", fmt::format("-D DIMENSION={}", dimension)))
+      move_(device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "move_points"))
 {}
 
 void PointMover::move(PointGrid& grid, const Buffer<double>& displacements, bool slides)

@@ -6,8 +6,6 @@
 #include "host/sampling/point_grid.hpp"
 #include "host/sampling/voronoi_cells.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -31,7 +29,7 @@ public:
           voronoi_(device, points.dimension, points_, group_size), mover_(device, domain, points.dimension, group_size),
           energy_sums_(device.buffer<double>(summaries())), smallest_(device.buffer<double>(summaries())),
           summarize_(
-              device.kernel("relaxation.cl", "summarize_points", fmt::format("-D DIMENSION={}", points.dimension)))
+              device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", points.dimension}}), "summarize_points"))
     {
         grid_.load(points);
     }

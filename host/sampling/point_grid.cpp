@@ -2,8 +2,6 @@
 
 #include "base/geometry/lattice.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -62,13 +60,13 @@ PointGrid::PointGrid(Device device, int dimension, std::size_t points, std::uint
     fixed_point_.write(std::vector<std::uint32_t>(fixed_point_.size()));
     counts_.write(std::vector<std::uint32_t>(cells_));
 
-    const std::string options = fmt::format("-D DIMENSION={}", dimension);
-    count_ = device_.kernel("point_grid.cl", "count_points", options);
-    scan_ = device_.kernel("point_grid.cl", "scan_counts", options);
-    scan_totals_ = device_.kernel("point_grid.cl", "scan_totals", options);
-    add_totals_ = device_.kernel("point_grid.cl", "add_totals", options);
-    place_ = device_.kernel("point_grid.cl", "place_points", options);
-    gather_ = device_.kernel("point_grid.cl", "gather_points", options);
+    const KernelProgram program = kernel_program("point_grid.cl", {{"DIMENSION", dimension}});
+    count_ = device_.kernel(program, "count_points");
+    scan_ = device_.kernel(program, "scan_counts");
+    scan_totals_ = device_.kernel(program, "scan_totals");
+    add_totals_ = device_.kernel(program, "add_totals");
+    place_ = device_.kernel(program, "place_points");
+    gather_ = device_.kernel(program, "gather_points");
 }
 
 void PointGrid::load(const PointSet& points)

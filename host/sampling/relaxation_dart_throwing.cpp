@@ -5,8 +5,6 @@
 
 #include "base/geometry/torus.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -132,15 +130,14 @@ public:
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
           limits_(grid_limits(request.points, D)), window_(request)
     {
-        const std::string file = "relaxation_dart_throwing.cl";
-        const std::string options =
-            fmt::format("-D DIMENSION={} -D COVER_BITS={} -D LARGE_DISKS=1", D, limits_.cover_bits);
-        throw_ = device.kernel(file, "throw_darts", options);
-        find_ = device.kernel(file, "find_candidates", options);
-        settle_ = device.kernel(file, "settle_candidates", options);
-        cover_ = device.kernel(file, "cover_cells", options);
-        clear_ = device.kernel(file, "clear_cells", options);
-        link_ = device.kernel(file, "link_points", options);
+        const KernelProgram program =
+            kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}});
+        throw_ = device.kernel(program, "throw_darts");
+        find_ = device.kernel(program, "find_candidates");
+        settle_ = device.kernel(program, "settle_candidates");
+        cover_ = device.kernel(program, "cover_cells");
+        clear_ = device.kernel(program, "clear_cells");
+        link_ = device.kernel(program, "link_points");
 
         Buffers& b = buffers_;
         reserve(device, b.state, state_count);

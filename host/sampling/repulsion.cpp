@@ -4,8 +4,6 @@
 #include "host/sampling/domain_buffers.hpp"
 #include "host/sampling/point_grid.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -44,10 +42,10 @@ struct Repulsion::Buffers
         best = device.buffer<double>(values);
         sums = device.buffer<double>(runs);
         smallest = device.buffer<double>(runs);
-        const std::string options = fmt::format("-D DIMENSION={}", dimension);
-        push = device.kernel("repulsion.cl", "push_points", options);
-        keep = device.kernel("repulsion.cl", "keep_points", options);
-        summarize = device.kernel("relaxation.cl", "summarize_points", options);
+        const KernelProgram program = kernel_program("repulsion.cl", {{"DIMENSION", dimension}});
+        push = device.kernel(program, "push_points");
+        keep = device.kernel(program, "keep_points");
+        summarize = device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "summarize_points");
     }
 
     int dimension;

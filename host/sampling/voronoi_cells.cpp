@@ -38,11 +38,11 @@ VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points,
     squared_near_ = device.buffer<double>(points);
     slow_ = device.buffer<std::uint32_t>(points);
     slow_count_ = device.buffer<std::uint32_t>(1);
-    const std::string fast_file = dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_fast.cl";
-    const std::string slow_file = dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_slow.cl";
-    forget_slow_ = device.kernel(slow_file, "forget_slow");
-    find_fast_ = device.kernel(fast_file, "find_centroids_fast");
-    find_slow_ = device.kernel(slow_file, "find_centroids");
+    const KernelProgram fast = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_fast.cl", {});
+    const KernelProgram slow = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_slow.cl", {});
+    forget_slow_ = device.kernel(slow, "forget_slow");
+    find_fast_ = device.kernel(fast, "find_centroids_fast");
+    find_slow_ = device.kernel(slow, "find_centroids");
 }
 
 void VoronoiKernels::find_cells(PointGrid& grid)

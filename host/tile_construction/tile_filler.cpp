@@ -88,10 +88,10 @@ public:
         work_group_size_ = work_group_size > 0            ? work_group_size
                            : device_.info().type == "CPU" ? default_work_group_size
                                                           : gpu_work_group_size;
-        const std::string options = "-D DIMENSION=" + std::to_string(settings.dimension);
-        throw_ = device_.kernel("tile_darts.cl", "throw_tile_darts", options);
-        relax_ = device_.kernel("tile_relaxation.cl", "relax_tiles", options);
-        repel_ = device_.kernel("tile_relaxation.cl", "repel_tiles", options);
+        const std::vector<KernelValue> constants{{"DIMENSION", settings.dimension}};
+        throw_ = device_.kernel(kernel_program("tile_darts.cl", constants), "throw_tile_darts");
+        relax_ = device_.kernel(kernel_program("tile_relaxation.cl", constants), "relax_tiles");
+        repel_ = device_.kernel(kernel_program("tile_relaxation.cl", constants), "repel_tiles");
         distances_ = device_.buffer<std::uint32_t>(settings.squared_distances.size());
         distances_.write(settings.squared_distances);
         reach_values_ = device_.buffer<std::int32_t>(reaches_.size());

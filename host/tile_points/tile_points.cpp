@@ -74,21 +74,24 @@ TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tile
     : device_(std::move(device)), parameters_(tiles.parameters),
       work_group_size_(work_group_size == 0 ? 256 : work_group_size),
       values_per_tile_(std::size_t{parameters_.points_per_tile} * static_cast<std::size_t>(parameters_.dimension)),
-      units_(device_.buffer<std::uint16_t>(tiles.points.size())),
-      look_up_(device_.kernel("tile_points.cl", "look_up_tiles", options("float"))),
-      place_floats_(device_.kernel("tile_points.cl", "place_points", options("float"))),
-      place_integers_(device_.kernel("tile_points.cl", "place_points", options("uint")))
+      units_(device_.buffer<std::uint16_t>(tiles.points.size())), look_up_(kernel("look_up_tiles", "float")),
+      place_floats_(kernel("place_points", "float")), place_integers_(kernel("place_points", "uint"))
 {
     units_.write(tiles.points);
 }
 
 /// Constants for the compiler: loops over a tile's points are unrolled, remainders by the colours are
 /// products.
-std::string TilePointGenerator::options(const char* value) const
+Kernel TilePointGenerator::kernel(const char* name, const char* value)
 {
-    return fmt::format("-D KIND={} -D DIMENSION={} -D COLORS={}u -D TILES={}u -D POINTS={}u -D VALUE={}",
-                       static_cast<std::uint32_t>(parameters_.kind), parameters_.dimension, parameters_.colors,
-                       parameters_.tiles, parameters_.points_per_tile, value);
+    const auto number = [](std::uint32_t n) { return std::to_string(n) + "u"; };
+    return device_.kernel(kernel_program("tile_points.cl", {{"KIND", static_cast<std::uint32_t>(parameters_.kind)},
+                                                            {"DIMENSION", parameters_.dimension},
+                                                            {"COLORS", number(parameters_.colors)},
+                                                            {"TILES", number(parameters_.tiles)},
+                                                            {"POINTS", number(parameters_.points_per_tile)},
+                                                            {"VALUE", value}}),
+                          name);
 }
 
 void TilePointGenerator::look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run)

@@ -79,7 +79,7 @@ public:
     PointSet generate_torus(std::uint32_t seed, std::uint32_t period);
 
 private:
-    std::string options(const char* value) const;
+    Kernel kernel(const char* name, const char* value);
     void look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run);
     template <class Value>
     void place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,

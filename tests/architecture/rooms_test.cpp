@@ -69,12 +69,12 @@ protected:
 
 TEST_F(Rooms, AreFull) { EXPECT_GT(files_.size(), 300); }
 
-/// Headers for other programs and of kernels stand alone: they name each other without folders.
+/// Headers for other programs stand alone: they name each other without folders.
 TEST_F(Rooms, AreNamedFromTheRoot)
 {
     for (const auto& [file, names] : files_)
         for (const std::string& name : names) {
-            if (generated.contains(name) || room_of(file) == "runtime" || room_of(file) == "kernels") continue;
+            if (generated.contains(name) || room_of(file) == "runtime") continue;
             EXPECT_TRUE(files_.contains(name)) << file << " includes \"" << name << "\"";
         }
 }

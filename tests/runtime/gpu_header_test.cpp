@@ -84,7 +84,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     auto results = device_.buffer<std::uint32_t>(6 * count);
     auto distances = device_.buffer<float>(count);
     auto coordinates = device_.buffer<float>(3 * count);
-    device_.kernel_from_text(kernel_source("../runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
+    device_.kernel_from_text(kernel_source("runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
              tiling.period, copied(queries.places), copied(queries.positions), count, results, distances, coordinates);
     const auto found = results.read(0, results.size());

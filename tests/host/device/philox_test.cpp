@@ -31,7 +31,7 @@ const Vector published[] = {
 std::vector<std::uint32_t> philox_on_device(const std::vector<std::uint32_t>& inputs)
 {
     Device device = Device::open();
-    const std::string text = kernel_source("common/philox.clh") + R"(
+    const std::string text = kernel_source("kernels/common/philox.clh") + R"(
         kernel void words(global const uint* in, global uint* out, uint count) {
             const uint id = get_global_id(0);
             if (id >= count) return;

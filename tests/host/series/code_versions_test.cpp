@@ -31,15 +31,15 @@ std::map<std::string, Files> hashed_files()
     return files;
 }
 
-/// The files of the project that a file includes: paths from the root, or, of kernels and headers for other programs,
-/// from the folder of their own.
+/// The files of the project that a file includes: paths from the root, or, of headers for other programs, from the
+/// folder of their own.
 Files includes(const std::string& file)
 {
     static const std::regex line("#include \"([^\"]+)\"");
     const std::string text = read_whole_file(source / file);
     Files names;
     for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match)
-        for (const fs::path& folder : {fs::path(), fs::path(file).parent_path(), fs::path("kernels")}) {
+        for (const fs::path& folder : {fs::path(), fs::path(file).parent_path()}) {
             const fs::path candidate = (folder / (*match)[1].str()).lexically_normal();
             if (fs::is_regular_file(source / candidate)) names.insert(candidate.generic_string());
         }

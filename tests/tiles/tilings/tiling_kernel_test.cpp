@@ -59,7 +59,7 @@ protected:
             return buffer;
         };
         auto tiles = device_.buffer<TileIndex>(count);
-        device_.kernel_from_text(kernel_source("common/tiling.clh") + kernels, "tiling_kernel_test.cl", kernel)
+        device_.kernel_from_text(kernel_source("kernels/common/tiling.clh") + kernels, "tiling_kernel_test.cl", kernel)
             .run(count, 64, words(horizontal), words(vertical), places_buffer_, period.x, period.y, period.z,
                  static_cast<std::uint32_t>(count), tiles);
         return tiles.read(0, count);

@@ -1,0 +1,50 @@
+#include "host/device/kernel_program.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace poissonlab {
+
+const std::vector<KernelFile>& kernel_files()
+{
+    static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
+    static const std::vector<KernelFile> files{
+        {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
+        {"point_grid.cl", {dimension}},
+        {"relaxation.cl", {dimension}},
+        {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
+        {"repulsion.cl", {dimension}},
+        {"tile_darts.cl", {dimension}},
+        {"tile_points.cl",
+         {{"KIND", {"0", "1", "2"}},
+          dimension,
+          {"COLORS", {"2u"}, true},
+          {"TILES", {"16u"}, true},
+          {"POINTS", {"7u", "64u"}, true},
+          {"VALUE", {"float", "uint"}}}},
+        {"tile_relaxation.cl", {dimension}},
+        {"voronoi_2d.cl", {}},
+        {"voronoi_3d_fast.cl", {}},
+        {"voronoi_3d_slow.cl", {}},
+    };
+    return files;
+}
+
+KernelProgram kernel_program(const std::string& file, const std::vector<KernelValue>& values)
+{
+    const auto& files = kernel_files();
+    const auto listed = std::ranges::find(files, file, &KernelFile::name);
+    if (listed == files.end()) throw std::logic_error("kernel_files() does not list " + file);
+    const auto is_listed = [](const KernelConstant& constant, const KernelValue& value) {
+        return constant.name == value.name &&
+               (constant.has_more || std::ranges::find(constant.values, value.value) != constant.values.end());
+    };
+    KernelProgram program{file, ""};
+    for (const KernelValue& value : values)
+        program.options += (program.options.empty() ? "-D " : " -D ") + value.name + "=" + value.value;
+    if (!std::ranges::equal(listed->constants, values, is_listed))
+        throw std::logic_error("kernel_files() does not list " + file + " with " + program.options);
+    return program;
+}
+
+}

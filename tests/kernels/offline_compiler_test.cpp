@@ -1,0 +1,99 @@
+// Every kernel file, with the constants that the host gives it, is taken by Clang for graphics cards that the tests
+// have not got: as SPIR, as PTX of NVIDIA and as code of AMD. PoCL depends on the same compiler.
+#include "host/device/kernel_program.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Compiles a file below the source folder. Warnings are errors.
+std::string errors_of(const std::string& file, const std::string& options, const std::string& target)
+{
+    const std::string command = "clang-15 -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -fsyntax-only -Wall "
+                                "-Wno-unused-function -Werror -nogpulib -I . -target ";
+    const Outcome outcome = run_in_shell(source_folder(), command + target + " " + options + " " + quoted(file));
+    return outcome.status == 0 ? "" : options + "\n" + outcome.error;
+}
+
+/// All programs of a file: every combination of its constants' values.
+std::vector<KernelProgram> programs_of(const KernelFile& file)
+{
+    std::vector<std::vector<KernelValue>> all{{}};
+    for (const KernelConstant& constant : file.constants) {
+        std::vector<std::vector<KernelValue>> longer;
+        for (const auto& values : all)
+            for (const std::string& value : constant.values) {
+                longer.push_back(values);
+                longer.back().emplace_back(constant.name, value);
+            }
+        all = longer;
+    }
+    std::vector<KernelProgram> programs;
+    for (const auto& values : all) programs.push_back(kernel_program(file.name, values));
+    return programs;
+}
+
+class OfflineCompiler : public testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(OfflineCompiler, TakesEveryKernel)
+{
+    for (const KernelFile& file : kernel_files())
+        for (const KernelProgram& program : programs_of(file))
+            EXPECT_THAT(errors_of("kernels/" + program.file, program.options, GetParam()), IsEmpty()) << program.file;
+}
+
+TEST_P(OfflineCompiler, TakesHeadersForOtherPrograms)
+{
+    for (const char* file : {"kernels/common/tiling.clh", "runtime/poisson_tiles_gpu.h"})
+        EXPECT_THAT(errors_of(file, "", GetParam()), IsEmpty());
+}
+
+/// What it must not take: a kernel that includes one of ours, and has a mistake.
+TEST_P(OfflineCompiler, FindsMistakes)
+{
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "mistaken.cl").string();
+    std::ofstream(file) << "#include \"kernels/dart_throwing.cl\"\nkernel void wrong(global uint* x) { x = cell; }\n";
+    EXPECT_THAT(errors_of(file, "-D DIMENSION=2 -D REACH=2 -D LARGE_DISKS=0", GetParam()),
+                HasSubstr("undeclared identifier 'cell'"));
+    EXPECT_THAT(errors_of("kernels/dart_throwing.cl", "", GetParam()), HasSubstr("'DIMENSION'"));
+}
+
+INSTANTIATE_TEST_SUITE_P(For, OfflineCompiler,
+                         testing::Values("spir64-unknown-unknown", "nvptx64-nvidia-nvcl", "amdgcn-amd-amdhsa"));
+
+TEST(KernelFiles, ListEveryFile)
+{
+    std::vector<std::string> listed, there;
+    for (const KernelFile& file : kernel_files()) listed.push_back(file.name);
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(source_folder()) / "kernels"))
+        if (entry.path().extension() == ".cl") there.push_back(entry.path().filename().string());
+    EXPECT_THAT(there, testing::UnorderedElementsAreArray(listed));
+}
+
+/// Else the host could build what the test above does not know of.
+TEST(KernelFiles, AreBuiltAsListedOnly)
+{
+    EXPECT_EQ(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 3}}).options,
+              "-D DIMENSION=2 -D COVER_BITS=3");
+    EXPECT_THROW(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}, {"COVER_BITS", 4}}),
+                 std::logic_error);
+    EXPECT_THROW(kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", 2}}), std::logic_error);
+    EXPECT_THROW(kernel_program("repulsion.cl", {{"DIMENSIONS", 2}}), std::logic_error);
+    EXPECT_THROW(kernel_program("repulsion.clh", {{"DIMENSION", 2}}), std::logic_error);
+}
+
+}
+}
