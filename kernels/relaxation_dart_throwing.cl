@@ -337,7 +337,9 @@ kernel void cover_cells(global const ulong* state, global const uint* points, ui
     const uint id = get_global_id(0);
     if (id >> (DIMENSION - 1) * grid_bits != 0) return;
     const uint cell_y = id & last;
+#if DIMENSION == 3
     const uint cell_z = id >> grid_bits;
+#endif
     const uint near_cells = min(3u, last + 1); // along an axis
     const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const uint end = (uint)state[POINTS];
