@@ -183,28 +183,4 @@ std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path)
     });
 }
 
-Spectrum read_spectrum(const std::filesystem::path& path)
-{
-    auto planes = read_spectrum_planes(path);
-    if (planes.size() != 1) throw InputError(path.string() + ": has the planes of a 3D spectrum, not a 2D one");
-    return std::move(planes.front());
-}
-
-std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem::path& path)
-{
-    return reading(path, [&] {
-        const Imf::InputFile file(path.c_str());
-        checked_layers(file.header(), checked_size(file.header()));
-        std::map<std::string, std::string> metadata;
-        for (auto it = file.header().begin(); it != file.header().end(); ++it) {
-            const std::string name = it.name();
-            const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
-            if (text && name.starts_with(metadata_prefix)) {
-                metadata[name.substr(metadata_prefix.size())] = text->value();
-            }
-        }
-        return metadata;
-    });
-}
-
 }

@@ -20,15 +20,9 @@ namespace poissonlab {
 void write_spectrum(const std::filesystem::path& path, const Spectrum& spectrum,
                     const std::map<std::string, std::string>& metadata);
 
-/// Reads what write_spectrum wrote of a 2D spectrum. Throws InputError for files that are not such spectra.
-Spectrum read_spectrum(const std::filesystem::path& path);
-
-/// The same for either dimension: one plane of a 2D spectrum, those of a 3D one in the order of
-/// shown_planes().
+/// Reads what write_spectrum wrote: a 2D spectrum as one plane, the planes of a 3D one in the order of shown_planes().
+/// Throws InputError for files that are not such spectra.
 std::vector<Spectrum> read_spectrum_planes(const std::filesystem::path& path);
-
-/// The metadata that write_spectrum was given. Throws InputError for files that are not such spectra.
-std::map<std::string, std::string> read_spectrum_metadata(const std::filesystem::path& path);
 
 /// Writes all frequencies of a 3D spectrum as one image of size x size^2 with the channel "Y": its slices
 /// along z, lowest frequency first, one below the other. Attributes and errors as above.

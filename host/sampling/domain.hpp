@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -33,16 +32,6 @@ struct ConvexRegion
     Vector centre{};
     std::vector<HalfSpace> half_spaces; ///< at least one
 };
-
-/// An axis-aligned box (2D: rectangle) with these half widths; a half width of 0.5 or more stands for no
-/// bound.
-ConvexRegion box_region(const Vector& centre, const Vector& half_widths, int dimension);
-
-/// A convex polygon with counterclockwise vertices relative to the centre, and in 3D the prism over it: along
-/// `axis` (0, 1 or 2), as far as half_height in both directions; vertices then hold the coordinates of the
-/// next two axes in cyclic order. In 2D, `axis` is 2.
-ConvexRegion polygon_region(const Vector& centre, std::span<const std::array<double, 2>> vertices, int axis = 2,
-                            double half_height = 1);
 
 struct Domain
 {

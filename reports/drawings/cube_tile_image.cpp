@@ -182,31 +182,6 @@ void add_face_outlines(std::vector<Shape>& shapes, const std::vector<Face>& face
 
 }
 
-CubeGrid cube_set_grid(const TileSet& cubes, std::size_t columns)
-{
-    if (cubes.kind() != TileKind::cube) throw std::logic_error("only cubes are drawn as cubes");
-    check_drawn_count(cubes.size());
-    if (columns == 0) columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(cubes.size()))));
-    CubeGrid grid{cubes.colors().horizontal, {columns, (cubes.size() + columns - 1) / columns, 1}, {}, true};
-    for (std::uint64_t position = 0; position < cubes.size(); ++position) grid.cubes.push_back(cubes.index(position));
-    return grid;
-}
-
-CubeGrid cube_tiling_grid(const CubeTiling& tiling, const CubeWindow& window)
-{
-    check_drawn_count(std::max({window.width, window.height, window.depth}));
-    check_drawn_count(window.width * window.height);
-    check_drawn_count(window.width * window.height * window.depth);
-    CubeGrid grid{tiling.tile_set().colors().horizontal, {window.width, window.height, window.depth}, {}, false};
-    for (std::uint64_t z = 0; z < window.depth; ++z)
-        for (std::uint64_t y = 0; y < window.height; ++y)
-            for (std::uint64_t x = 0; x < window.width; ++x)
-                grid.cubes.push_back(tiling.tile(window.x + static_cast<std::int64_t>(x),
-                                                 window.y + static_cast<std::int64_t>(y),
-                                                 window.z + static_cast<std::int64_t>(z)));
-    return grid;
-}
-
 Drawing draw_cubes(const CubeGrid& grid)
 {
     Drawing drawing;

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
-#include "tiles/tilings/cube_tiling.hpp"
+#include "tiles/tilings/tile_index.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,13 +24,6 @@ struct CubeGrid
     std::vector<TileIndex> cubes;             ///< x fastest, then y, then z upwards; a set may have fewer
     bool has_gaps = false;                    ///< a set: cubes apart, size[0] in a row, rows downwards
 };
-
-/// All cubes of a set in order of their indices; with columns = 0, as many as make the picture nearly square.
-/// Throws InputError for more than max_drawn_tiles, std::logic_error for sets of other tiles.
-CubeGrid cube_set_grid(const TileSet& cubes, std::size_t columns = 0);
-
-/// A block of a tiling. Throws InputError for more than max_drawn_tiles.
-CubeGrid cube_tiling_grid(const CubeTiling& tiling, const CubeWindow& window);
 
 /// The outer faces in sight, with a disk at each of their lattice points. In a set each cube shows seven
 /// corners; the eighth, hidden exactly behind the nearest, is the ring around it. Edges are 32 units long.

@@ -1,7 +1,5 @@
 #include "reports/drawings/tile_image.hpp"
 
-#include "base/errors/errors.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -55,12 +53,6 @@ void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const D
 
 }
 
-void check_drawn_count(std::uint64_t tiles)
-{
-    if (tiles > max_drawn_tiles)
-        throw InputError(fmt::format("a picture of {} tiles: at most {} can be drawn", tiles, max_drawn_tiles));
-}
-
 std::string tile_color(Color color)
 {
     static const std::array<std::string, 8> known{"#ff0000", "#ffff00", "#00ff00", "#00ffff",
@@ -68,26 +60,6 @@ std::string tile_color(Color color)
     if (color < known.size()) return known[color];
     const double turns = color * 0.6180339887498949; // golden section: far from those before
     return fmt::format("#{:02x}{:02x}{:02x}", channel(turns), channel(turns - 1.0 / 3), channel(turns - 2.0 / 3));
-}
-
-TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns)
-{
-    check_drawn_count(tiles.size());
-    const auto nearly_square = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
-    TileGrid grid{tiles.kind(), tiles.colors(), columns > 0 ? columns : nearly_square, {}, true};
-    for (std::uint64_t position = 0; position < tiles.size(); ++position) grid.tiles.push_back(tiles.index(position));
-    return grid;
-}
-
-TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window)
-{
-    check_drawn_count(std::max(window.width, window.height));
-    check_drawn_count(window.width * window.height);
-    TileGrid grid{tiling.tile_set().kind(), tiling.tile_set().colors(), window.width, {}, false};
-    tiling.stream(window, [&](auto, auto, std::span<const TileIndex> tiles) {
-        grid.tiles.insert(grid.tiles.end(), tiles.begin(), tiles.end());
-    });
-    return grid;
 }
 
 Drawing empty_tile_drawing(const TileGrid& grid)

@@ -8,10 +8,8 @@
 #include "reports/drawings/drawing.hpp"
 #include "reports/drawings/square_regions.hpp"
 #include "tiles/tilings/tile_set.hpp"
-#include "tiles/tilings/tiling.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,22 +25,9 @@ struct TileGrid
     bool has_gaps = false;        ///< between tiles: a set, not a tiling
 };
 
-/// The most tiles of a picture.
-constexpr std::uint64_t max_drawn_tiles = 100'000;
-
-/// Throws InputError for more than max_drawn_tiles.
-void check_drawn_count(std::uint64_t tiles);
-
 /// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
 /// grey, and from 8 on shades all around the colour circle.
 std::string tile_color(Color color);
-
-/// All tiles of a set in order of their indices; with columns = 0, as many as make the picture nearly square.
-/// Throws InputError for more than max_drawn_tiles.
-TileGrid tile_set_grid(const TileSet& tiles, std::size_t columns = 0);
-
-/// A window of a tiling. Throws InputError for more than max_drawn_tiles.
-TileGrid tiling_grid(const Tiling& tiling, const TileWindow& window);
 
 /// Wang or corner tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
 /// std::logic_error for other tiles.

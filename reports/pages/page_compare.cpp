@@ -1,9 +1,9 @@
 // The compare page: curves of all series as data for its script, and what works without it.
 #include "reports/layout/plots.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

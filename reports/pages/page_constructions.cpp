@@ -2,8 +2,8 @@
 #include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/region_colors.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "reports/pages/page_frame.hpp"
 
 #include "reports/layout/page_template.hpp"
-#include "reports/pages/embedding.hpp"
+#include "reports/pages/relative_link.hpp"
 
 namespace poissonlab {
 

@@ -1,6 +1,6 @@
 // The plots of integration errors over the number of points, with what each function is.
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Methods whose parameters have lists of values, as tables of pictures with the values at their borders.
 #include "reports/layout/small_pictures.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

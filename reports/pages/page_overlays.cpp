@@ -1,7 +1,7 @@
 // The plots of all series of a run.
 #include "reports/layout/plots.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // The overview: the ranking of all series, and the runs.
 #include "reports/layout/thumbnails.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

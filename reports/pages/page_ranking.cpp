@@ -1,7 +1,7 @@
 // The ranking of all series: a table that sorts, and what its columns mean.
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/ranking_columns.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // What a run's page shows, which is a part of the overview where there is one run only.
 #include "reports/layout/small_pictures.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "reports/images/spectrum_image.hpp"
 #include "reports/images/tone_mapping.hpp"
 #include "reports/layout/series_pictures.hpp"
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/radial_table.hpp"
 

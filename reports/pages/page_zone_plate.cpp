@@ -1,6 +1,6 @@
 // The panels of the sampling test: the picture of the zone plate, and its error over frequency.
-#include "reports/pages/embedding.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// OpenEXR images: spectra, their planes and metadata, pictures of the zone plate.
+// OpenEXR images: spectra, their planes, pictures of the zone plate.
 #include "analysis/spectra/spectrum_file.hpp"
 #include "base/images/square_image_file.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
@@ -18,8 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
                           "a part of a variance");
         }
     });
-    fuzz::accepts(file.native(), [&] { read_spectrum(file); });
-    fuzz::accepts(file.native(), [&] { read_spectrum_metadata(file); });
     fuzz::accepts(file.native(), [&] {
         const SquareImage image = read_square_image(file);
         fuzz::require(image.pixels.size() == pixels_of(image.size), "a picture with another number of pixels");

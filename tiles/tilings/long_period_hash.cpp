@@ -24,24 +24,6 @@ bool is_prime(std::uint32_t n)
     return n >= 2;
 }
 
-/// The range, and so many primes on either side that do not divide it, ascending.
-LongPeriodDesign with_nearest_primes(std::uint32_t range, int primes_a_side)
-{
-    LongPeriodDesign design{range, {range}};
-    const auto add_primes = [&](std::uint32_t step) {
-        int wanted = primes_a_side;
-        for (std::uint32_t n = range + step; wanted > 0 && n >= 2; n += step) {
-            if (!is_prime(n) || range % n == 0) continue;
-            design.sizes.push_back(n);
-            --wanted;
-        }
-    };
-    add_primes(~0u); // downwards
-    add_primes(1);
-    std::ranges::sort(design.sizes);
-    return design;
-}
-
 [[noreturn]] void refuse(const LongPeriodDesign& design, const std::string& why)
 {
     throw InputError(fmt::format("long-period hash of tables with {} entries, range {}: {}",
@@ -73,11 +55,21 @@ std::uint64_t reciprocal_of(std::uint32_t size) { return ~std::uint64_t{0} / siz
 
 LongPeriodDesign tiling_hash_design(Color colors)
 {
-    const Color multiple = std::max(1u, (24 + colors / 2) / colors);
-    return with_nearest_primes(multiple * colors, 3);
+    const std::uint32_t range = std::max(1u, (24 + colors / 2) / colors) * colors;
+    LongPeriodDesign design{range, {range}};
+    const auto add_primes = [&](std::uint32_t step) {
+        int wanted = 3;
+        for (std::uint32_t n = range + step; wanted > 0 && n >= 2; n += step) {
+            if (!is_prime(n) || range % n == 0) continue;
+            design.sizes.push_back(n);
+            --wanted;
+        }
+    };
+    add_primes(~0u); // downwards
+    add_primes(1);
+    std::ranges::sort(design.sizes);
+    return design;
 }
-
-LongPeriodDesign noise_hash_design() { return with_nearest_primes(16, 2); }
 
 LongPeriodHash::LongPeriodHash(Color colors, LongPeriodDesign design, const StreamKey& key)
     : colors_(colors), design_(std::move(design)), product_(checked_product(colors, design_))
@@ -94,11 +86,6 @@ LongPeriodHash::LongPeriodHash(Color colors, LongPeriodDesign design, const Stre
     }
     for (std::uint32_t sum = 0; sum <= largest_sum; ++sum)
         color_of_sum_.push_back(static_cast<std::uint8_t>(sum % design_.range % colors));
-}
-
-std::uint32_t LongPeriodHash::table_entries() const
-{
-    return std::accumulate(design_.sizes.begin(), design_.sizes.end(), 0u);
 }
 
 HashPeriod LongPeriodHash::period() const

@@ -31,9 +31,6 @@ struct LongPeriodDesign
 /// are the nearest three primes on either side that do not divide the range; for 24, those of D. 3.4.3.
 LongPeriodDesign tiling_hash_design(Color colors);
 
-/// For Perlin's noise: range 16, and two primes on either side (D. 3.4.4).
-LongPeriodDesign noise_hash_design();
-
 class LongPeriodHash
 {
 public:
@@ -49,9 +46,6 @@ public:
     Color colors() const { return colors_; }
     const LongPeriodDesign& design() const { return design_; }
     std::uint32_t range() const { return design_.range; }
-
-    /// Entries of all tables together.
-    std::uint32_t table_entries() const;
 
     /// The exact period of the colours. At most, and but for freak tables, the product of all sizes.
     HashPeriod period() const;

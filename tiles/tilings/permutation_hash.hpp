@@ -39,10 +39,6 @@ public:
     std::span<const std::uint32_t> permutation() const { return permutation_; }
     HashPeriod period() const { return permutation_period(permutation_, colors_); }
 
-    /// Whether all colours are as frequent over a period: the table's size is a multiple of their number.
-    /// Otherwise, the first size % colors colours have one entry of the table more than the others.
-    bool is_balanced() const { return permutation_.size() % colors_ == 0; }
-
     Color operator()(std::int64_t x) const { return color_[reduced(x)]; }
     Color operator()(std::int64_t x, std::int64_t y) const { return color_[entry_[reduced(x)] + reduced(y)]; }
     Color operator()(std::int64_t x, std::int64_t y, std::int64_t z) const

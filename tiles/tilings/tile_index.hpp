@@ -115,6 +115,4 @@ constexpr CornerCube cube_tile(TileIndex index, Color colors)
 
 constexpr TileIndex domino_index(const Domino& domino, Color colors) { return domino.east * colors + domino.west; }
 
-constexpr Domino domino_tile(TileIndex index, Color colors) { return {index / colors, index % colors}; }
-
 }

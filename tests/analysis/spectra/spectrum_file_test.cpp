@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,6 +40,25 @@ protected:
 
     const std::filesystem::path folder_;
 };
+
+Spectrum read_spectrum(const std::filesystem::path& path)
+{
+    const auto planes = read_spectrum_planes(path);
+    EXPECT_EQ(planes.size(), 1u) << path;
+    return planes.front();
+}
+
+/// The metadata that write_spectrum was given, as OpenEXR finds them.
+std::map<std::string, std::string> read_metadata(const std::filesystem::path& path)
+{
+    const std::string prefix = "poissonlab:meta:";
+    const Imf::InputFile file(path.c_str());
+    std::map<std::string, std::string> metadata;
+    for (auto it = file.header().begin(); it != file.header().end(); ++it)
+        if (std::string_view(it.name()).starts_with(prefix))
+            metadata[it.name() + prefix.size()] = dynamic_cast<const Imf::StringAttribute&>(it.attribute()).value();
+    return metadata;
+}
 
 Spectrum random_spectrum(int size)
 {
@@ -84,8 +104,7 @@ TEST_F(SpectrumFile, OfAVolumeHoldsItsPlanes)
     EXPECT_EQ(planes[1].at(2, -3), 100 * 2 + -3);      // xz
     EXPECT_EQ(planes[2].at(2, -3), 10 * 2 + -3);       // yz
     EXPECT_EQ(planes[5].at(2, -3), -300 + 10 * 2 - 3); // yz where x is -3
-    EXPECT_EQ(read_spectrum_metadata(path).at("seed"), "1");
-    EXPECT_THROW(read_spectrum(path), InputError);
+    EXPECT_EQ(read_metadata(path).at("seed"), "1");
 
     // Programs that know OpenEXR find three layers of float32.
     const Imf::InputFile file(path.c_str());
@@ -139,7 +158,7 @@ TEST_F(SpectrumFile, KeepsMetadata)
                                                       {"label", ""}};
     const auto path = folder_ / "spectrum.exr";
     write_spectrum(path, random_spectrum(8), metadata);
-    EXPECT_EQ(read_spectrum_metadata(path), metadata);
+    EXPECT_EQ(read_metadata(path), metadata);
     EXPECT_EQ(read_spectrum(path).size, 8);
 }
 
@@ -150,7 +169,6 @@ TEST_F(SpectrumFile, RefusesForeignFiles)
     const auto text = folder_ / "text.exr";
     std::ofstream(text) << "0.1 0.2\n";
     EXPECT_THROW(read_spectrum(text), InputError);
-    EXPECT_THROW(read_spectrum_metadata(text), InputError);
 
     const auto image = folder_ / "image.exr";
     {

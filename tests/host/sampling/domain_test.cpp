@@ -1,6 +1,8 @@
 // Movement in domains against closed forms, and against a walk along the way in small steps.
 #include "host/sampling/domain.hpp"
 
+#include "tests/support/convex_regions.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/convex_regions.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>

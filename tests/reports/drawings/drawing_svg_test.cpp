@@ -4,6 +4,7 @@
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/tile_regions_image.hpp"
 #include "tests/reports/support/drawn.hpp"
+#include "tests/reports/support/tile_grids.hpp"
 #include "tests/support/browser.hpp"
 
 #include <gmock/gmock.h>

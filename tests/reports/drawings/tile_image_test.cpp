@@ -1,8 +1,8 @@
 // Pictures of tiles: every tile at its place, with its colours on the right sides.
 #include "reports/drawings/tile_image.hpp"
 
-#include "base/errors/errors.hpp"
 #include "tests/reports/support/drawn.hpp"
+#include "tests/reports/support/tile_grids.hpp"
 
 #include <gtest/gtest.h>
 
@@ -142,13 +142,8 @@ TEST(TileImage, TakesOnePathForAColor)
     }
 }
 
-TEST(TileImage, RefusesWhatNobodyCanSee)
+TEST(TileImage, RefusesCubes)
 {
-    EXPECT_THROW(tile_set_grid(TileSet::complete(TileKind::corner, 18)), InputError);
-    const Tiling tiling(DirectAlgorithm::corner, {2, 2}, HashKind::xxh64, 1);
-    EXPECT_THROW(tiling_grid(tiling, {0, 0, 1000, 101}), InputError);
-    EXPECT_THROW(tiling_grid(tiling, {0, 0, std::uint64_t{1} << 63, 2}), InputError);
-    EXPECT_NO_THROW(tiling_grid(tiling, {0, 0, 1000, 100}));
     EXPECT_THROW(draw_tiles(tile_set_grid(TileSet::complete(TileKind::cube, 2))), std::logic_error);
 }
 

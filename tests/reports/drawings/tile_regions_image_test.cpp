@@ -3,6 +3,7 @@
 
 #include "base/errors/errors.hpp"
 #include "tests/reports/support/drawn.hpp"
+#include "tests/reports/support/tile_grids.hpp"
 
 #include <gtest/gtest.h>
 

@@ -43,7 +43,7 @@ TEST(TileIndex, GoesBothWays)
                 ASSERT_TRUE(tile.north < c && tile.south < c && tile.east < v && tile.west < v) << index;
             }
         }
-        for (TileIndex index = 0; index < c * c; ++index) ASSERT_EQ(domino_index(domino_tile(index, c), c), index);
+        for (TileIndex index = 0; index < c * c; ++index) ASSERT_EQ(domino_index({index / c, index % c}, c), index);
         // All cubes up to 3 colours, then one in so many as to hit every digit.
         const TileIndex cubes = c * c * c * c * c * c * c * c;
         for (TileIndex index = 0; index < cubes; index += c <= 3 ? 1 : 1009)
