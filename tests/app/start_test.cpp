@@ -2,7 +2,7 @@
 #include "host/config/plan.hpp"
 #include "host/run/make_experiment.hpp"
 #include "tests/host/run/relaxing_sampler.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -2,6 +2,7 @@
 #include "results/radial_table.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -31,19 +32,16 @@ TEST(RadialTable, ReadsNumbersAsTheyAre)
 TEST(RadialTable, ComplainsWithTheLine)
 {
     const TemporaryFolder folder;
-    for (const auto* line : {"1,2,3,4", "1,2,3,4,5,6", "1,x,3,4,5", "1, 2,3,4,5", "", "1,nan,3,4,5"}) try {
-            read_radial_table(folder.write("radial.csv", header + "1,1,1,8,0\n" + line + "\n2,1,1,8,0\n"));
-            ADD_FAILURE() << line;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("radial.csv:3: "));
-        }
+    for (const auto* line : {"1,2,3,4", "1,2,3,4,5,6", "1,x,3,4,5", "1, 2,3,4,5", "", "1,nan,3,4,5"}) {
+        const auto table = folder.write("radial.csv", header + "1,1,1,8,0\n" + line + "\n2,1,1,8,0\n");
+        EXPECT_THAT(message_of([&] { read_radial_table(table); }), testing::HasSubstr("radial.csv:3: ")) << line;
+    }
     EXPECT_THROW(read_radial_table(folder.write("radial.csv", header)), InputError);
-    for (const auto* samples : {"-1", "nan", "inf", "1e300", "2.5"}) try {
-            read_radial_table(folder.write("radial.csv", header + "1,1,1," + samples + ",0\n"));
-            ADD_FAILURE() << samples;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("radial.csv:2: samples = "));
-        }
+    for (const auto* samples : {"-1", "nan", "inf", "1e300", "2.5"}) {
+        const auto table = folder.write("radial.csv", header + "1,1,1," + samples + ",0\n");
+        EXPECT_THAT(message_of([&] { read_radial_table(table); }), testing::HasSubstr("radial.csv:2: samples = "))
+            << samples;
+    }
 }
 
 }

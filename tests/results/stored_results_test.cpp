@@ -5,6 +5,7 @@
 #include "base/files/whole_file.hpp"
 #include "reports/site/report.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -22,14 +23,9 @@ using testing::MatchesRegex;
 /// The message of the InputError that a report on that folder ends with.
 std::string error_of(const fs::path& folder)
 {
-    try {
-        write_report({folder}, folder);
-    } catch (const InputError& error) {
-        EXPECT_FALSE(fs::exists(folder / "index.html"));
-        return error.what();
-    }
-    ADD_FAILURE() << "no InputError";
-    return {};
+    const std::string message = message_of([&] { write_report({folder}, folder); });
+    EXPECT_FALSE(fs::exists(folder / "index.html"));
+    return message;
 }
 
 /// The same after a change to results.json.

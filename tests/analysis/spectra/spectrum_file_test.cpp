@@ -3,6 +3,7 @@
 #include "analysis/spectra/spectrum_planes.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -201,14 +202,7 @@ void patch_attribute(const std::filesystem::path& path, const std::string& name_
 TEST_F(SpectrumFile, TakesNoMemoryForWhatTheFileCannotHold)
 {
     const auto path = folder_ / "spectrum.exr";
-    const auto error = [&] {
-        try {
-            read_spectrum(path);
-        } catch (const InputError& problem) {
-            return std::string(problem.what());
-        }
-        return std::string("no error");
-    };
+    const auto error = [&] { return message_of([&] { read_spectrum(path); }); };
     // 16 x 16 pixels, in a file of 8 x 8; OpenEXR only sees that there are as many rows as the header says.
     write_spectrum(path, random_spectrum(8), {});
     patch_attribute(path, std::string("dataWindow\0box2i\0", 17),

@@ -2,6 +2,7 @@
 #include "base/files/json_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,12 +13,7 @@ namespace {
 
 std::string error_of(std::string_view text)
 {
-    try {
-        parsed_json(text, "a.json");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return message_of([&] { parsed_json(text, "a.json"); });
 }
 
 TEST(JsonFile, IsRead)
@@ -39,7 +35,7 @@ TEST(JsonFile, LongTextsAreNotRepeated) { EXPECT_LT(error_of("[\"" + std::string
 TEST(JsonFile, DeepValuesAreRefused)
 {
     const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
-    EXPECT_EQ(error_of(nested(60)), "no error");
+    EXPECT_NO_THROW(parsed_json(nested(60), "a.json"));
     EXPECT_EQ(error_of(nested(100'000)), "a.json: lists and objects lie more than 64 deep in one another");
 }
 

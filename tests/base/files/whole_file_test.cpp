@@ -1,6 +1,7 @@
 #include "base/files/whole_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -45,13 +46,7 @@ private:
 
 std::string storage_error_of(const std::filesystem::path& path, std::string_view content)
 {
-    try {
-        write_whole_file(path, content);
-    } catch (const StorageError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << path << " was written without an error";
-    return "";
+    return message_of<StorageError>([&] { write_whole_file(path, content); });
 }
 
 TEST(WholeFile, ReadsBackWhatWasWritten)
@@ -178,14 +173,7 @@ TEST(WholeFile, ReadsPipes)
 
 TEST(WholeFile, RefusesWhatHasNoEndOrDoesNotFit)
 {
-    const auto error_of = [](const std::filesystem::path& path) -> std::string {
-        try {
-            read_whole_file(path);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no error";
-    };
+    const auto error_of = [](const std::filesystem::path& path) { return message_of([&] { read_whole_file(path); }); };
     EXPECT_EQ(error_of("/dev/zero"), "/dev/zero: is a device, not a file");
     const TemporaryFolder folder;
     const auto file = folder.write("file", "x");
@@ -243,18 +231,9 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeftAndNothingElse)
 TEST(WholeFile, SaysWhichFileCannotBeRead)
 {
     const TemporaryFolder folder;
-    try {
-        read_whole_file(folder.path() / "missing.dat");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("missing.dat: cannot be read: No such file or directory"));
-    }
-    try {
-        read_whole_file(folder.path());
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("cannot be read: Is a directory"));
-    }
+    EXPECT_THAT(message_of([&] { read_whole_file(folder.path() / "missing.dat"); }),
+                HasSubstr("missing.dat: cannot be read: No such file or directory"));
+    EXPECT_THAT(message_of([&] { read_whole_file(folder.path()); }), HasSubstr("cannot be read: Is a directory"));
 }
 
 }

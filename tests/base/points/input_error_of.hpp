@@ -3,25 +3,19 @@
 
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 namespace poissonlab {
 
-/// Without the folder, so that it starts with the file name. "" (and a failed test) when there is no
-/// InputError.
+/// Without the folder, so that it starts with the file name.
 inline std::string input_error_of(const std::filesystem::path& file)
 {
-    try {
-        read_points(file);
-    } catch (const InputError& error) {
-        const std::string message = error.what();
-        const std::string folder = file.parent_path().string() + "/";
-        return message.starts_with(folder) ? message.substr(folder.size()) : message;
-    }
-    ADD_FAILURE() << file << " was read without an error";
-    return "";
+    const std::string message = message_of([&] { read_points(file); });
+    const std::string folder = file.parent_path().string() + "/";
+    return message.starts_with(folder) ? message.substr(folder.size()) : message;
 }
 
 /// The same for a file with that content.

@@ -2,6 +2,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -92,12 +93,11 @@ TEST(PointFileRoundTrip, WritesNpyThatStartsItsNumbersAtAMultipleOf64)
 TEST(PointFileRoundTrip, SaysThatItCannotWrite)
 {
     const TemporaryFolder folder;
-    try {
-        write_points(folder.path() / "missing" / "points.npy", PointSet{2, {0.1, 0.2}});
-        FAIL();
-    } catch (const StorageError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("missing/points.npy: cannot be written: "));
-    }
+    const auto file = folder.path() / "missing" / "points.npy";
+    EXPECT_THAT(message_of<StorageError>([&] {
+                    write_points(file, PointSet{2, {0.1, 0.2}});
+                }),
+                HasSubstr("missing/points.npy: cannot be written: "));
 }
 
 /// While it lives, C and C++ both write 0,5 for a half.

@@ -1,6 +1,6 @@
 #include "host/config/analysis_options.hpp"
 
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Configs that include others: what is read, and one test for each kind of mistake.
 #include "host/config/collection.hpp"
 
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "host/config/sampler_registry.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <fmt/format.h>

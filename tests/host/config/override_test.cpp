@@ -1,5 +1,5 @@
 #include "host/config/config.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gtest/gtest.h>
 

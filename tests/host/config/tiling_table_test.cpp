@@ -1,6 +1,6 @@
 // The tables [[tile_set]] and [[tiling]] of a config.
 #include "host/config/config.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

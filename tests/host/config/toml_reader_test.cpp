@@ -1,6 +1,6 @@
 #include "host/config/toml_reader.hpp"
 
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gtest/gtest.h>
 

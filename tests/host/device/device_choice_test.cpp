@@ -2,6 +2,7 @@
 #include "host/device/device.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -33,11 +34,7 @@ std::vector<DeviceInfo> devices_of(const std::vector<std::pair<std::string, std:
 
 std::string refusal(const std::vector<DeviceInfo>& devices, const std::string& selector)
 {
-    try {
-        return "chose " + std::to_string(choose_device(devices, selector));
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
+    return message_of<DeviceError>([&] { choose_device(devices, selector); });
 }
 
 TEST(DeviceChoice, ByNumberNameAndUniquePart)

@@ -1,7 +1,7 @@
 // The device layer: what it lists, what it opens, and what it says when something fails.
 #include "host/device/device.hpp"
 
-#include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,19 +13,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// The message of the DeviceError that `call` throws.
-template <typename Call>
-std::string device_error_of(Call&& call)
-{
-    try {
-        call();
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "no DeviceError";
-    return {};
-}
 
 TEST(Device, ListsAtLeastOne)
 {
@@ -48,7 +35,7 @@ TEST(Device, RestrictsThreads) { EXPECT_EQ(Device::open({}, 1).info().compute_un
 
 TEST(Device, SaysWhichDevicesThereAre)
 {
-    EXPECT_THAT(device_error_of([] { Device::open("no such device"); }),
+    EXPECT_THAT(message_of<DeviceError>([] { Device::open("no such device"); }),
                 AllOf(HasSubstr("\"no such device\""), HasSubstr("0: "), Not(HasSubstr("\n"))));
 }
 
@@ -81,7 +68,7 @@ TEST(Device, PadsTheRangeToWholeGroups)
 TEST(Device, ShowsTheLogOfAKernelThatDoesNotBuild)
 {
     Device device = Device::open();
-    EXPECT_THAT(device_error_of(
+    EXPECT_THAT(message_of<DeviceError>(
                     [&] { device.kernel_from_text("kernel void broken() { this is not C; }", "broken.cl", "broken"); }),
                 AllOf(HasSubstr("broken.cl"), HasSubstr("clBuildProgram"), HasSubstr("CL_BUILD_PROGRAM_FAILURE"),
                       HasSubstr("error:")));
@@ -90,7 +77,7 @@ TEST(Device, ShowsTheLogOfAKernelThatDoesNotBuild)
 TEST(Device, NamesAKernelThatIsNotThere)
 {
     Device device = Device::open();
-    EXPECT_THAT(device_error_of([&] { device.kernel_from_text("kernel void here() {}", "here.cl", "gone"); }),
+    EXPECT_THAT(message_of<DeviceError>([&] { device.kernel_from_text("kernel void here() {}", "here.cl", "gone"); }),
                 AllOf(HasSubstr("gone"), HasSubstr("clCreateKernel"), HasSubstr("CL_INVALID_KERNEL_NAME")));
 }
 
@@ -100,14 +87,14 @@ TEST(Device, NamesTheKernelOfAFailedLaunch)
     auto kernel = device.kernel_from_text("kernel void fill(global uint* x) { x[0] = 1; }", "fill.cl", "fill");
     auto x = device.buffer<std::uint32_t>(1);
     const std::size_t too_large = device.info().max_work_group_size * 2;
-    EXPECT_THAT(device_error_of([&] { kernel.run(1, too_large, x); }),
+    EXPECT_THAT(message_of<DeviceError>([&] { kernel.run(1, too_large, x); }),
                 AllOf(HasSubstr("fill"), HasSubstr("clEnqueueNDRangeKernel"), HasSubstr("CL_INVALID_WORK_GROUP_SIZE")));
 }
 
 TEST(Device, SaysHowMuchMemoryCouldNotBeHad)
 {
     Device device = Device::open();
-    EXPECT_THAT(device_error_of([&] { device.buffer<std::uint32_t>(std::size_t{1} << 45); }),
+    EXPECT_THAT(message_of<DeviceError>([&] { device.buffer<std::uint32_t>(std::size_t{1} << 45); }),
                 AllOf(HasSubstr("140737488355328 bytes"), HasSubstr("CL_INVALID_BUFFER_SIZE")));
 }
 

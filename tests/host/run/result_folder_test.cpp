@@ -1,6 +1,6 @@
 #include "host/run/result_folder.hpp"
 
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>

@@ -5,7 +5,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "results/result_tables.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/program.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "base/points/point_file.hpp"
 #include "host/config/plan.hpp"
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
 

@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -25,12 +26,7 @@ Parameters parameters(std::initializer_list<std::pair<std::string, ParameterValu
 
 std::string refusal(const Parameters& p, std::size_t points = 16384)
 {
-    try {
-        spec().check(p, {points, 2, 1}, {"test.toml", 9});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_of([&] { spec().check(p, {points, 2, 1}, {"test.toml", 9}); });
 }
 
 DeviceProvider device()
@@ -77,14 +73,9 @@ TEST(DartThrowingSampler, SaysWhatWasReachedWhenASetSaturatesEarly)
     ASSERT_EQ(refusal(p, request.points), "accepted");
     for (const Engine engine : {Engine::opencl, Engine::reference}) {
         const auto sampler = spec().create(p, request, engine, device());
-        try {
-            sampler->sample(0);
-            FAIL() << "the set was made";
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(),
-                        AllOf(HasSubstr("test.toml:10: relative_radius = 0.783: realization 0 is saturated with"),
-                              HasSubstr("of 4096 points"), HasSubstr("about 0.77")));
-        }
+        EXPECT_THAT(message_of([&] { sampler->sample(0); }),
+                    AllOf(HasSubstr("test.toml:10: relative_radius = 0.783: realization 0 is saturated with"),
+                          HasSubstr("of 4096 points"), HasSubstr("about 0.77")));
     }
 }
 

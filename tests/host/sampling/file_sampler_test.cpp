@@ -2,6 +2,7 @@
 #include "host/sampling/file_sampler.hpp"
 
 #include "base/points/point_file.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -41,16 +42,10 @@ protected:
     /// The message of the check, without the folder of the config.
     std::string error(const std::vector<std::string>& path) const
     {
-        try {
-            spec.check(parameters(path), request, {});
-        } catch (const InputError& e) {
-            std::string message = e.what();
-            const std::string prefix = folder.path().string() + "/";
-            for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) message.erase(at, prefix.size());
-            return message;
-        }
-        ADD_FAILURE() << "no error";
-        return "";
+        std::string message = message_of([&] { spec.check(parameters(path), request, {}); });
+        const std::string prefix = folder.path().string() + "/";
+        for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) message.erase(at, prefix.size());
+        return message;
     }
 
     TemporaryFolder folder;
@@ -136,12 +131,10 @@ TEST_F(FileSampler, RefusesWhatHasNoEndOrCanBeReadOnce)
 
 TEST_F(FileSampler, NeedsAPath)
 {
-    try {
-        spec.check({}, request, {"experiment.toml", 9});
-        FAIL();
-    } catch (const InputError& e) {
-        EXPECT_STREQ(e.what(), "experiment.toml:9: path: must be given: a file, a glob, or a list of these");
-    }
+    EXPECT_EQ(message_of([&] {
+                  spec.check({}, request, {"experiment.toml", 9});
+              }),
+              "experiment.toml:9: path: must be given: a file, a glob, or a list of these");
 }
 
 }

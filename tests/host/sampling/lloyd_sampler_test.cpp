@@ -3,6 +3,7 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -31,12 +32,7 @@ ParameterValue start_from(const std::string& name, Values values = {})
 
 std::string refusal(const Parameters& p)
 {
-    try {
-        spec().check(p, {1024, 2, 1}, {"test.toml", 9});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_of([&] { spec().check(p, {1024, 2, 1}, {"test.toml", 9}); });
 }
 
 std::unique_ptr<Sampler> create(Values values, int dimension = 2, Engine engine = Engine::opencl)

@@ -3,6 +3,7 @@
 
 #include "host/device/device.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
+#include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
 
@@ -24,12 +25,7 @@ Parameters parameters(std::initializer_list<std::pair<std::string, ParameterValu
 
 std::string refusal(const Parameters& p, std::size_t points = 16384)
 {
-    try {
-        spec().check(p, {points, 2, 1}, {"test.toml", 9});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_of([&] { spec().check(p, {points, 2, 1}, {"test.toml", 9}); });
 }
 
 DeviceProvider device()

@@ -1,6 +1,6 @@
 #include "host/series/imported_points.hpp"
 
-#include "tests/support/message_of.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -54,12 +55,9 @@ protected:
     static std::string refusal(const std::string& name, Values values)
     {
         const SamplerSpec spec = spec_of(name);
-        try {
+        return refusal_of([&] {
             spec.check(parameters(values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "accepted";
+        });
     }
 
 private:

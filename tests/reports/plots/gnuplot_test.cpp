@@ -3,6 +3,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/picture.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,13 +18,7 @@ using testing::HasSubstr;
 
 std::string error_of(const std::vector<GnuplotPicture>& pictures)
 {
-    try {
-        draw_with_gnuplot(pictures);
-    } catch (const StorageError& error) {
-        return error.what();
-    }
-    ADD_FAILURE() << "no StorageError";
-    return {};
+    return message_of<StorageError>([&] { draw_with_gnuplot(pictures); });
 }
 
 TEST(Gnuplot, DrawsSvgAndPng)

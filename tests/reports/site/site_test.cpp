@@ -2,6 +2,7 @@
 #include "reports/words/number_format.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/picture.hpp"
 
 #include <fmt/format.h>
@@ -314,14 +315,7 @@ TEST_F(CollectionTest, OfOneRunIsAReportOfThat)
 
 TEST_F(CollectionTest, DamagedOnesNameTheMember)
 {
-    const auto error = [&] {
-        try {
-            overview();
-        } catch (const InputError& thrown) {
-            return std::string(thrown.what());
-        }
-        return std::string("none");
-    };
+    const auto error = [&] { return message_of([&] { overview(); }); };
     write_collection({"../first"});
     EXPECT_THAT(error(), HasSubstr("collection.json: runs: \"../first\" must be the name of a folder beside the file"));
     write_collection(nlohmann::json::array());

@@ -1,11 +1,11 @@
 // A report over synthetic results that a test has changed.
 #pragma once
 
-#include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/site/report.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -40,12 +40,7 @@ protected:
     {
         const auto good = json_;
         damage(json_["series"][0][member]);
-        std::string message = "no InputError";
-        try {
-            page();
-        } catch (const InputError& error) {
-            message = error.what();
-        }
+        const std::string message = message_of([&] { page(); });
         json_ = good;
         return message;
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -16,12 +17,10 @@ template <class Read>
 void expect_table_errors(const std::string& header, const Read& read)
 {
     const TemporaryFolder folder;
-    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) try {
-            read(folder.write("a.csv", header + "1,1,1,8\n" + line + "\n"));
-            ADD_FAILURE() << line;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), testing::HasSubstr("a.csv:3: "));
-        }
+    for (const auto* line : {"1,2,3", "1,2,x,4", "1,2,nan,4", "1,2,3,inf", ""}) {
+        const auto table = folder.write("a.csv", header + "1,1,1,8\n" + line + "\n");
+        EXPECT_THAT(message_of([&] { read(table); }), testing::HasSubstr("a.csv:3: ")) << line;
+    }
     EXPECT_THROW(read(folder.write("a.csv", header)), InputError);
     EXPECT_THROW(read(folder.write("a.csv", "frequency,power,anisotropy_db,samples\n")), InputError);
 }

@@ -2,6 +2,7 @@
 #include "results/pictures/stored_constructions.hpp"
 
 #include "tests/reports/support/construction_scene.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -26,12 +27,7 @@ protected:
     {
         json scene = test::plane_scene();
         damage(scene);
-        try {
-            read(scene);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no InputError";
+        return message_of([&] { read(scene); });
     }
 
     TemporaryFolder folder_;
@@ -109,12 +105,7 @@ TEST_F(StoredConstructions, MembersOfResultsAreRead)
     for (const char* name : {"name", "label", "kind", "show", "tiles", "file", "points"}) {
         json damaged = good;
         damaged[name] = -1;
-        try {
-            read_member(damaged);
-            ADD_FAILURE() << name;
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), HasSubstr(std::string("constructions[0].") + name));
-        }
+        EXPECT_THAT(message_of([&] { read_member(damaged); }), HasSubstr(std::string("constructions[0].") + name));
     }
 }
 

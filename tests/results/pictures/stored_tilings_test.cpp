@@ -1,7 +1,7 @@
 // The member "tilings" of results.json, whole and damaged.
 #include "results/pictures/stored_tilings.hpp"
 
-#include "base/errors/errors.hpp"
+#include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -31,13 +31,10 @@ protected:
 
     std::string error() const
     {
-        try {
+        return refusal_of([&] {
             const auto tilings = read();
             read_tiles(folder_.path(), tilings.at(0));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no InputError";
+        });
     }
 
     TemporaryFolder folder_;
