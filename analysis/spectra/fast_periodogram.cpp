@@ -7,10 +7,10 @@
 // off for others.
 #include "analysis/spectra/fast_periodogram.hpp"
 
+#include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/point_spreading.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
 
-#include <fftw3.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -44,14 +44,6 @@ public:
 private:
     UninitializedVector<double> parts_;
 };
-
-fftw_complex* fftw(Complex* values) { return reinterpret_cast<fftw_complex*>(values); }
-
-struct PlanDelete
-{
-    void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDelete>;
 
 /// The smallest even size of at least `least` without other prime factors than 2, 3 and 5.
 std::size_t transform_size(double least)
@@ -136,8 +128,8 @@ FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
     }
     // An estimated plan is the same on every run. Measured ones are chosen by timing.
     Workspace& work = workspaces_.local();
-    plan_.reset(fftw_plan_dft_1d(static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()), FFTW_FORWARD,
-                                 FFTW_ESTIMATE));
+    plan_ = make_fftw_plan(fftw_plan_dft_1d, static_cast<int>(grid_), fftw(work.line.data()), fftw(work.lines.data()),
+                           FFTW_FORWARD, FFTW_ESTIMATE);
     if (!plan_) throw std::runtime_error("FFTW has no plan for " + std::to_string(grid_));
 }
 

@@ -1,29 +1,18 @@
 #include "analysis/tilings/color_statistics.hpp"
 
+#include "analysis/spectra/fftw_plan.hpp"
+
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/special_functions/gamma.hpp>
-#include <fftw3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <stdexcept>
 
 namespace poissonlab {
 
 namespace {
-
-struct FftwDeleter
-{
-    void operator()(void* pointer) const { fftw_free(pointer); }
-};
-
-struct PlanDeleter
-{
-    void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanDeleter>;
 
 /// How many pairs of places at each displacement have the same colour: the sum over colours of the
 /// autocorrelation of each one's indicator, on a grid large enough that displacements do not wrap around.
@@ -32,19 +21,15 @@ class AgreementGrid
 public:
     AgreementGrid(const ColorField& field, int lags)
         : width_(field.width + static_cast<std::size_t>(lags)),
-          height_(field.height() + static_cast<std::size_t>(lags)), columns_(width_ / 2 + 1),
-          values_(fftw_alloc_real(height_ * width_)), transform_(fftw_alloc_complex(height_ * columns_)),
-          powers_(height_ * columns_),
-          forward_(fftw_plan_dft_r2c_2d(static_cast<int>(height_), static_cast<int>(width_), values_.get(),
-                                        transform_.get(), FFTW_ESTIMATE)),
-          backward_(fftw_plan_dft_c2r_2d(static_cast<int>(height_), static_cast<int>(width_), transform_.get(),
-                                         values_.get(), FFTW_ESTIMATE))
+          height_(field.height() + static_cast<std::size_t>(lags)), columns_(width_ / 2 + 1), values_(height_ * width_),
+          transform_(height_ * columns_), powers_(height_ * columns_),
+          forward_(make_fftw_plan(fftw_plan_dft_r2c_2d, static_cast<int>(height_), static_cast<int>(width_),
+                                  values_.data(), fftw(transform_.data()), FFTW_ESTIMATE)),
+          backward_(make_fftw_plan(fftw_plan_dft_c2r_2d, static_cast<int>(height_), static_cast<int>(width_),
+                                   fftw(transform_.data()), values_.data(), FFTW_ESTIMATE))
     {
         for (std::uint32_t color = 0; color < field.colors; ++color) add_power_of(field, color);
-        for (std::size_t i = 0; i < powers_.size(); ++i) {
-            transform_.get()[i][0] = powers_[i];
-            transform_.get()[i][1] = 0;
-        }
+        std::ranges::copy(powers_, transform_.begin());
         fftw_execute(backward_.get());
     }
 
@@ -54,27 +39,24 @@ public:
     {
         const auto x = dx < 0 ? width_ - static_cast<std::size_t>(-dx) : static_cast<std::size_t>(dx);
         const auto y = dy < 0 ? height_ - static_cast<std::size_t>(-dy) : static_cast<std::size_t>(dy);
-        return std::round(values_.get()[y * width_ + x] / static_cast<double>(width_ * height_));
+        return std::round(values_[y * width_ + x] / static_cast<double>(width_ * height_));
     }
 
 private:
     void add_power_of(const ColorField& field, std::uint32_t color)
     {
-        std::fill_n(values_.get(), height_ * width_, 0.0);
+        std::ranges::fill(values_, 0.0);
         for (std::size_t i = 0; i < field.values.size(); ++i)
-            if (field.values[i] == color) values_.get()[i / field.width * width_ + i % field.width] = 1;
+            if (field.values[i] == color) values_[i / field.width * width_ + i % field.width] = 1;
         fftw_execute(forward_.get());
-        for (std::size_t i = 0; i < powers_.size(); ++i) {
-            const double re = transform_.get()[i][0], im = transform_.get()[i][1];
-            powers_[i] += re * re + im * im;
-        }
+        for (std::size_t i = 0; i < powers_.size(); ++i) powers_[i] += std::norm(transform_[i]);
     }
 
     std::size_t width_, height_, columns_;
-    std::unique_ptr<double, FftwDeleter> values_;
-    std::unique_ptr<fftw_complex, FftwDeleter> transform_;
+    std::vector<double> values_;
+    std::vector<std::complex<double>> transform_;
     std::vector<double> powers_;
-    Plan forward_, backward_;
+    FftwPlan forward_, backward_;
 };
 
 }

@@ -1,14 +1,12 @@
 #include "analysis/zone_plate/false_rings.hpp"
 
+#include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/zone_plate/zone_plate.hpp"
-
-#include <fftw3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdlib>
-#include <mutex>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -43,17 +41,8 @@ std::vector<Complex> dechirped(const SquareImage& picture, const SquareImage& re
 
 void transform(std::vector<Complex>& field, int size)
 {
-    // FFTW plans one transform at a time only.
-    static std::mutex planner;
-    auto* data = reinterpret_cast<fftw_complex*>(field.data());
-    fftw_plan plan;
-    {
-        const std::lock_guard lock(planner);
-        plan = fftw_plan_dft_2d(size, size, data, data, FFTW_FORWARD, FFTW_ESTIMATE);
-    }
-    fftw_execute(plan);
-    const std::lock_guard lock(planner);
-    fftw_destroy_plan(plan);
+    fftw_complex* const data = fftw(field.data());
+    fftw_execute(make_fftw_plan(fftw_plan_dft_2d, size, size, data, data, FFTW_FORWARD, FFTW_ESTIMATE).get());
 }
 
 // Powers with their sums over squares, around the ends.
