@@ -19,6 +19,7 @@
 namespace poissonlab {
 namespace {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
