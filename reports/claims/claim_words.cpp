@@ -30,7 +30,7 @@ std::string percent_words(double share) { return format_significant(100 * share,
 namespace {
 
 // "device, 2 threads"
-std::string machine_words(const StoredRun& run)
+std::string machine_words(const Run& run)
 {
     const auto device = run.machine_member("device"), threads = run.machine_member("threads");
     std::string text = device;

@@ -204,7 +204,7 @@ struct RelaxationSetting
 constexpr RelaxationSetting relaxation_settings[] = {{0.9, 100, 0.57}, {0.99, 1000, 0.68}, {0.999, 10000, 0.73}};
 
 // The text has two digits of one set: half of the last, and two standard deviations of what sets scatter.
-double text_tolerance(const StoredStatistic& radius)
+double text_tolerance(const Statistic& radius)
 {
     if (radius.each.empty()) return 0.005;
     const auto mean = sample_mean(radius.each);

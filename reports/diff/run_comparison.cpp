@@ -16,30 +16,29 @@ std::string joined(const std::string& run, const std::string& series)
     return run.empty() ? series : run + "/" + series;
 }
 
-std::vector<StoredRun> read_runs(const std::filesystem::path& folder)
+std::vector<Run> read_runs(const std::filesystem::path& folder)
 {
-    std::vector<StoredRun> runs;
-    for (const auto& run : output_folders(folder)) runs.push_back(read_stored_run(run));
+    std::vector<Run> runs;
+    for (const auto& run : output_folders(folder)) runs.push_back(read_run(run));
     return runs;
 }
 
 // The runs by name: the folder's in a collection. One run on either side is matched whatever its folder is called.
-std::map<std::string, const StoredRun*> by_name(const std::vector<StoredRun>& runs)
+std::map<std::string, const Run*> by_name(const std::vector<Run>& runs)
 {
-    std::map<std::string, const StoredRun*> named;
+    std::map<std::string, const Run*> named;
     for (const auto& run : runs) named[runs.size() == 1 ? "" : run.folder.filename().string()] = &run;
     return named;
 }
 
-const StoredSeries* find_series(const StoredRun& run, const std::string& name)
+const Series* find_series(const Run& run, const std::string& name)
 {
-    const auto found = std::ranges::find(run.series, name, &StoredSeries::name);
+    const auto found = std::ranges::find(run.series, name, &Series::name);
     return found == run.series.end() ? nullptr : &*found;
 }
 
 // What a reader must know of two runs before their numbers.
-void add_remarks(const std::string& name, const StoredRun& before, const StoredRun& after,
-                 std::vector<std::string>& remarks)
+void add_remarks(const std::string& name, const Run& before, const Run& after, std::vector<std::string>& remarks)
 {
     const auto add = [&](const std::string& what, const std::string& a, const std::string& b) {
         if (a == b) return;
@@ -62,7 +61,7 @@ void add_remarks(const std::string& name, const StoredRun& before, const StoredR
         remarks.push_back((name.empty() ? "the configs" : name + ": the configs") + " differ");
 }
 
-void match_series(const std::string& name, const StoredRun& before, const StoredRun& after, RunComparison& comparison)
+void match_series(const std::string& name, const Run& before, const Run& after, RunComparison& comparison)
 {
     for (const auto& series : before.series) {
         const auto* other = find_series(after, series.name);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "reports/diff/number_comparison.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -19,10 +19,10 @@ namespace poissonlab {
 struct SeriesComparison
 {
     std::string run; ///< the folder of its run in a collection; empty: there is one run
-    const StoredRun* run_before = nullptr;
-    const StoredRun* run_after = nullptr;
-    const StoredSeries* before = nullptr;
-    const StoredSeries* after = nullptr;
+    const Run* run_before = nullptr;
+    const Run* run_after = nullptr;
+    const Series* before = nullptr;
+    const Series* after = nullptr;
     std::vector<NumberComparison> numbers;
 
     /// "run/series", or the series alone where there is one run.
@@ -32,7 +32,7 @@ struct SeriesComparison
 
 struct RunComparison
 {
-    std::vector<StoredRun> before, after; ///< what was compared; the rest points into these
+    std::vector<Run> before, after; ///< what was compared; the rest points into these
     std::vector<SeriesComparison> series;
     std::vector<std::string> missing; ///< series (or whole runs) of before only
     std::vector<std::string> added;   ///< of after only

@@ -35,16 +35,16 @@ public:
         numbers_.push_back(std::move(number));
     }
 
-    void add_statistic(NumberComparison number, const std::optional<StoredStatistic>& before,
-                       const std::optional<StoredStatistic>& after)
+    void add_statistic(NumberComparison number, const std::optional<Statistic>& before,
+                       const std::optional<Statistic>& after)
     {
-        const auto judge_both = [&](NumberComparison& both, const StoredStatistic& a, const StoredStatistic& b) {
+        const auto judge_both = [&](NumberComparison& both, const Statistic& a, const Statistic& b) {
             if (!a.each.empty() && !b.each.empty()) return judge(both, a.each, b.each, terms_);
             both.before = SampleMean{a.mean, 0, 1};
             both.after = SampleMean{b.mean, 0, 1};
             judge(both, terms_);
         };
-        add(std::move(number), before, after, judge_both, &StoredStatistic::mean);
+        add(std::move(number), before, after, judge_both, &Statistic::mean);
     }
 
     /// A number of all realizations together, with its standard error where one is stored.
@@ -105,9 +105,9 @@ private:
     std::vector<NumberComparison> numbers_;
 };
 
-std::size_t samples_of(const StoredSeries& series) { return static_cast<std::size_t>(series.realizations); }
+std::size_t samples_of(const Series& series) { return static_cast<std::size_t>(series.realizations); }
 
-std::optional<SampleMean> estimate(double value, const std::optional<double>& error, const StoredSeries& series)
+std::optional<SampleMean> estimate(double value, const std::optional<double>& error, const Series& series)
 {
     return SampleMean{value, error.value_or(0), samples_of(series)};
 }
@@ -135,19 +135,19 @@ void SeriesNumbers::add_spectral_measures()
 {
     using Estimate = std::optional<SampleMean>;
     add_measure(named("effective Nyquist frequency", "√N / 2 (3D: ∛N / 2)", Better::higher),
-                [](const StoredSeries& s) -> Estimate {
+                [](const Series& s) -> Estimate {
                     if (!s.measures.effective_nyquist) return std::nullopt;
                     return estimate(*s.measures.effective_nyquist, s.measures.effective_nyquist_error, s);
                 });
-    add_measure(named("oscillation", "", Better::lower), [](const StoredSeries& s) -> Estimate {
+    add_measure(named("oscillation", "", Better::lower), [](const Series& s) -> Estimate {
         if (!s.measures.oscillation) return std::nullopt;
         return estimate(s.measures.oscillation->value, s.measures.oscillation->standard_error, s);
     });
-    add_measure(named("peak anisotropy", "dB", Better::lower), [](const StoredSeries& s) -> Estimate {
+    add_measure(named("peak anisotropy", "dB", Better::lower), [](const Series& s) -> Estimate {
         if (!s.measures.peak_anisotropy) return std::nullopt;
         return estimate(s.measures.peak_anisotropy->db, s.measures.peak_anisotropy->standard_error_db, s);
     });
-    add_measure(named("mean lattice peak", "", Better::lower), [](const StoredSeries& s) -> Estimate {
+    add_measure(named("mean lattice peak", "", Better::lower), [](const Series& s) -> Estimate {
         if (!s.measures.lattice_peaks) return std::nullopt;
         return estimate(s.measures.lattice_peaks->mean_ratio, s.measures.lattice_peaks->mean_ratio_error, s);
     });
@@ -156,11 +156,11 @@ void SeriesNumbers::add_spectral_measures()
 void SeriesNumbers::add_fit()
 {
     using Estimate = std::optional<SampleMean>;
-    add_measure(named("low-frequency exponent", "", Better::neither), [](const StoredSeries& s) -> Estimate {
+    add_measure(named("low-frequency exponent", "", Better::neither), [](const Series& s) -> Estimate {
         if (!s.measures.low_frequency_power) return std::nullopt;
         return estimate(s.measures.low_frequency_power->exponent, s.measures.low_frequency_power->exponent_error, s);
     });
-    add_measure(named("power towards frequency 0", "", Better::lower), [](const StoredSeries& s) -> Estimate {
+    add_measure(named("power towards frequency 0", "", Better::lower), [](const Series& s) -> Estimate {
         if (!s.measures.low_frequency_power) return std::nullopt;
         return estimate(s.measures.low_frequency_power->intercept, s.measures.low_frequency_power->intercept_error, s);
     });
@@ -168,7 +168,7 @@ void SeriesNumbers::add_fit()
 
 void SeriesNumbers::add_integration()
 {
-    const auto of = [](const StoredSeries& s, const std::string& integrand) -> std::optional<SampleMean> {
+    const auto of = [](const Series& s, const std::string& integrand) -> std::optional<SampleMean> {
         for (const auto& integral : s.measures.integration)
             if (integral.integrand == integrand) return estimate(integral.rms_error, integral.standard_error, s);
         return std::nullopt;
@@ -186,10 +186,10 @@ void SeriesNumbers::add_measures()
     const auto& a = pair_.before->measures;
     const auto& b = pair_.after->measures;
     add_single(named("largest gap", "", Better::lower), a.largest_empty_radius, b.largest_empty_radius);
-    const auto variance = [](const StoredMeasures& measures) {
+    const auto variance = [](const Measures& measures) {
         return measures.voronoi ? std::optional(measures.voronoi->relative_area_variance) : std::nullopt;
     };
-    const auto six = [](const StoredMeasures& measures) {
+    const auto six = [](const Measures& measures) {
         return measures.voronoi ? std::optional(measures.voronoi->neighbour_share[2]) : std::nullopt;
     };
     add_single(named("variance of Voronoi areas", "", Better::neither), variance(a), variance(b));
@@ -204,7 +204,7 @@ void SeriesNumbers::add_curve(const NumberComparison& number, const std::vector<
     numbers_.push_back(std::move(both));
 }
 
-std::vector<CurvePoint> radial_curve(const StoredRun& run, const StoredSeries& series)
+std::vector<CurvePoint> radial_curve(const Run& run, const Series& series)
 {
     std::vector<CurvePoint> curve;
     for (const auto& bin : read_radial_table(run.folder / series.radial_file))
@@ -212,7 +212,7 @@ std::vector<CurvePoint> radial_curve(const StoredRun& run, const StoredSeries& s
     return curve;
 }
 
-std::vector<CurvePoint> pair_curve(const StoredRun& run, const StoredSeries& series)
+std::vector<CurvePoint> pair_curve(const Run& run, const Series& series)
 {
     std::vector<CurvePoint> curve;
     for (const auto& bin : read_pair_correlation_table(run.folder / series.pair_correlation_file))
@@ -234,11 +234,9 @@ void SeriesNumbers::add_curves()
 
 void SeriesNumbers::add_zone_plate()
 {
-    using Statistic = std::optional<StoredStatistic>;
-    const auto whole = [](const StoredSeries& s) {
-        return s.zone_plate ? Statistic(s.zone_plate->rms_error) : std::nullopt;
-    };
-    const auto resolved = [](const StoredSeries& s) {
+    using Errors = std::optional<Statistic>;
+    const auto whole = [](const Series& s) { return s.zone_plate ? Errors(s.zone_plate->rms_error) : std::nullopt; };
+    const auto resolved = [](const Series& s) {
         return s.zone_plate ? s.zone_plate->resolved_rms_error : std::nullopt;
     };
     add_statistic(named("zone plate error", "", Better::lower), whole(*pair_.before), whole(*pair_.after));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/images/picture_store.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <filesystem>
 
@@ -11,8 +11,8 @@ namespace poissonlab {
 /// One picture of a construction.
 struct ReportConstruction
 {
-    const StoredRun* run = nullptr; ///< the runs outlive this
-    const StoredConstruction* stored = nullptr;
+    const Run* run = nullptr; ///< the runs outlive this
+    const ConstructionResult* stored = nullptr;
     StoredScene scene;
     std::filesystem::path pictures; ///< folder of its picture
 };

@@ -4,7 +4,7 @@ namespace poissonlab {
 
 namespace {
 
-using Series = std::vector<ReportSeries>;
+using AllSeries = std::vector<ReportSeries>;
 using Pictures = std::vector<GnuplotPicture>;
 
 // Whether a plot of several curves has something to compare.
@@ -14,7 +14,7 @@ bool several(const Curves& curves)
     return curves.size() > 1;
 }
 
-void add_frequency_plots(const Series& series, Pictures& pictures)
+void add_frequency_plots(const AllSeries& series, Pictures& pictures)
 {
     const auto curves = frequency_curves(series);
     const auto scales = common_scales(curves);
@@ -25,7 +25,7 @@ void add_frequency_plots(const Series& series, Pictures& pictures)
     }
 }
 
-void add_frequency_overlays(const Series& series, const std::filesystem::path& folder, Pictures& pictures)
+void add_frequency_overlays(const AllSeries& series, const std::filesystem::path& folder, Pictures& pictures)
 {
     const auto curves = frequency_curves(series);
     const auto scales = common_scales(curves);
@@ -37,7 +37,7 @@ void add_frequency_overlays(const Series& series, const std::filesystem::path& f
         pictures.push_back(overlay_principal_power(principal, scales, folder / principal_overlay));
 }
 
-void add_pair_correlation_plots(const Series& series, Pictures& pictures)
+void add_pair_correlation_plots(const AllSeries& series, Pictures& pictures)
 {
     const auto curves = pair_correlation_curves(series);
     const auto scales = common_pair_correlation_scales(curves);
@@ -45,14 +45,14 @@ void add_pair_correlation_plots(const Series& series, Pictures& pictures)
         pictures.push_back(plot_pair_correlation(curve, scales, series[curve.index].pictures / "pair-correlation"));
 }
 
-void add_pair_correlation_overlay(const Series& series, const std::filesystem::path& folder, Pictures& pictures)
+void add_pair_correlation_overlay(const AllSeries& series, const std::filesystem::path& folder, Pictures& pictures)
 {
     if (const auto curves = pair_correlation_curves(series); several(curves))
         pictures.push_back(overlay_pair_correlation(curves, common_pair_correlation_scales(curves),
                                                     folder / pair_correlation_overlay));
 }
 
-void add_iteration_plots(const Series& series, Pictures& pictures)
+void add_iteration_plots(const AllSeries& series, Pictures& pictures)
 {
     const auto curves = iteration_curves(series);
     if (curves.empty()) return;
@@ -64,7 +64,7 @@ void add_iteration_plots(const Series& series, Pictures& pictures)
     }
 }
 
-void add_iteration_overlays(const Series& series, const std::filesystem::path& folder, Pictures& pictures)
+void add_iteration_overlays(const AllSeries& series, const std::filesystem::path& folder, Pictures& pictures)
 {
     const auto curves = iteration_curves(series);
     if (!several(curves)) return;
@@ -73,7 +73,7 @@ void add_iteration_overlays(const Series& series, const std::filesystem::path& f
     pictures.push_back(overlay_energy(curves, scales, folder / energy_overlay));
 }
 
-void add_zone_plate_plots(const Series& series, Pictures& pictures)
+void add_zone_plate_plots(const AllSeries& series, Pictures& pictures)
 {
     const auto curves = zone_plate_curves(series);
     if (curves.empty()) return;
@@ -82,14 +82,14 @@ void add_zone_plate_plots(const Series& series, Pictures& pictures)
         pictures.push_back(plot_zone_plate_error(curve, scales, series[curve.index].pictures / "zone-plate-error"));
 }
 
-void add_zone_plate_overlay(const Series& series, const std::filesystem::path& folder, Pictures& pictures)
+void add_zone_plate_overlay(const AllSeries& series, const std::filesystem::path& folder, Pictures& pictures)
 {
     if (const auto curves = zone_plate_curves(series); several(curves))
         pictures.push_back(
             overlay_zone_plate_error(curves, common_zone_plate_scales(curves), folder / zone_plate_overlay));
 }
 
-void add_integration_plots(const Series& series, const std::filesystem::path& folder, Pictures& pictures)
+void add_integration_plots(const AllSeries& series, const std::filesystem::path& folder, Pictures& pictures)
 {
     const auto curves = integration_curves(series);
     for (const auto& integrand : integrands_of(curves))
@@ -98,9 +98,9 @@ void add_integration_plots(const Series& series, const std::filesystem::path& fo
 
 }
 
-bool overlays_are_drawn(const Series& series) { return series.size() > 1 && series.size() <= most_series_overlaid; }
+bool overlays_are_drawn(const AllSeries& series) { return series.size() > 1 && series.size() <= most_series_overlaid; }
 
-Pictures series_plots(const Series& series)
+Pictures series_plots(const AllSeries& series)
 {
     Pictures pictures;
     add_frequency_plots(series, pictures);
@@ -110,7 +110,7 @@ Pictures series_plots(const Series& series)
     return pictures;
 }
 
-Pictures overlay_plots(const Series& series, const std::filesystem::path& folder)
+Pictures overlay_plots(const AllSeries& series, const std::filesystem::path& folder)
 {
     Pictures pictures;
     add_integration_plots(series, folder, pictures);

@@ -22,7 +22,7 @@ std::string folder_name(const fs::path& folder)
     return full.has_filename() ? full.filename().string() : full.parent_path().filename().string();
 }
 
-std::vector<fs::path> picture_roots(const std::vector<StoredRun>& runs, const fs::path& out)
+std::vector<fs::path> picture_roots(const std::vector<Run>& runs, const fs::path& out)
 {
     if (runs.size() == 1 && fs::weakly_canonical(runs[0].folder) == fs::weakly_canonical(out)) return {out};
     std::vector<fs::path> roots;
@@ -40,7 +40,7 @@ std::vector<fs::path> picture_roots(const std::vector<StoredRun>& runs, const fs
 
 namespace {
 
-ReportRun lay_out_run(const StoredRun& run, const fs::path& root)
+ReportRun lay_out_run(const Run& run, const fs::path& root)
 {
     ReportRun result;
     result.stored = &run;
@@ -61,7 +61,7 @@ ReportRun lay_out_run(const StoredRun& run, const fs::path& root)
 
 }
 
-std::vector<ReportRun> lay_out(const std::vector<StoredRun>& runs, const fs::path& out)
+std::vector<ReportRun> lay_out(const std::vector<Run>& runs, const fs::path& out)
 {
     const auto roots = picture_roots(runs, out);
     std::vector<ReportRun> result;
@@ -168,7 +168,7 @@ std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>
 
 std::vector<RegionCurve> region_curves(const std::vector<ReportSeries>& series)
 {
-    std::vector<const StoredSeries*> stored;
+    std::vector<const Series*> stored;
     for (const auto& entry : series) stored.push_back(entry.stored);
     return region_curves(stored);
 }

@@ -11,7 +11,7 @@
 #include "reports/plots/pair_correlation_curves.hpp"
 #include "reports/plots/region_curves.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -41,8 +41,8 @@ inline constexpr auto zone_plate_reference_picture = "zone-plate-reference.png";
 /// One series of the report: what is stored, and what was read or drawn for its page.
 struct ReportSeries
 {
-    const StoredRun* run = nullptr; ///< the runs outlive this
-    const StoredSeries* stored = nullptr;
+    const Run* run = nullptr; ///< the runs outlive this
+    const Series* stored = nullptr;
     std::string label;              ///< as stored, numbers of points formatted
     std::string full_label;         ///< the same, with the run's folder where several runs use that label
     std::filesystem::path pictures; ///< folder of its pictures and its page
@@ -56,7 +56,7 @@ struct ReportSeries
 /// One run of the report.
 struct ReportRun
 {
-    const StoredRun* stored = nullptr;
+    const Run* stored = nullptr;
     std::filesystem::path root; ///< folder of its page, and of the plots of all its series
     std::vector<ReportSeries> series;
     std::vector<ReportTiling> tilings;
@@ -65,7 +65,7 @@ struct ReportRun
 
 /// The runs in order, as they are stored. With one run that lies in `out`, its pictures go to out and
 /// out/<series>, else to out/<name of the run's folder> and below; equal folder names are told apart by a number.
-std::vector<ReportRun> lay_out(const std::vector<StoredRun>& runs, const std::filesystem::path& out);
+std::vector<ReportRun> lay_out(const std::vector<Run>& runs, const std::filesystem::path& out);
 
 /// Whether the sets of some series are larger than those of others by more than a tenth, or of another
 /// dimension; keys then say how many points a series has.

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array assets = {"report.css", "report.js", "ranking.js", "matrix.js", "compare.js"};
 
-std::string title_of(const std::vector<StoredRun>& runs)
+std::string title_of(const std::vector<Run>& runs)
 {
     std::string title = runs.size() > 1 ? "Comparison: " : "";
     for (std::size_t i = 0; i < runs.size(); ++i) title += (i > 0 ? "; " : "") + runs[i].title;
@@ -44,7 +44,7 @@ std::filesystem::path page_of(const ReportSeries& series) { return series.pictur
 
 std::filesystem::path page_of(const ReportRun& run) { return run.root / "index.html"; }
 
-Site make_site(const std::vector<StoredRun>& runs, const std::filesystem::path& out, const std::string& title)
+Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title)
 {
     Site site{out, title.empty() ? title_of(runs) : title, lay_out(runs, out), {{overview_page, "Overview"}}};
     for (auto& run : site.runs) tbb::parallel_for_each(run.series, [](ReportSeries& series) { read_curves(series); });

@@ -44,7 +44,7 @@ std::filesystem::path page_of(const ReportSeries& series);
 std::filesystem::path page_of(const ReportRun& run);
 
 /// The runs laid out, with their curves read. `title` may be empty: it is made of the runs'. Throws InputError.
-Site make_site(const std::vector<StoredRun>& runs, const std::filesystem::path& out, const std::string& title);
+Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title);
 
 /// Copies of the series of all runs, with labels that tell them apart.
 std::vector<ReportSeries> all_series_with_full_labels(const Site& site);

@@ -20,7 +20,7 @@ namespace {
 constexpr double pixels_a_unit = 2;
 
 /// Stored layers begin at the bottom, stored rows in the north.
-CubeGrid cube_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+CubeGrid cube_grid(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
 {
     if (!tiling.set.empty()) {
         const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
@@ -36,7 +36,7 @@ CubeGrid cube_grid(const StoredTiling& tiling, const std::vector<TileIndex>& til
     return grid;
 }
 
-TileGrid square_grid(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+TileGrid square_grid(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
 {
     const WangColors colors{tiling.colors, tiling.colors};
     if (tiling.set.empty()) return {tiling.kind, colors, tiling.size[0], tiles, false};
@@ -44,7 +44,7 @@ TileGrid square_grid(const StoredTiling& tiling, const std::vector<TileIndex>& t
     return {tiling.kind, colors, columns, tiles, true};
 }
 
-Drawing drawing_of(const StoredTiling& tiling, const std::vector<TileIndex>& tiles)
+Drawing drawing_of(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
 {
     const bool regions = tiling.regions > 0;
     if (tiling.kind == TileKind::cube) {

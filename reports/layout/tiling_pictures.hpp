@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/images/picture_store.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <filesystem>
 #include <string>
@@ -13,8 +13,8 @@ namespace poissonlab {
 /// One tile set or tiling of the report.
 struct ReportTiling
 {
-    const StoredRun* run = nullptr; ///< the runs outlive this
-    const StoredTiling* stored = nullptr;
+    const Run* run = nullptr; ///< the runs outlive this
+    const TilingResult* stored = nullptr;
     std::filesystem::path pictures; ///< folder of its pictures
 };
 

@@ -46,7 +46,7 @@ std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& ser
         all.insert(i);
         const auto step = [&](std::size_t number) { return number * most_shown_at_first / series.size(); };
         if (step(i + 1) > step(i)) spread.insert(i);
-        const StoredSeries& stored = *series[i]->stored;
+        const Series& stored = *series[i]->stored;
         const bool is_typical = std::abs(static_cast<double>(stored.points) - typical) < typical / 4;
         const bool is_candidate =
             stored.has_spectrum() && stored.is_estimate && is_typical && methods.size() < most_shown_at_first;

@@ -58,7 +58,7 @@ std::string caption_of(const ReportConstruction& construction)
     return text;
 }
 
-PageData facts_of(const StoredConstruction& stored)
+PageData facts_of(const ConstructionResult& stored)
 {
     PageData facts{PageData::type::list};
     const bool is_template = stored.kind == "template";
@@ -81,7 +81,7 @@ PageData facts_of(const StoredConstruction& stored)
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
                               const std::filesystem::path& page_folder)
 {
-    const StoredConstruction& stored = *construction.stored;
+    const ConstructionResult& stored = *construction.stored;
     const std::string caption = caption_of(construction);
     PageData data;
     data.set("label", stored.label);

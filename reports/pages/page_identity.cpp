@@ -20,7 +20,7 @@ std::string parameters_text(const NamedTexts& parameters)
 }
 
 // "1,708 to 1,754" where realizations differ in size.
-std::string points_range(const StoredSeries& series)
+std::string points_range(const Series& series)
 {
     if (series.points_each.empty()) return {};
     const auto [fewest, most] = std::ranges::minmax_element(series.points_each);
@@ -44,7 +44,7 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     return data;
 }
 
-PageData shown_mean(const std::optional<StoredStatistic>& value, int digits)
+PageData shown_mean(const std::optional<Statistic>& value, int digits)
 {
     if (!value) return false;
     PageData data;
@@ -53,7 +53,7 @@ PageData shown_mean(const std::optional<StoredStatistic>& value, int digits)
     return data;
 }
 
-std::string shown_range(const StoredStatistic& value, int digits)
+std::string shown_range(const Statistic& value, int digits)
 {
     const auto low = format_significant(value.min, digits);
     const auto high = format_significant(value.max, digits);

@@ -11,7 +11,7 @@ namespace poissonlab {
 namespace {
 
 // "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
-std::string means_of_what(const StoredIterations& iterations)
+std::string means_of_what(const Iterations& iterations)
 {
     const auto first = static_cast<std::uint64_t>(iterations.realizations.front());
     const auto last = static_cast<std::uint64_t>(iterations.realizations.back());
@@ -22,7 +22,7 @@ std::string means_of_what(const StoredIterations& iterations)
     return text + ".";
 }
 
-std::string from_to(const StoredSpread& spread, std::size_t count)
+std::string from_to(const IterationSpread& spread, std::size_t count)
 {
     return fmt::format("From {} to {} in {} iteration{}. ", format_fixed(spread.mean.front(), 4),
                        format_fixed(spread.mean.back(), 4), format_count(count), count == 1 ? "" : "s");

@@ -13,19 +13,19 @@ namespace poissonlab {
 
 namespace {
 
-const StoredMethod& method_of(const ReportSeries& series) { return series.run->methods[*series.stored->method]; }
+const MethodGrid& method_of(const ReportSeries& series) { return series.run->methods[*series.stored->method]; }
 
 // Two axes are the rows and the columns of a table, one alone its columns; every combination of values of further axes
 // has a table of its own.
-bool has_rows(const StoredMethod& method) { return method.axes.size() > 1; }
+bool has_rows(const MethodGrid& method) { return method.axes.size() > 1; }
 
 // The places of a table's series on the axes that are no borders of it.
-std::vector<std::size_t> table_of(const StoredSeries& series)
+std::vector<std::size_t> table_of(const Series& series)
 {
     return {series.place.begin() + std::min<std::ptrdiff_t>(2, std::ssize(series.place)), series.place.end()};
 }
 
-std::string heading(const StoredAxis& axis, std::size_t index) { return axis.symbol + " = " + axis.values[index]; }
+std::string heading(const MethodAxis& axis, std::size_t index) { return axis.symbol + " = " + axis.values[index]; }
 
 std::vector<std::string> parts_of(const std::string& label)
 {
@@ -54,7 +54,7 @@ std::string common_label(const Cells& cells)
     return text;
 }
 
-std::string title_of(const StoredMethod& method, const std::vector<std::size_t>& table, const Cells& cells)
+std::string title_of(const MethodGrid& method, const std::vector<std::size_t>& table, const Cells& cells)
 {
     if (cells.size() > 1)
         if (const auto common = common_label(cells); !common.empty()) return common;
@@ -118,11 +118,11 @@ PageData kinds_of(const ReportSeries& series)
     return list;
 }
 
-PageData table_data(const StoredMethod& method, const std::vector<std::size_t>& table, const Cells& cells,
+PageData table_data(const MethodGrid& method, const std::vector<std::size_t>& table, const Cells& cells,
                     const std::filesystem::path& page_folder)
 {
-    const StoredAxis* down = has_rows(method) ? &method.axes[0] : nullptr;
-    const StoredAxis& across = method.axes[down ? 1 : 0];
+    const MethodAxis* down = has_rows(method) ? &method.axes[0] : nullptr;
+    const MethodAxis& across = method.axes[down ? 1 : 0];
     PageData data;
     data.set("title", title_of(method, table, cells));
     data.set("column_symbol", across.symbol);

@@ -34,7 +34,7 @@ PageData measure_data(const Measure& measure)
 }
 
 // "disk 0.051, step 0.12"
-std::string integrals_text(const std::vector<StoredMeasures::Integral>& integrals)
+std::string integrals_text(const std::vector<Measures::Integral>& integrals)
 {
     std::string text;
     for (const auto& integral : integrals)
@@ -69,7 +69,7 @@ void add_covered_fraction(const ReportSeries& series, PageData& list)
                      space ? "balls" : "disks", space ? "0.740" : "0.907")});
 }
 
-void add_low_frequency_power(const StoredMeasures& measures, PageData& list)
+void add_low_frequency_power(const Measures& measures, PageData& list)
 {
     const auto& fit = measures.low_frequency_power;
     if (!fit) return;
@@ -81,7 +81,7 @@ void add_low_frequency_power(const StoredMeasures& measures, PageData& list)
                           "1 for random points, 0.059 for saturated dart throwing: lower is better"});
 }
 
-void add_largest_peak(const StoredMeasures& measures, PageData& list)
+void add_largest_peak(const Measures& measures, PageData& list)
 {
     const auto& peaks = measures.lattice_peaks;
     if (!peaks) return;
@@ -101,7 +101,7 @@ void add_plate_error(const ReportSeries& series, PageData& list)
          "most of the plate is finer than any set can follow, so that all sets have much the same error"});
 }
 
-void add_cells(const StoredMeasures& measures, PageData& list)
+void add_cells(const Measures& measures, PageData& list)
 {
     const auto& cells = measures.voronoi;
     if (!cells) return;

@@ -24,10 +24,10 @@ std::string engine_words(const std::string& engine);
 PageData series_identity(const ReportSeries& series, std::size_t index);
 
 /// The mean of a quantity with so many significant digits, and its exact value; false where there is none.
-PageData shown_mean(const std::optional<StoredStatistic>& value, int digits);
+PageData shown_mean(const std::optional<Statistic>& value, int digits);
 
 /// "1,708 to 1,754" from the smallest to the largest value, or nothing where both look the same.
-std::string shown_range(const StoredStatistic& value, int digits);
+std::string shown_range(const Statistic& value, int digits);
 
 /// Name, value with error, and meaning of each measure.
 PageData measures_list(const ReportSeries& series);
@@ -102,7 +102,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
 void set_ranking(PageData& page, const Site& site);
 
 /// Sets where one run comes from: version, command, seed, device, config.
-void set_provenance(PageData& data, const StoredRun& run);
+void set_provenance(PageData& data, const Run& run);
 
 /// The scale bar of the report's tone mapping: its powers and where they stand.
 PageData tone_scale();

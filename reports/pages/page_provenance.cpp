@@ -11,7 +11,7 @@ std::string engine_words(const std::string& engine)
     return engine == "opencl" ? "OpenCL" : engine == "reference" ? "the sequential reference" : engine;
 }
 
-void set_provenance(PageData& data, const StoredRun& run)
+void set_provenance(PageData& data, const Run& run)
 {
     PageData facts{PageData::type::list};
     const auto add = [&](const std::string& name, const std::string& value) {

@@ -31,7 +31,7 @@ BetterWords words_of(Better better)
 
 // The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not
 // say where they were.
-std::string machine_of(const StoredRun& run)
+std::string machine_of(const Run& run)
 {
     std::string text = run.machine_member("device");
     if (text.empty()) return text;
@@ -71,7 +71,7 @@ private:
     std::vector<std::string> texts_;
 };
 
-std::string version_of(const StoredRun& run) { return run.version; }
+std::string version_of(const Run& run) { return run.version; }
 
 struct Provenances
 {

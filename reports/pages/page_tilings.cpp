@@ -25,7 +25,7 @@ PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path&
     return data;
 }
 
-std::string shown_tiles(const StoredTiling& stored)
+std::string shown_tiles(const TilingResult& stored)
 {
     if (!stored.set.empty()) return fmt::format("All {} tiles in order of their indices.", format_count(stored.tiles));
     const std::size_t axes = stored.kind == TileKind::cube ? 3 : 2;
@@ -35,7 +35,7 @@ std::string shown_tiles(const StoredTiling& stored)
     return fmt::format("{} tiles from ({}) on.", fmt::join(sizes, " × "), fmt::join(origin, ", "));
 }
 
-std::string picture_caption(const StoredTiling& stored)
+std::string picture_caption(const TilingResult& stored)
 {
     if (stored.regions == 0) return shown_tiles(stored);
     return fmt::format("{} Regions of Poisson {} of radius {}.", shown_tiles(stored),
@@ -50,7 +50,7 @@ std::string period_text(const std::vector<double>& period, const char* never)
     return fmt::format("{}", fmt::join(texts, " × "));
 }
 
-PageData facts_of(const StoredTiling& stored)
+PageData facts_of(const TilingResult& stored)
 {
     PageData facts{PageData::type::list};
     const char* kind = stored.kind == TileKind::wang   ? "Wang tiles"
@@ -79,7 +79,7 @@ PageData measure(const std::string& name, const std::string& value, const std::s
 
 std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + format_significant(p, 2); }
 
-PageData measures_of(const StoredTiling& stored)
+PageData measures_of(const TilingResult& stored)
 {
     PageData list{PageData::type::list};
     if (!stored.statistics) return list;

@@ -12,7 +12,7 @@ namespace {
 
 // "16,384", or "256 to 16,384" where series differ.
 template <typename Value>
-std::string range_of(const std::vector<const ReportSeries*>& series, Value StoredSeries::*member)
+std::string range_of(const std::vector<const ReportSeries*>& series, Value Series::*member)
 {
     const auto values = [&](const ReportSeries* entry) { return entry->stored->*member; };
     const auto [low, high] = std::ranges::minmax(series, {}, values);
@@ -50,13 +50,12 @@ std::string series_summary(const std::vector<const ReportRun*>& runs)
     for (const ReportRun* run : runs)
         for (const auto& entry : run->series) series.push_back(&entry);
     if (series.empty()) return {};
-    const auto realizations = range_of(series, &StoredSeries::realizations);
+    const auto realizations = range_of(series, &Series::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
     const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", series.front()->run->dimension);
-    auto text =
-        fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
-                    series.size() == 1 ? "One" : format_count(series.size()), range_of(series, &StoredSeries::points),
-                    dimension, realizations, realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
+    auto text = fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
+                            series.size() == 1 ? "One" : format_count(series.size()), range_of(series, &Series::points),
+                            dimension, realizations, realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
     const auto& engine = series.front()->run->engine;
     const bool one_engine =
         std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });

@@ -12,7 +12,7 @@ namespace poissonlab {
 namespace {
 
 // "0.3035", and "(0.3021 to 0.3049)" where realizations differ visibly.
-std::string with_range(const StoredStatistic& value)
+std::string with_range(const Statistic& value)
 {
     const auto low = format_fixed(value.min, 4);
     const auto high = format_fixed(value.max, 4);

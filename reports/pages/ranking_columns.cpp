@@ -18,7 +18,7 @@ std::string plus_minus(const std::optional<double>& error)
     return error ? "± " + format_significant(*error, 2) : std::string();
 }
 
-Cell statistic(const std::optional<StoredStatistic>& value)
+Cell statistic(const std::optional<Statistic>& value)
 {
     if (!value) return std::nullopt;
     return RankingCell{value->mean, format_significant(value->mean, 4), shown_range(*value, 4)};

@@ -20,14 +20,14 @@ constexpr double columns_of_a_plot = 1000; // more points than these are not see
 // A quantity of a curve with the axis that it is drawn over.
 struct Quantity
 {
-    StoredSpread StoredIterations::*spread;
+    IterationSpread Iterations::*spread;
     ValueAxis axis;
     bool has_least_energy = false;
 };
 
 Quantity relative_radius(const IterationScales& scales)
 {
-    return {&StoredIterations::relative_radius,
+    return {&Iterations::relative_radius,
             {"relative radius", 0, scales.max_radius, scales.max_radius > 0.5 ? 0.2 : 0.1, 1.4},
             false};
 }
@@ -35,7 +35,7 @@ Quantity relative_radius(const IterationScales& scales)
 Quantity energy(const IterationScales& scales)
 {
     return {
-        &StoredIterations::energy,
+        &Iterations::energy,
         {"energy", scales.min_energy, scales.max_energy, scales.max_energy - scales.min_energy > 0.5 ? 0.2 : 0.05, 1.4},
         true};
 }
@@ -73,7 +73,7 @@ double column(std::size_t iteration, const IterationScales& scales)
 // Columns position, mean, min, max; of iterations that fall into one column of pixels, the first.
 std::string data_block(const IterationCurve& curve, const Quantity& quantity, const IterationScales& scales)
 {
-    const StoredSpread& values = curve.stored->*quantity.spread;
+    const IterationSpread& values = curve.stored->*quantity.spread;
     std::string block = fmt::format("$iterations{} << END\n", curve.index);
     for (std::size_t i = 0; i < values.mean.size(); ++i) {
         const bool seen = i > 0 && column(i, scales) == column(i - 1, scales);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reports/plots/gnuplot.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -17,7 +17,7 @@ struct IterationCurve
     std::size_t index = 0; ///< number of the series, for its colour
     std::string label;     ///< for the key
     int dimension = 2;
-    const StoredIterations* stored = nullptr; ///< outlives this
+    const Iterations* stored = nullptr; ///< outlives this
 };
 
 /// The axes, the same in all plots of a report so that plots compare.

@@ -17,7 +17,7 @@ namespace {
 constexpr auto size_key = "points_per_tile";
 
 /// What tile sets that differ only in their number of points have in common.
-NamedTexts method_of(const StoredSeries& series)
+NamedTexts method_of(const Series& series)
 {
     NamedTexts method = {{"sampler", series.sampler}};
     for (const auto& parameter : series.parameters)
@@ -49,15 +49,15 @@ std::string data_block(const RegionCurve& curve)
 
 }
 
-std::vector<RegionCurve> region_curves(const std::vector<const StoredSeries*>& series)
+std::vector<RegionCurve> region_curves(const std::vector<const Series*>& series)
 {
     std::set<NamedTexts> methods;
-    for (const StoredSeries* entry : series)
+    for (const Series* entry : series)
         if (entry->tile_set && !entry->tile_set->regions.empty()) methods.insert(method_of(*entry));
 
     std::vector<RegionCurve> curves;
     std::map<std::string, std::size_t> places; // by label
-    for (const StoredSeries* entry : series) {
+    for (const Series* entry : series) {
         if (!entry->tile_set) continue;
         for (const StoredRegion& region : entry->tile_set->regions) {
             if (region.name == "interior") continue;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "reports/plots/gnuplot.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -30,7 +30,7 @@ struct RegionCurve
 };
 
 /// Curves of all regions but interiors. Empty where no tile sets differ in the number of points a tile alone.
-std::vector<RegionCurve> region_curves(const std::vector<const StoredSeries*>& series);
+std::vector<RegionCurve> region_curves(const std::vector<const Series*>& series);
 
 /// All curves in one plot with a key: points as they were counted, lines as their areas let expect.
 GnuplotPicture plot_region_points(const std::vector<RegionCurve>& curves, const std::filesystem::path& stem);

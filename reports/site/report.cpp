@@ -12,7 +12,7 @@
 #include "reports/layout/thumbnails.hpp"
 #include "reports/pages/page.hpp"
 #include "results/collection_file.hpp"
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
@@ -114,8 +114,8 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     if (result_folders.empty()) throw InputError("a report needs at least one result folder");
 
     say("reading results");
-    std::vector<StoredRun> runs;
-    for (const auto& folder : output_folders(result_folders)) runs.push_back(read_stored_run(folder));
+    std::vector<Run> runs;
+    for (const auto& folder : output_folders(result_folders)) runs.push_back(read_run(folder));
     const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
     auto site = make_site(runs, out, collection ? collection->title : std::string());
     create_folders(site);

@@ -15,9 +15,9 @@ namespace {
 constexpr double largest_place = 1e9; // units; far beyond what is drawn
 constexpr std::int64_t most_columns = 1000;
 
-StoredConstruction read_construction(const StoredObject& object)
+ConstructionResult read_construction(const StoredObject& object)
 {
-    StoredConstruction c;
+    ConstructionResult c;
     c.name = object.folder_name("name");
     c.label = object.text("label");
     c.kind = object.text("kind");
@@ -111,9 +111,9 @@ bool StoredPanel::has_points() const
     return std::ranges::any_of(points, [](const auto& list) { return !list.empty(); });
 }
 
-std::vector<StoredConstruction> read_constructions(const StoredObject& root)
+std::vector<ConstructionResult> read_constructions(const StoredObject& root)
 {
-    std::vector<StoredConstruction> constructions;
+    std::vector<ConstructionResult> constructions;
     if (!root.has("constructions")) return constructions;
     for (const auto& object : root.objects("constructions")) constructions.push_back(read_construction(object));
     return constructions;

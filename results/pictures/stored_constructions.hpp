@@ -25,7 +25,7 @@ enum class StoredPointClass : std::size_t
 
 inline constexpr std::array<const char*, 4> stored_point_classes{"surroundings", "outer", "held", "inner"};
 
-struct StoredConstruction
+struct ConstructionResult
 {
     std::string name; ///< its folder
     std::string label;
@@ -84,7 +84,7 @@ struct StoredScene
 };
 
 /// Throws InputError for members of another kind.
-std::vector<StoredConstruction> read_constructions(const StoredObject& root);
+std::vector<ConstructionResult> read_constructions(const StoredObject& root);
 
 /// A file construction.json. Throws InputError that names the file and the member.
 StoredScene read_scene(const std::filesystem::path& file);

@@ -54,7 +54,7 @@ TileKind read_kind(const StoredObject& object)
     return kind == "wang" ? TileKind::wang : kind == "cube" ? TileKind::cube : TileKind::corner;
 }
 
-void read_window(const StoredObject& object, StoredTiling& tiling)
+void read_window(const StoredObject& object, TilingResult& tiling)
 {
     const auto window = object.integers("window");
     const std::size_t axes = tiling.kind == TileKind::cube ? 3 : 2;
@@ -71,9 +71,9 @@ void read_window(const StoredObject& object, StoredTiling& tiling)
     }
 }
 
-StoredTiling read_tiling(const StoredObject& object)
+TilingResult read_tiling(const StoredObject& object)
 {
-    StoredTiling tiling;
+    TilingResult tiling;
     tiling.name = object.folder_name("name");
     tiling.label = object.text("label");
     tiling.kind = read_kind(object);
@@ -99,15 +99,15 @@ StoredTiling read_tiling(const StoredObject& object)
 
 }
 
-std::vector<StoredTiling> read_tilings(const StoredObject& root)
+std::vector<TilingResult> read_tilings(const StoredObject& root)
 {
-    std::vector<StoredTiling> tilings;
+    std::vector<TilingResult> tilings;
     if (!root.has("tilings")) return tilings;
     for (const auto& object : root.objects("tilings")) tilings.push_back(read_tiling(object));
     return tilings;
 }
 
-std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const StoredTiling& tiling)
+std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const TilingResult& tiling)
 {
     const auto file = folder / tiling.file;
     const TileSet all = TileSet::complete(tiling.kind, tiling.colors);

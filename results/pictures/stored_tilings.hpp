@@ -41,7 +41,7 @@ struct StoredTilingStatistics
     std::vector<StoredColors> colors;
 };
 
-struct StoredTiling
+struct TilingResult
 {
     std::string name; ///< its folder
     std::string label;
@@ -64,10 +64,10 @@ struct StoredTiling
 };
 
 /// Throws InputError for members of another kind.
-std::vector<StoredTiling> read_tilings(const StoredObject& root);
+std::vector<TilingResult> read_tilings(const StoredObject& root);
 
 /// The tile indices that a tiling's file holds, as many as shown(), row after row as they are stored. Throws
 /// InputError for another number of them, and for indices that no tile has.
-std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const StoredTiling& tiling);
+std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const TilingResult& tiling);
 
 }

@@ -1,5 +1,5 @@
 // results.json, in a folder that has files to name.
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 namespace poissonlab::fuzz {
@@ -22,9 +22,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     fuzz::require(has_files, "no files");
     const auto file = fuzz::write_input("results.json", {reinterpret_cast<const char*>(data), size});
     fuzz::accepts(file.native(), [&] {
-        const StoredRun run = read_stored_run(fuzz::input_folder());
+        const Run run = read_run(fuzz::input_folder());
         fuzz::require(run.dimension == 2 || run.dimension == 3, "a run of another dimension");
-        for (const StoredSeries& series : run.series) {
+        for (const Series& series : run.series) {
             fuzz::require(series.points > 0 && series.realizations > 0, "a series without points");
             fuzz::require(!series.point_files.empty(), "a series without files");
         }

@@ -12,7 +12,7 @@ namespace {
 
 void read_window_of_tiles()
 {
-    StoredTiling tiling;
+    TilingResult tiling;
     tiling.kind = TileKind::corner;
     tiling.colors = 3;
     tiling.file = "table";

@@ -153,8 +153,8 @@ const std::vector<ClaimCase>& claim_cases()
              auto& series = lloyd(r, 128);
              MadeUpReport::set_iterations(series, relaxed(0.6, 0.8, 20));
              const double six = agrees ? 0.7 : 0.99;
-             const_cast<StoredSeries*>(series.stored)->measures.voronoi =
-                 StoredMeasures::Cells{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
+             const_cast<Series*>(series.stored)->measures.voronoi =
+                 Measures::Cells{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
          }},
         {"6.7-peaks", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 4, 64, agrees ? 5 : 1); }},
         {"6.7-more-tiles",
@@ -177,8 +177,8 @@ const std::vector<ClaimCase>& claim_cases()
          }},
         {"6.9-fast",
          [](MadeUpReport& r, bool agrees) {
-             const_cast<StoredSeries*>(darts(r, "0.7").stored)->sample_seconds = {0.1};
-             const_cast<StoredSeries*>(tiles(r, "edge", 2, 64, 10).stored)->sample_seconds = {agrees ? 0.01 : 1.0};
+             const_cast<Series*>(darts(r, "0.7").stored)->sample_seconds = {0.1};
+             const_cast<Series*>(tiles(r, "edge", 2, 64, 10).stored)->sample_seconds = {agrees ? 0.01 : 1.0};
          }},
         // 16 x 16 tiles: a mean peak of m is a share m / (m + 255) of the power.
         {"6.10-bad", [](MadeUpReport& r, bool agrees) { tiles(r, "template", 8, 64, agrees ? 200 : 2); }},
@@ -204,7 +204,7 @@ const std::vector<ClaimCase>& claim_cases()
              StoredTileSet set;
              set.tiles = agrees ? 81 : 80;
              set.points_per_tile = 64;
-             const_cast<StoredSeries*>(tiles(r, "corner", 3, 64, 10).stored)->tile_set = set;
+             const_cast<Series*>(tiles(r, "corner", 3, 64, 10).stored)->tile_set = set;
          }},
         {"6.11-good", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 3, 64, agrees ? 5 : 200); }},
         {"6.11-better",
@@ -342,7 +342,7 @@ TEST(PaperClaimList, ReachesAreAgreedWithOrInPart)
 TEST(PaperClaimList, TimesAreShownWithTheirMachineAndNotJudged)
 {
     MadeUpReport report;
-    const_cast<StoredSeries*>(darts(report, "0.7").stored)->sample_seconds = {0.010, 0.012, 0.020};
+    const_cast<Series*>(darts(report, "0.7").stored)->sample_seconds = {0.010, 0.012, 0.020};
     const auto judged = outcome(report, "6.3-time");
     ASSERT_TRUE(judged);
     EXPECT_EQ(judged->agreement, Agreement::not_judged);
@@ -378,11 +378,11 @@ protected:
         auto& series = report.add(sampler, parameters, 262144);
         const auto name = std::to_string(count_++) + ".exr";
         write_square_image(folder_.path() / name, picture, {});
-        const_cast<StoredRun*>(series.run)->folder = folder_.path();
+        const_cast<Run*>(series.run)->folder = folder_.path();
         StoredZonePlate plate;
         plate.size = 128;
         plate.file = name;
-        const_cast<StoredSeries*>(series.stored)->zone_plate = plate;
+        const_cast<Series*>(series.stored)->zone_plate = plate;
     }
 
     void expect(const std::string& id, const std::function<void(MadeUpReport&, bool)>& results)

@@ -19,7 +19,7 @@ protected:
     void add(const std::string& sampler, const std::string& label, const std::string& parameter, std::size_t points,
              double error)
     {
-        StoredSeries series;
+        Series series;
         series.sampler = sampler;
         series.label = label;
         series.parameters = {{"points", std::to_string(points)}, {"rho", parameter}};
@@ -41,8 +41,8 @@ protected:
         return integration_curves(series);
     }
 
-    StoredRun run_;
-    std::vector<StoredSeries> stored_;
+    Run run_;
+    std::vector<Series> stored_;
 };
 
 TEST_F(IntegrationCurves, JoinSeriesThatDifferOnlyInSize)

@@ -15,7 +15,7 @@ class RegionCurves : public testing::Test
 protected:
     void add(const std::string& sampler, const std::string& radius, std::int64_t points_per_tile, double corners)
     {
-        StoredSeries series;
+        Series series;
         series.sampler = sampler;
         series.parameters = {
             {"colors", "3"}, {"points_per_tile", std::to_string(points_per_tile)}, {"relative_radius", radius}};
@@ -27,8 +27,8 @@ protected:
 
     std::vector<RegionCurve> curves()
     {
-        std::vector<const StoredSeries*> series;
-        for (const StoredSeries& stored : stored_) series.push_back(&stored);
+        std::vector<const Series*> series;
+        for (const Series& stored : stored_) series.push_back(&stored);
         return region_curves(series);
     }
 
@@ -39,7 +39,7 @@ protected:
         return labels;
     }
 
-    std::list<StoredSeries> stored_;
+    std::list<Series> stored_;
 };
 
 TEST_F(RegionCurves, JoinTileSetsThatDifferOnlyInTheirPoints)

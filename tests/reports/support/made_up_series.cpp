@@ -11,10 +11,10 @@ namespace poissonlab::test {
 ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& parameters, std::size_t points,
                                 int dimension)
 {
-    StoredRun& run = runs_.emplace_back();
+    Run& run = runs_.emplace_back();
     run.dimension = dimension;
     run.machine = {{"device", "Test device"}, {"threads", "2"}};
-    StoredSeries& stored = stored_.emplace_back();
+    Series& stored = stored_.emplace_back();
     stored.sampler = stored.label = sampler;
     stored.name = sampler + std::to_string(stored_.size());
     stored.parameters = parameters;
@@ -28,11 +28,11 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
 }
 
 // What is stored is const to reports; the test's own is not.
-static StoredSeries& stored_of(ReportSeries& series) { return const_cast<StoredSeries&>(*series.stored); }
+static Series& stored_of(ReportSeries& series) { return const_cast<Series&>(*series.stored); }
 
 void MadeUpReport::set_radius(ReportSeries& series, double radius)
 {
-    stored_of(series).relative_radius = StoredStatistic{radius, radius, radius, {}};
+    stored_of(series).relative_radius = Statistic{radius, radius, radius, {}};
 }
 
 void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
@@ -58,12 +58,12 @@ void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
 
 void MadeUpReport::set_peaks(ReportSeries& series, int tiles, double mean_ratio)
 {
-    stored_of(series).measures.lattice_peaks = StoredMeasures::Peaks{tiles, 10 * mean_ratio, mean_ratio, 1000, {}};
+    stored_of(series).measures.lattice_peaks = Measures::Peaks{tiles, 10 * mean_ratio, mean_ratio, 1000, {}};
 }
 
 void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius)
 {
-    StoredIterations iterations;
+    Iterations iterations;
     iterations.realizations.assign(mean_radius.size(), 10);
     iterations.relative_radius.mean = std::move(mean_radius);
     stored_of(series).iterations = iterations;

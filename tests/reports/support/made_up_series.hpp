@@ -39,8 +39,8 @@ public:
     std::vector<const ReportSeries*> series() const;
 
 private:
-    std::deque<StoredRun> runs_;
-    std::deque<StoredSeries> stored_;
+    std::deque<Run> runs_;
+    std::deque<Series> stored_;
     std::deque<ReportSeries> series_;
 };
 

@@ -23,7 +23,7 @@ protected:
         folder_.write("a.exr", "");
     }
 
-    std::vector<StoredTiling> read() const
+    std::vector<TilingResult> read() const
     {
         const json root = {{"tilings", {json_}}};
         return read_tilings(StoredObject(root, folder_.path() / "results.json"));
@@ -51,7 +51,7 @@ TEST_F(StoredTilings, AreRead)
 {
     const auto tilings = read();
     ASSERT_EQ(tilings.size(), 1);
-    const StoredTiling& tiling = tilings[0];
+    const TilingResult& tiling = tilings[0];
     EXPECT_EQ(tiling.kind, TileKind::corner);
     EXPECT_EQ(tiling.colors, 3);
     EXPECT_EQ(tiling.shown(), 6);

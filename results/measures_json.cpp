@@ -1,4 +1,4 @@
-#include "results/stored_measures.hpp"
+#include "results/measures.hpp"
 
 #include <algorithm>
 
@@ -24,9 +24,9 @@ std::optional<double> optional_number(const StoredObject& object, const std::str
 
 }
 
-StoredMeasures read_measures(const StoredObject& series)
+Measures read_measures(const StoredObject& series)
 {
-    StoredMeasures measures;
+    Measures measures;
     if (!series.has("measures")) return measures;
     const auto object = series.object("measures");
     measures.effective_nyquist = optional_number(object, "effective_nyquist");
@@ -60,7 +60,7 @@ StoredMeasures read_measures(const StoredObject& series)
     if (object.has("voronoi")) {
         const auto cells = object.object("voronoi");
         const auto shares = cells.numbers("neighbour_share");
-        measures.voronoi = StoredMeasures::Cells{};
+        measures.voronoi = Measures::Cells{};
         if (shares.size() != measures.voronoi->neighbour_share.size())
             throw cells.error("neighbour_share", "must be five numbers");
         measures.voronoi->relative_area_variance = cells.number("relative_area_variance");

@@ -1,9 +1,11 @@
 // The results of a run as they lie on disk: results.json of docs/output-folder.md, checked.
 #pragma once
 
+#include "results/iteration_records.hpp"
+#include "results/measures.hpp"
+#include "results/method_grid.hpp"
 #include "results/pictures/stored_constructions.hpp"
 #include "results/pictures/stored_tilings.hpp"
-#include "results/stored_measures.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +18,7 @@
 namespace poissonlab {
 
 /// A quantity over the realizations of a series.
-struct StoredStatistic
+struct Statistic
 {
     double min = 0;
     double mean = 0;
@@ -24,21 +26,13 @@ struct StoredStatistic
     std::vector<double> each; ///< of every realization; empty: not stored
 };
 
-/// A quantity after each iteration, over the realizations that got there.
-struct StoredSpread
-{
-    std::vector<double> min;
-    std::vector<double> mean;
-    std::vector<double> max;
-};
-
 /// The iterations of a method that has some; item 0 is the state before the first one.
-struct StoredIterations
+struct Iterations
 {
     std::string file;
     std::vector<double> realizations; ///< how many got to each iteration
-    StoredSpread relative_radius;
-    StoredSpread energy;
+    IterationSpread relative_radius;
+    IterationSpread energy;
 
     /// The largest number of iterations of a realization.
     std::size_t count() const { return realizations.size() - 1; }
@@ -50,8 +44,8 @@ struct StoredZonePlate
     int size = 0; ///< pixels along each axis
     std::string file;
     std::string error_file;
-    StoredStatistic rms_error;
-    std::optional<StoredStatistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
+    Statistic rms_error;
+    std::optional<Statistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
 };
 
 /// The points of a tile in the regions of its corners, edges, faces or in its interior; means over a tile set.
@@ -73,27 +67,11 @@ struct StoredTileSet
     std::vector<StoredRegion> regions; ///< empty: of templates
 };
 
-/// A parameter of a method that has a list of values: an axis of the grid of its series.
-struct StoredAxis
-{
-    std::string key;
-    std::string symbol; ///< its short name
-    std::vector<std::string> values;
-};
-
-/// One [[method]] table of a config.
-struct StoredMethod
-{
-    std::string sampler;
-    std::string label; ///< as configured, or empty
-    std::vector<StoredAxis> axes;
-};
-
 /// Names and values in the order in which they are shown.
 using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// One series: N points, K realizations of one method with one set of parameters.
-struct StoredSeries
+struct Series
 {
     std::string name; ///< its folder
     std::string label;
@@ -105,9 +83,9 @@ struct StoredSeries
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
     std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
     int realizations = 0;
-    std::optional<StoredStatistic> min_distance; ///< unit lengths; empty for one point
-    std::optional<StoredStatistic> relative_radius;
-    std::optional<StoredStatistic> covered_fraction;
+    std::optional<Statistic> min_distance; ///< unit lengths; empty for one point
+    std::optional<Statistic> relative_radius;
+    std::optional<Statistic> covered_fraction;
     bool is_estimate = false;  ///< true: "power spectrum estimate", false: "periodogram"
     int spectrum_size = 0;     ///< frequency samples along each axis
     std::string spectrum_file; ///< relative to the folder, like all files here; empty: not stored
@@ -115,9 +93,9 @@ struct StoredSeries
     std::string radial_file;   ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
     std::string pair_correlation_file; ///< empty: sets of one point
-    std::optional<StoredIterations> iterations;
+    std::optional<Iterations> iterations;
     std::optional<StoredZonePlate> zone_plate;
-    StoredMeasures measures;
+    Measures measures;
     std::vector<std::string> point_files;
     std::vector<double> sample_seconds; ///< of timed runs; at least one a realization, but for imported sets
     double build_seconds = 0;
@@ -130,7 +108,7 @@ struct StoredSeries
 };
 
 /// One result folder.
-struct StoredRun
+struct Run
 {
     std::filesystem::path folder;
     std::string title;
@@ -141,11 +119,11 @@ struct StoredRun
     std::string seed;   ///< as stored; empty when there is none
     std::string engine; ///< "opencl" or "reference"; empty when nothing was sampled
     int dimension = 2;
-    NamedTexts machine;                ///< the members of "machine" that are there
-    std::vector<StoredMethod> methods; ///< empty: not known, as in imported results
-    std::vector<StoredSeries> series;
-    std::vector<StoredTiling> tilings;             ///< and tile sets
-    std::vector<StoredConstruction> constructions; ///< at least one of these, or a tiling or a series
+    NamedTexts machine;              ///< the members of "machine" that are there
+    std::vector<MethodGrid> methods; ///< empty: not known, as in imported results
+    std::vector<Series> series;
+    std::vector<TilingResult> tilings;             ///< and tile sets
+    std::vector<ConstructionResult> constructions; ///< at least one of these, or a tiling or a series
 
     /// A member of `machine`, or an empty string.
     std::string machine_member(const std::string& name) const;
@@ -153,6 +131,6 @@ struct StoredRun
 
 /// Reads and checks folder/results.json, and that the files it names are there.
 /// Throws InputError that names the file and the member.
-StoredRun read_stored_run(const std::filesystem::path& folder);
+Run read_run(const std::filesystem::path& folder);
 
 }

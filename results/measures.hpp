@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-struct StoredMeasures
+struct Measures
 {
     struct Fit
     {
@@ -62,6 +62,6 @@ struct StoredMeasures
 };
 
 /// Throws InputError for members of another kind.
-StoredMeasures read_measures(const StoredObject& series);
+Measures read_measures(const StoredObject& series);
 
 }

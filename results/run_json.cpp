@@ -1,4 +1,4 @@
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include "base/files/json_file.hpp"
 #include "base/files/stored_object.hpp"
@@ -23,11 +23,11 @@ void check_format(const StoredObject& root)
         throw root.error("format_version", "this program reads version " + std::to_string(supported_format_version));
 }
 
-std::optional<StoredStatistic> read_statistic(const StoredObject& series, const std::string& name)
+std::optional<Statistic> read_statistic(const StoredObject& series, const std::string& name)
 {
     if (!series.has(name)) return std::nullopt;
     const auto object = series.object(name);
-    StoredStatistic statistic{object.number("min"), object.number("mean"), object.number("max"), {}};
+    Statistic statistic{object.number("min"), object.number("mean"), object.number("max"), {}};
     if (object.has("each")) statistic.each = object.numbers("each");
     return statistic;
 }
@@ -42,7 +42,7 @@ NamedTexts read_named_texts(const StoredObject& parent, const std::string& name)
     return result;
 }
 
-void read_spectrum_members(const StoredObject& object, StoredSeries& series)
+void read_spectrum_members(const StoredObject& object, Series& series)
 {
     if (!object.has("spectrum")) return;
     const auto spectrum = object.object("spectrum");
@@ -57,7 +57,7 @@ void read_spectrum_members(const StoredObject& object, StoredSeries& series)
     if (spectrum.has("volume_file")) series.volume_file = spectrum.file_name("volume_file");
 }
 
-StoredSpread read_spread(const StoredObject& object, const std::string& name, std::size_t count)
+IterationSpread read_spread(const StoredObject& object, const std::string& name, std::size_t count)
 {
     const auto values = object.object(name);
     const auto read = [&](const char* member) {
@@ -68,11 +68,11 @@ StoredSpread read_spread(const StoredObject& object, const std::string& name, st
     return {read("min"), read("mean"), read("max")};
 }
 
-std::optional<StoredIterations> read_iterations(const StoredObject& series)
+std::optional<Iterations> read_iterations(const StoredObject& series)
 {
     if (!series.has("iterations")) return std::nullopt;
     const auto object = series.object("iterations");
-    StoredIterations iterations;
+    Iterations iterations;
     iterations.file = object.file_name("file");
     iterations.realizations = object.numbers("realizations");
     const auto count = iterations.realizations.size();
@@ -109,9 +109,9 @@ StoredTileSet read_tile_set(const StoredObject& object)
     return set;
 }
 
-StoredSeries read_series(const StoredObject& object)
+Series read_series(const StoredObject& object)
 {
-    StoredSeries series;
+    Series series;
     series.name = object.folder_name("name");
     series.label = object.text("label");
     series.sampler = object.text("sampler");
@@ -154,12 +154,12 @@ StoredSeries read_series(const StoredObject& object)
     return series;
 }
 
-std::vector<StoredMethod> read_methods(const StoredObject& root)
+std::vector<MethodGrid> read_methods(const StoredObject& root)
 {
-    std::vector<StoredMethod> methods;
+    std::vector<MethodGrid> methods;
     if (!root.has("methods")) return methods;
     for (const auto& object : root.objects("methods")) {
-        StoredMethod method;
+        MethodGrid method;
         method.sampler = object.text("sampler");
         if (object.has("label")) method.label = object.text("label");
         if (object.has("axes"))
@@ -171,7 +171,7 @@ std::vector<StoredMethod> read_methods(const StoredObject& root)
 }
 
 // Where a series stands in the grid of its method.
-void read_place(const StoredObject& object, const std::vector<StoredMethod>& methods, StoredSeries& series)
+void read_place(const StoredObject& object, const std::vector<MethodGrid>& methods, Series& series)
 {
     if (!object.has("method")) return;
     series.method = static_cast<std::size_t>(object.integer("method", 0));
@@ -183,9 +183,9 @@ void read_place(const StoredObject& object, const std::vector<StoredMethod>& met
     if (!inside) throw object.error("place", "must be an index on each axis of the method");
 }
 
-std::vector<StoredSeries> read_all_series(const StoredObject& root, const std::vector<StoredMethod>& methods)
+std::vector<Series> read_all_series(const StoredObject& root, const std::vector<MethodGrid>& methods)
 {
-    std::vector<StoredSeries> result;
+    std::vector<Series> result;
     std::set<std::string> names;
     for (const auto& object : root.objects("series")) {
         result.push_back(read_series(object));
@@ -197,21 +197,21 @@ std::vector<StoredSeries> read_all_series(const StoredObject& root, const std::v
 
 }
 
-std::string StoredRun::machine_member(const std::string& name) const
+std::string Run::machine_member(const std::string& name) const
 {
     for (const auto& [key, value] : machine)
         if (key == name) return value;
     return {};
 }
 
-StoredRun read_stored_run(const std::filesystem::path& folder)
+Run read_run(const std::filesystem::path& folder)
 {
     const auto file = folder / "results.json";
     const auto json = read_json_file(file);
     const StoredObject root(json, file);
     check_format(root);
 
-    StoredRun run;
+    Run run;
     run.folder = folder;
     run.title = root.text("title");
     run.version = root.text("version");

@@ -1,5 +1,5 @@
 // results.json, whole and damaged: every complaint names the file and the member.
-#include "results/stored_results.hpp"
+#include "results/run.hpp"
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
@@ -42,7 +42,7 @@ TEST(StoredResults, ReadsWhatWasWritten)
 {
     const TemporaryFolder folder;
     test::write_synthetic_results(folder.path());
-    const auto run = read_stored_run(folder.path());
+    const auto run = read_run(folder.path());
     EXPECT_EQ(run.title, "Grids <script>alert(1)</script> & co");
     EXPECT_EQ(run.seed, "18446744073709551615");
     EXPECT_EQ(run.machine_member("device"), "Test <device>");
@@ -63,7 +63,7 @@ TEST(StoredResults, SamplersAmongTheParametersAreReadable)
     json["series"][0]["parameters"] = nlohmann::json::parse(
         R"({"a": {"sampler": "relax", "repulsion": true, "start": {"sampler": "random"}}, "b": {"c": 1}})");
     test::write_results_json(folder.path(), json);
-    EXPECT_EQ(read_stored_run(folder.path()).series[0].parameters,
+    EXPECT_EQ(read_run(folder.path()).series[0].parameters,
               (NamedTexts{{"a", "relax (repulsion = true, start = random)"}, {"b", "{\"c\":1}"}}));
 }
 
@@ -73,7 +73,7 @@ TEST(StoredResults, OnePointHasNoDistance)
     auto json = test::write_synthetic_results(folder.path());
     for (const auto* name : {"min_distance", "relative_radius", "covered_fraction"}) json["series"][0][name] = nullptr;
     test::write_results_json(folder.path(), json);
-    EXPECT_FALSE(read_stored_run(folder.path()).series[0].min_distance);
+    EXPECT_FALSE(read_run(folder.path()).series[0].min_distance);
     write_report({folder.path()}, folder.path());
     EXPECT_THAT(read_whole_file(folder.path() / "index.html"), HasSubstr("<td data-key=\"min_distance\">–</td>"));
 }
