@@ -378,7 +378,7 @@ protected:
         auto& series = report.add(sampler, parameters, 262144);
         const auto name = std::to_string(count_++) + ".exr";
         write_square_image(folder_.path() / name, picture, {});
-        const_cast<Run*>(series.run)->folder = folder_.path();
+        const_cast<poissonlab::Run*>(series.run)->folder = folder_.path();
         StoredZonePlate plate;
         plate.size = 128;
         plate.file = name;

@@ -41,7 +41,7 @@ protected:
         return integration_curves(series);
     }
 
-    Run run_;
+    poissonlab::Run run_;
     std::vector<Series> stored_;
 };
 
