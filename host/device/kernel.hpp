@@ -11,6 +11,9 @@ namespace poissonlab {
 
 struct KernelImpl;
 
+/// Work-items of a group where a kernel has no reason for another number.
+inline constexpr std::size_t default_work_group_size = 64;
+
 /// A kernel argument in local memory: so many bytes for each work-group.
 struct LocalMemory
 {

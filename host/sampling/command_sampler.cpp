@@ -207,7 +207,7 @@ std::uint64_t program_hash(const Parameters& parameters)
     return hash.value();
 }
 
-void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
+void check_command(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     if (!parameters.has(command_key))
         throw InputError(to_string(where) + ": sampler = \"command\": needs command, such as "
@@ -270,7 +270,7 @@ SamplerSpec command_sampler()
     spec.dimensions = {2, 3};
     spec.parameters = {command, limit};
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
-    spec.check = check;
+    spec.check = check_command;
     spec.outside_input = program_hash;
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
         return std::make_unique<CommandSampler>(parameters, request);

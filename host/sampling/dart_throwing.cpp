@@ -15,8 +15,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t default_work_group_size = 64;
-
 /// Resolution rounds that are enqueued before the host looks whether all darts are decided, and each time
 /// after that.
 constexpr std::uint32_t first_rounds = 6;

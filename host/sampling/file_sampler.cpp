@@ -77,7 +77,7 @@ std::vector<PointSet> read_realizations(const Parameters& parameters)
     return realizations;
 }
 
-void check(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
+void check_file(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
     if (!parameters.has(path_key) || parameters.texts(path_key).empty()) {
         throw InputError(to_string(where) + ": path: must be given: a file, a glob, or a list of these");
@@ -120,7 +120,7 @@ SamplerSpec file_sampler()
     spec.dimensions = {2, 3};
     spec.parameters = {path};
     spec.has_own_points = true;
-    spec.check = check;
+    spec.check = check_file;
     spec.available_realizations = [](const Parameters& parameters) { return read_realizations(parameters).size(); };
     spec.outside_input = [](const Parameters& parameters) {
         Xxh64 hash;

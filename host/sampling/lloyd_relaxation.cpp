@@ -12,8 +12,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t default_work_group_size = 64;
-
 /// Points that one work-item of summarize_points owns. Sums are taken in this order on every device.
 constexpr std::uint32_t summary_run = 256;
 

@@ -148,7 +148,7 @@ DeviceMemory device_memory(const Parameters& parameters, const SampleRequest& re
     return memory;
 }
 
-void check(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
+void check_lloyd(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     const std::string place = to_string(where) + ": sampler = \"lloyd\": ";
     if (!parameters.has("iterations")) throw InputError(place + "needs iterations");
@@ -168,7 +168,7 @@ SamplerSpec lloyd_sampler()
     spec.dimensions = {2, 3};
     spec.parameters = parameters();
     spec.follows_start = true;
-    spec.check = check;
+    spec.check = check_lloyd;
     spec.most_points = most_points;
     spec.device_memory = device_memory;
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,

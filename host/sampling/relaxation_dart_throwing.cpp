@@ -12,8 +12,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t default_work_group_size = 64;
-
 /// Rounds that are enqueued before the host looks again.
 constexpr std::uint64_t rounds_at_once = 4;
 

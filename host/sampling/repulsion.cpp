@@ -11,8 +11,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t default_work_group_size = 64;
-
 /// Points that one work-item of summarize_points looks at.
 constexpr std::uint32_t run_of_points = 256;
 

@@ -19,7 +19,7 @@ std::uint64_t batch_bytes(const DeviceInfo& device)
 constexpr std::size_t lanes = 8;
 
 /// Of work-groups on CPUs: there, work-items of a group run one after the other.
-constexpr std::size_t default_work_group_size = 1;
+constexpr std::size_t cpu_work_group_size = 1;
 constexpr std::size_t gpu_work_group_size = 32;
 
 std::vector<std::int32_t> region_values(const TileRegions& r)
@@ -86,7 +86,7 @@ public:
         : settings_(settings), device_(std::move(device)), reaches_(voronoi_reaches(settings))
     {
         work_group_size_ = work_group_size > 0            ? work_group_size
-                           : device_.info().type == "CPU" ? default_work_group_size
+                           : device_.info().type == "CPU" ? cpu_work_group_size
                                                           : gpu_work_group_size;
         const std::vector<KernelValue> constants{{"DIMENSION", settings.dimension}};
         throw_ = device_.kernel(kernel_program("tile_darts.cl", constants), "throw_tile_darts");

@@ -17,7 +17,7 @@ using Json = nlohmann::json; // its search for a key is not linear, as that of t
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto format_name = "poissonlab tile set";
-constexpr int version = 1;
+constexpr int json_version = 1;
 
 constexpr std::array known_keys{"format",
                                 "version",
@@ -44,7 +44,7 @@ OrderedJson parameters_to_json(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
     return {{"format", format_name},
-            {"version", version},
+            {"version", json_version},
             {"kind", kind_name(p)},
             {"dimension", p.dimension},
             {"colors", p.colors},
@@ -201,7 +201,8 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     const Json json = parsed(text);
     if (!json.is_object() || value_of(json, "format") != format_name)
         throw InputError(fmt::format("format: must be \"{}\"", format_name));
-    if (integer_at<int>(json, "version") != version) refuse("version", json["version"], std::to_string(version));
+    if (integer_at<int>(json, "version") != json_version)
+        refuse("version", json["version"], std::to_string(json_version));
     for (const auto& [key, value] : json.items()) {
         if (std::ranges::find(known_keys, key) == known_keys.end())
             throw InputError(

@@ -50,10 +50,10 @@ std::uint64_t squared_farthest(const TorusPoint<D>& point, const Box<D>& box)
 
 /// Points by level 0 cell (at most one in each), and the tests against them.
 template <int D>
-class PointGrid
+class DartGrid
 {
 public:
-    PointGrid(const CellHierarchy& hierarchy, std::uint64_t squared_min_distance)
+    DartGrid(const CellHierarchy& hierarchy, std::uint64_t squared_min_distance)
         : hierarchy_(hierarchy), squared_min_distance_(squared_min_distance)
     {
         std::size_t cells = 1;
@@ -251,7 +251,7 @@ private:
     DartThrowingRequest request_;
     CellHierarchy hierarchy_;
     std::vector<std::uint32_t> thresholds_; ///< of the batch at hand
-    PointGrid<D> grid_;
+    DartGrid<D> grid_;
     std::vector<TorusPoint<D>> points_;
 };
 

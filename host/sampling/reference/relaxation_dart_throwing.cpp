@@ -42,11 +42,11 @@ private:
 
 /// Points in cells at least as wide as the minimum distance, so that a conflict is at most one cell away.
 template <int D>
-class PointGrid
+class RelaxingGrid
 {
 public:
     /// `points` is looked at in every call; the grid only keeps numbers.
-    PointGrid(const std::vector<TorusPoint<D>>& points, std::size_t expected_points)
+    RelaxingGrid(const std::vector<TorusPoint<D>>& points, std::size_t expected_points)
         : points_(points), next_(expected_points)
     {}
 
@@ -127,7 +127,7 @@ RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request)
     Darts<D> darts(request.stream);
     RadiusLevels levels(request);
     std::vector<TorusPoint<D>> points;
-    PointGrid<D> grid(points, request.points);
+    RelaxingGrid<D> grid(points, request.points);
     grid.fit(2 * levels.radius());
     std::uint64_t squared_min_distance = levels.squared_min_distance();
     std::uint64_t failures = 0;
