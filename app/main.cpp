@@ -1,3 +1,78 @@
+// The program: does what the arguments call for, and ends with an exit status and errors of one line.
 #include "app/command_line.hpp"
+#include "base/files/standard_streams.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/crew/crew.hpp"
+#include "host/crew/failure.hpp"
 
-int main(int argc, char** argv) { return poissonlab::run_command_line(argc, argv); }
+#include <cstdio>
+#include <exception>
+#include <string>
+
+namespace poissonlab {
+namespace {
+
+constexpr int exit_other = 1;
+constexpr int exit_input = 2;
+constexpr int exit_device = 3;
+
+/// Says what is wrong. Returns the status.
+int fail(int status, const std::string& message)
+{
+    if (is_crew_follower()) return status; // the process that leads says it
+    std::fflush(stdout);
+    // Not by fmt, which throws where standard error is closed, too.
+    std::fputs(("poissonlab: error: " + message + "\n").c_str(), stderr);
+    return status;
+}
+
+/// The status, unless some of the output is lost.
+int flushed(int status)
+{
+    const bool is_lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+    return is_lost ? fail(exit_other, "cannot write to standard output") : status;
+}
+
+/// Says what the exception being handled is. Returns the exit status.
+int tell_of_exception()
+{
+    Failure failure;
+    try {
+        stop_if_interrupted(); // what fails after a signal, such as a program that got it as well, is no error
+        throw;
+    } catch (...) {
+        failure = Failure::current();
+    }
+    switch (failure.kind) {
+    case Failure::Kind::interrupted:
+        std::fflush(stdout);
+        tell_of_interruption();
+        return exit_interrupted;
+    case Failure::Kind::input:
+        return fail(exit_input, failure.message);
+    case Failure::Kind::device:
+        return fail(exit_device, failure.message);
+    default:
+        return fail(exit_other, failure.message);
+    }
+}
+
+int run_program(int argc, const char* const* argv)
+{
+    open_standard_streams();
+    try {
+        const auto actions = actions_called_for(argc, argv);
+        int status = 0;
+        if (!actions.empty()) catch_interrupts();
+        for (const Action& action : actions)
+            if (status == 0) status = action();
+        return flushed(status);
+    } catch (const std::exception&) {
+        return tell_of_exception();
+    }
+}
+
+}
+}
+
+int main(int argc, char** argv) { return poissonlab::run_program(argc, argv); }

@@ -2,7 +2,8 @@
 //
 // Points are spread onto a finer grid with a compact kernel, the grid is transformed by FFTW, and the
 // kernel's transform is divided out (Dutt, Rokhlin: Fast Fourier Transforms for Nonequispaced Data, 1993;
-// kernel and error: see spreading_kernel.hpp). Points are never rounded to the grid.
+// kernel and error: see spreading_kernel.hpp). Points are never rounded to the grid. This is
+// what FINUFFT does; Debian does not have it.
 #pragma once
 
 #include "analysis/spectra/half_spectrum.hpp"

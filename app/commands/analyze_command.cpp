@@ -1,13 +1,37 @@
 // poissonlab analyze: point sets made elsewhere, through the same analysis and report.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
+#include "app/commands/finish_report.hpp"
 #include "base/errors/errors.hpp"
 #include "host/crew/thread_limit.hpp"
 #include "host/run/runner.hpp"
 #include "host/series/imported_points.hpp"
 
 namespace poissonlab {
+namespace {
 
-void analyze_command(const AnalyzeOptions& options)
+constexpr auto notes =
+    R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
+a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
+Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
+  poissonlab analyze set-*.dat --label "My method" --out mine
+--set takes the keys of a config's [analysis] that are about the analysis:
+  --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
+  --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
+  --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
+
+struct AnalyzeOptions
+{
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path out; ///< empty: out/<label>
+    std::string label;
+    std::string domain; ///< as for parse_range(); empty: what the files say
+    std::vector<std::string> overrides;
+    int threads = 0;
+    bool quiet = false;
+    std::string command;
+};
+
+void analyze(const AnalyzeOptions& options)
 {
     const ThreadLimit limit(options.threads);
     std::optional<CoordinateRange> domain;
@@ -25,6 +49,26 @@ void analyze_command(const AnalyzeOptions& options)
     Progress progress(Progress::detect(options.quiet));
     run_experiment(experiment, out, progress);
     finish_report({out}, out, progress);
+}
+
+}
+
+Command analyze_command(const std::string& typed)
+{
+    const auto o = std::make_shared<AnalyzeOptions>();
+    o->command = typed;
+    return {"analyze",
+            "Analyse point sets made elsewhere and write a report",
+            {{"FILE", &o->files, "Point sets, one series"},
+             {"--out", &o->out, "The output folder; default: out/ and the label", "DIR"},
+             {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
+             {"--domain", &o->domain,
+              "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+             {"--set", &o->overrides, "Set a key of [analysis]; may be repeated", "analysis.KEY=VALUE"},
+             {"--threads", &o->threads, "Use so many threads; default: all", "N"},
+             {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
+            notes,
+            action_on(o, analyze)};
 }
 
 }

@@ -1,5 +1,5 @@
 // poissonlab devices: what OpenCL offers here.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "host/device/device.hpp"
 
 #include <fmt/format.h>
@@ -36,13 +36,21 @@ void print_device(std::size_t number, const DeviceInfo& device)
     print_line("unusable", {device.unusable});
 }
 
-}
-
-void devices_command()
+void print_devices()
 {
     const std::vector<DeviceInfo> devices = list_devices();
     choose_device(devices, ""); // says what to do where there is none
     for (std::size_t i = 0; i < devices.size(); ++i) print_device(i, devices[i]);
+}
+
+}
+
+Command devices_command()
+{
+    return {"devices", "List what OpenCL offers on this machine", {}, "", [] {
+                print_devices();
+                return 0;
+            }};
 }
 
 }

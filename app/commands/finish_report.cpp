@@ -1,4 +1,5 @@
-#include "app/commands/commands.hpp"
+#include "app/commands/finish_report.hpp"
+
 #include "base/programs/interrupt.hpp"
 #include "reports/site/report.hpp"
 

@@ -1,14 +1,29 @@
 // poissonlab merge: finished work of several output folders, such as those of shards, into one.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
+#include "host/run/progress.hpp"
 #include "host/store/unit_store.hpp"
 
 #include <fmt/format.h>
 
 namespace poissonlab {
+namespace {
 
-void merge_command(const MergeOptions& options)
+constexpr auto notes =
+    R"(Copies what is stored in DIR/.units and not in OUT/.units; what is damaged is left out. Then the same run writes
+the results:
+  poissonlab merge out/shard-1 out/shard-2 out/shard-3 --out out/all
+  poissonlab run config.toml --out out/all)";
+
+struct MergeOptions
+{
+    std::filesystem::path out;
+    std::vector<std::filesystem::path> folders;
+    bool quiet = false;
+};
+
+void merge(const MergeOptions& options)
 {
     for (const std::filesystem::path& folder : options.folders)
         if (!std::filesystem::is_directory(folder / unit_folder_name))
@@ -23,6 +38,20 @@ void merge_command(const MergeOptions& options)
         });
         progress.message(fmt::format("{}: {} units taken over", folder.string(), count));
     }
+}
+
+}
+
+Command merge_command()
+{
+    const auto o = std::make_shared<MergeOptions>();
+    return {"merge",
+            "Take over finished work of other output folders, such as those of shards",
+            {{"DIR", &o->folders, "Output folders of `run --shard`"},
+             {"--out", &o->out, "The output folder that gets it", "OUT REQUIRED", required},
+             {"--quiet", &o->quiet, "Print nothing but errors"}},
+            notes,
+            action_on(o, merge)};
 }
 
 }

@@ -1,16 +1,39 @@
 // poissonlab report: the report again, or one over several result folders.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
+#include "app/commands/finish_report.hpp"
 #include "base/errors/errors.hpp"
 
 namespace poissonlab {
+namespace {
 
-void report_command(const ReportOptions& options)
+struct ReportOptions
+{
+    std::vector<std::filesystem::path> folders;
+    std::filesystem::path out; ///< empty: the folder, where there is one
+    bool quiet = false;
+};
+
+void report(const ReportOptions& options)
 {
     if (options.out.empty() && options.folders.size() > 1)
         throw InputError("report: --out is missing: with several folders it must say where the report goes");
     Progress progress(Progress::detect(options.quiet));
     const auto out = options.out.empty() ? options.folders.front() : options.out;
     finish_report(options.folders, out, progress);
+}
+
+}
+
+Command report_command()
+{
+    const auto o = std::make_shared<ReportOptions>();
+    return {"report",
+            "Build a report again, or one over several output folders",
+            {{"DIR", &o->folders, "Folders that `run` or `analyze` wrote"},
+             {"--out", &o->out, "Where the report goes; default: DIR, where there is one", "DIR"},
+             {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
+            "",
+            action_on(o, report)};
 }
 
 }

@@ -1,6 +1,7 @@
 // poissonlab run: the experiment of a config, or those of a collection, on as many processes as there are, and the
 // report.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
+#include "app/commands/finish_report.hpp"
 #include "app/commands/run_plan.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
@@ -25,6 +26,22 @@ namespace fs = std::filesystem;
 
 namespace poissonlab {
 namespace {
+
+constexpr auto notes =
+    R"(CONFIG is a TOML file; configs/quick.toml explains every key. `poissonlab samplers` lists the methods.
+--set changes the config without editing it; keys have dots, methods count from 0:
+  --set seed=2   --set analysis.points=4096   --set engine=reference
+  --set method.0.label=White   --set "method.relative_radius=[0.6, 0.7]" (every method that has it)
+  --set method.0.start.relative_radius=0.7 (in a table of the method)
+Results are written to DIR when everything is done; see docs/output-folder.md. Until then, and when something
+fails, a previous result in DIR stays as it is. The last line of output is the path of the report.
+
+Finished work is kept in DIR/.units: a run that was interrupted goes on where it was, and one with other settings makes
+only what these change. Several processes share the work:
+  mpirun -n 8 poissonlab run CONFIG --out DIR         on machines that share DIR
+  poissonlab run CONFIG --out DIR --shard 1/3         and 2/3, 3/3, each anywhere; if DIR is shared, the last one writes
+                                                      the results; if not, `poissonlab merge`, then run without
+                                                      --shard)";
 
 std::optional<Shard> parse_shard(const std::string& text)
 {
@@ -140,9 +157,7 @@ void write_final_report(const RunPlan& plan, const CollectionFile& done, Progres
     finish_report({plan.out}, plan.out, progress);
 }
 
-}
-
-void run_command(const RunOptions& options)
+void run(const RunOptions& options)
 {
     const auto shard = parse_shard(options.shard);
     const auto crew = make_crew();
@@ -178,6 +193,30 @@ void run_command(const RunOptions& options)
                                             "where shards have folders of their own)",
                                             options.shard, settings.units.string()));
     write_final_report(plan, done, progress);
+}
+
+}
+
+Command run_command(const std::string& typed)
+{
+    const auto o = std::make_shared<RunOptions>();
+    o->command = typed;
+    return {
+        "run",
+        "Run the experiment of a config and write its report",
+        {{"CONFIG", &o->config, "The experiment (.toml)"},
+         {"--out", &o->out, "The output folder; default: out/ and the config's name", "DIR"},
+         {"--device", &o->device, "The OpenCL device: part of its name, or its number in `poissonlab devices`", "NAME"},
+         {"--set", &o->overrides, "Change a key of the config; may be repeated", "KEY=VALUE"},
+         {"--threads", &o->threads, "Use so many threads, and compute units of a CPU device; default: all", "N"},
+         {"--shard", &o->shard, "Only share i of n of the work, see below", "i/n"},
+         {"--quiet", &o->quiet, "Print nothing but errors and the report's path"},
+         {.name = "--json",
+          .target = &o->json,
+          .help = "Print progress as JSON objects, one a line",
+          .excludes = "--quiet"}},
+        notes,
+        action_on(o, run)};
 }
 
 }

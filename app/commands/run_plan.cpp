@@ -1,6 +1,7 @@
 #include "app/commands/run_plan.hpp"
 
 #include "base/programs/shell_words.hpp"
+#include "host/config/collection.hpp"
 #include "host/run/make_experiment.hpp"
 #include "host/run/result_folder.hpp"
 

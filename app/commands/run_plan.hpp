@@ -1,7 +1,6 @@
 // What `poissonlab run` is going to do.
 #pragma once
 
-#include "app/commands/commands.hpp"
 #include "host/run/runner.hpp"
 
 #include <filesystem>
@@ -9,6 +8,19 @@
 #include <vector>
 
 namespace poissonlab {
+
+struct RunOptions
+{
+    std::string config;
+    std::filesystem::path out; ///< empty: out/<config's stem>
+    std::string device;
+    std::vector<std::string> overrides;
+    int threads = 0;   ///< 0: all
+    std::string shard; ///< "i/n"; empty: everything
+    bool quiet = false;
+    bool json = false;
+    std::string command; ///< as it would be typed, without what does not change results
+};
 
 struct RunPlan
 {

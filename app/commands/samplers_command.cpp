@@ -1,5 +1,5 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/config/sampler_table.hpp"
 
@@ -7,8 +7,9 @@
 #include <fmt/ranges.h>
 
 namespace poissonlab {
+namespace {
 
-void samplers_command()
+void print_samplers()
 {
     fmt::print("Samplers of a [[method]] table, and their parameters. A list of values makes one series a value.\n"
                "Every table can have\n    label = a text in quotes\n        what the report calls the series\n"
@@ -20,6 +21,16 @@ void samplers_command()
         for (const ParameterSpec& parameter : sampler.parameters)
             fmt::print("    {} = {}\n        {}\n", parameter.key, allowed_values(parameter), parameter.help);
     }
+}
+
+}
+
+Command samplers_command()
+{
+    return {"samplers", "List the methods of making point sets and their parameters", {}, "", [] {
+                print_samplers();
+                return 0;
+            }};
 }
 
 }

@@ -1,9 +1,10 @@
 // poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and
 // writes it.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/config/nearest_key.hpp"
+#include "host/run/progress.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -19,6 +20,29 @@
 
 namespace poissonlab {
 namespace {
+
+constexpr auto notes =
+    R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good
+for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
+  poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
+  poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
+
+struct TilesBuildOptions
+{
+    std::string kind; ///< "corner", "edge", "template" or "sphere"
+    std::uint32_t colors = 0;
+    std::uint32_t tiles = 0; ///< of template tiles
+    std::uint32_t points = 0;
+    double relative_radius = 0.75;
+    std::string filling = "relaxation-dart-throwing";
+    std::uint32_t lloyd_iterations = 20;
+    bool repulsion = false;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+    std::string engine = "opencl";
+    std::string device;
+    bool quiet = false;
+};
 
 const std::vector<std::string> kinds{"corner", "edge", "template", "sphere"};
 
@@ -77,9 +101,7 @@ void check_memory(const PoissonTileParameters& parameters, const DeviceInfo& dev
                construction_memory(parameters, device), device);
 }
 
-}
-
-void tiles_build_command(const TilesBuildOptions& options)
+void build_tiles(const TilesBuildOptions& options)
 {
     const PoissonTileParameters parameters = checked_parameters(options);
     check_target(options.out);
@@ -109,6 +131,30 @@ void tiles_build_command(const TilesBuildOptions& options)
         fmt::print("{} of {} fillings did not reach the minimum distance and were repeated; {} pieces were "
                    "made again\n",
                    built.report.failures, built.report.tori, built.report.remade);
+}
+
+}
+
+Command tiles_build_command()
+{
+    const auto o = std::make_shared<TilesBuildOptions>();
+    return {"build",
+            "Build a tile set and prove the minimum distance of its tilings",
+            {{"KIND", &o->kind, "corner, edge, template or sphere"},
+             {"--colors", &o->colors, "Number of colours; not for template tiles", "C"},
+             {"--tiles", &o->tiles, "Number of template tiles", "T"},
+             {"--points", &o->points, "Points of each tile", "N", required},
+             {"--relative-radius", &o->relative_radius, "That every tiling has at least; default: 0.75", "RHO"},
+             {"--filling", &o->filling, "dart-throwing or relaxation-dart-throwing (the default)", "NAME"},
+             {"--lloyd", &o->lloyd_iterations, "Lloyd iterations of each piece; default: 20", "I"},
+             {"--repulsion", &o->repulsion, "Push apart what Lloyd relaxation leaves too close"},
+             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
+             {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
+             {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
+             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
+             {"--quiet", &o->quiet, "Print nothing but errors"}},
+            notes,
+            action_on(o, build_tiles)};
 }
 
 }

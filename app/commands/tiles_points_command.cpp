@@ -1,5 +1,5 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
@@ -13,6 +13,23 @@
 
 namespace poissonlab {
 namespace {
+
+constexpr auto notes =
+    R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
+from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
+The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
+window, so that poissonlab analyze takes the points of a square one; for .npy, --domain N. Edges of the window are not
+those of a torus.
+  poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy)";
+
+struct TilesPointsOptions
+{
+    std::filesystem::path file;       ///< the tile set
+    std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
+    std::uint32_t seed = 1;
+    std::filesystem::path out;
+    std::string device;
+};
 
 TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension)
 {
@@ -41,9 +58,7 @@ std::string comment_of(const TilesPointsOptions& options, const TileBlock& block
                        options.seed);
 }
 
-}
-
-void tiles_points_command(const TilesPointsOptions& options)
+void write_tile_points(const TilesPointsOptions& options)
 {
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
@@ -61,6 +76,23 @@ void tiles_points_command(const TilesPointsOptions& options)
                                    sink(coordinates);
                                });
                            });
+}
+
+}
+
+Command tiles_points_command()
+{
+    const auto o = std::make_shared<TilesPointsOptions>();
+    return {"points",
+            "Write the points of a window of a tiling to a file",
+            {{"FILE", &o->file, "The tile set (.ptiles, .json)"},
+             {"--window", &o->window, "The tiles: lowest one, and how many along each axis",
+              "X Y W H (3D: X Y Z W H D)", required, 6},
+             {"--out", &o->out, "The point file", "FILE", required},
+             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"}},
+            notes,
+            action_on(o, write_tile_points)};
 }
 
 }

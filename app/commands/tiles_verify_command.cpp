@@ -2,7 +2,7 @@
 //
 // The densities in the regions are those of Lagae, Tile-Based Methods in Computer Graphics, 2007,
 // figure 6.24.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -16,6 +16,18 @@
 
 namespace poissonlab {
 namespace {
+
+constexpr auto notes =
+    R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
+for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
+damaged, tiles do not fit together, or it promises more than is proven.
+Density: points in the regions over those of as many points spread evenly.)";
+
+struct TilesVerifyOptions
+{
+    std::filesystem::path file;
+    bool json = false;
+};
 
 using Json = nlohmann::ordered_json;
 
@@ -124,9 +136,7 @@ void check_promises(const Verification& v)
                                      std::floor(v.certificate.relative_radius * 1e6) / 1e6));
 }
 
-}
-
-void tiles_verify_command(const TilesVerifyOptions& options)
+void verify_tiles(const TilesVerifyOptions& options)
 {
     const Verification verification = verify(options.file);
     if (options.json)
@@ -134,6 +144,18 @@ void tiles_verify_command(const TilesVerifyOptions& options)
     else
         print_summary(verification);
     check_promises(verification);
+}
+
+}
+
+Command tiles_verify_command()
+{
+    const auto o = std::make_shared<TilesVerifyOptions>();
+    return {"verify",
+            "Check a tile set's file and prove its minimum distance",
+            {{"FILE", &o->file, "The tile set (.ptiles, .json)"}, {"--json", &o->json, "Print JSON"}},
+            notes,
+            action_on(o, verify_tiles)};
 }
 
 }

@@ -1,5 +1,5 @@
 // poissonlab tiling: the tile indices of a window of a stochastic tiling.
-#include "app/commands/commands.hpp"
+#include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/config/nearest_key.hpp"
@@ -13,6 +13,30 @@
 
 namespace poissonlab {
 namespace {
+
+constexpr auto notes =
+    R"(Prints tile indices, a row of tiles a line, north first; cubes: layer after layer from the bottom, with an empty
+line between them. A tile's coordinates are those of its lower left corner; they may be negative, of 64 bits.
+An index is the number whose digits are the colours: N E S W (wang), NE SE SW NW (corner); the same at the top and
+then at the bottom (cube).
+  corner  direct; scanline, scanline-compact
+  wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact
+  cube    direct
+Scanline tilings start at their north-west tile; the window must be at 0 0.
+--hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats);
+with edge-hash, after half as many.
+  poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
+
+struct TilingOptions
+{
+    std::string kind; ///< "corner", "wang" or "cube"
+    std::uint32_t colors = 0;
+    std::string algorithm; ///< empty: the kind's first
+    std::string hash;      ///< empty: long-period
+    std::uint64_t seed = 1;
+    std::vector<std::int64_t> window; ///< X Y W H; cubes: X Y Z W H D
+    std::vector<std::int64_t> period; ///< of x, y, z; those that are missing are 0: none
+};
 
 /// The number of a name in a list. Throws InputError for names that are not there.
 std::size_t choice(const std::string& what, const std::string& name, const std::vector<std::string>& known)
@@ -76,9 +100,7 @@ void print_tiles(std::span<const TileIndex> tiles, bool ends_row)
         throw StorageError("cannot write to standard output");
 }
 
-}
-
-void tiling_command(const TilingOptions& options)
+void print_tiling(const TilingOptions& options)
 {
     const auto [tiling, window] = checked(options);
     const std::int64_t end = stepped(window.x, window.width);
@@ -88,6 +110,26 @@ void tiling_command(const TilingOptions& options)
         layer = z;
         print_tiles(tiles, stepped(x, tiles.size()) == end);
     });
+}
+
+}
+
+Command tiling_command()
+{
+    const auto o = std::make_shared<TilingOptions>();
+    return {"tiling",
+            "Print the tile indices of a stochastic tiling",
+            {{"KIND", &o->kind, "corner, wang or cube"},
+             {"--colors", &o->colors, "Number of colours", "C", required},
+             {"--algorithm", &o->algorithm, "How tiles are chosen, see below; default: the first", "NAME"},
+             {"--hash", &o->hash, "What gives lattice points their colours; default: long-period", "NAME"},
+             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
+             {"--window", &o->window, "The tiles to print: lower left one, width and height",
+              "X Y W H (cube: X Y Z W H D)", required, 6},
+             {"--period", &o->period, "The tiling closes after so many tiles; 0: it does not", "MX [MY [MZ]]", optional,
+              3}},
+            notes,
+            action_on(o, print_tiling)};
 }
 
 }

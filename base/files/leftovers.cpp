@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <exception>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <thread>
 
@@ -9,6 +12,16 @@
 
 namespace poissonlab {
 namespace {
+
+struct Leftovers
+{
+    std::mutex mutex;
+    std::set<std::filesystem::path> paths;
+    std::set<pid_t> programs;
+};
+
+/// Never destroyed: a thread that ends the process may come late.
+Leftovers& all = *new Leftovers;
 
 void remove_from_disk(const std::filesystem::path& path)
 {
@@ -31,43 +44,41 @@ void wait_for_end(pid_t program)
 
 }
 
-Leftovers& Leftovers::instance()
+void list_leftover(const std::filesystem::path& path)
 {
-    static auto& leftovers = *new Leftovers;
-    return leftovers;
+    const std::lock_guard lock(all.mutex);
+    all.paths.insert(path);
 }
 
-void Leftovers::add(const std::filesystem::path& path)
-{
-    const std::lock_guard lock(mutex_);
-    paths_.insert(path);
-}
-
-void Leftovers::remove(const std::filesystem::path& path)
+void remove_leftover(const std::filesystem::path& path)
 {
     remove_from_disk(path);
-    const std::lock_guard lock(mutex_);
-    paths_.erase(path);
+    const std::lock_guard lock(all.mutex);
+    all.paths.erase(path);
 }
 
-void Leftovers::add_program(pid_t program)
+void list_leftover(pid_t program)
 {
-    const std::lock_guard lock(mutex_);
-    programs_.insert(program);
+    const std::lock_guard lock(all.mutex);
+    all.programs.insert(program);
 }
 
-void Leftovers::forget_program(pid_t program)
+void forget_leftover(pid_t program)
 {
-    const std::lock_guard lock(mutex_);
-    programs_.erase(program);
+    const std::lock_guard lock(all.mutex);
+    all.programs.erase(program);
 }
 
-void Leftovers::clear()
+void remove_all_leftovers() noexcept
 {
-    const std::lock_guard lock(mutex_);
-    for (const pid_t program : programs_) ::kill(-program, SIGKILL);
-    for (const pid_t program : programs_) wait_for_end(program);
-    for (const auto& path : paths_) remove_from_disk(path);
+    try {
+        const std::lock_guard lock(all.mutex);
+        for (const pid_t program : all.programs) ::kill(-program, SIGKILL);
+        for (const pid_t program : all.programs) wait_for_end(program);
+        for (const auto& path : all.paths) remove_from_disk(path);
+    } catch (const std::exception&) {
+        // There is nobody left to tell.
+    }
 }
 
 }

@@ -1,39 +1,29 @@
-// What a process that ends all at once would leave behind: files and folders made for a while, programs it has started.
+// A misfortune: the process ends all at once, by a signal that it can no longer wait for. What it would leave behind is
+// listed here, so that its last act can be to clean up: temporary files and folders, and programs that it has started.
+//
+// The list is safe in any thread.
 #pragma once
 
 #include <filesystem>
-#include <mutex>
-#include <set>
 
 #include <sys/types.h>
 
 namespace poissonlab {
 
-/// The list of them. Safe in any thread.
-class Leftovers
-{
-public:
-    /// Of this process. Never destroyed: a thread that ends the process may come late.
-    static Leftovers& instance();
+/// Lists a file or a folder.
+void list_leftover(const std::filesystem::path& path);
 
-    void add(const std::filesystem::path& path);
+/// Removes a file, or a folder with all that is in it, and takes it off the list.
+void remove_leftover(const std::filesystem::path& path);
 
-    /// Removes a file, or a folder with all that is in it, and takes it off the list.
-    void remove(const std::filesystem::path& path);
+/// Lists a program that leads a process group of its own.
+void list_leftover(pid_t program);
 
-    /// A program that leads a process group of its own.
-    void add_program(pid_t program);
+/// Takes a program off the list. To be called before waitpid() is: from then on another process may have its number.
+void forget_leftover(pid_t program);
 
-    /// To be called before waitpid() is: from then on the number may be that of another process.
-    void forget_program(pid_t program);
-
-    /// Ends the programs and removes the files and folders.
-    void clear();
-
-private:
-    std::mutex mutex_;
-    std::set<std::filesystem::path> paths_;
-    std::set<pid_t> programs_;
-};
+/// Ends the programs and removes the files and folders, for a process that ends without waiting for its threads. What
+/// cannot be removed is left to the next run, see remove_stale_temporary_files().
+void remove_all_leftovers() noexcept;
 
 }

@@ -24,9 +24,9 @@ ScratchFolder::ScratchFolder()
         throw StorageError("cannot make a temporary folder " + name + ": " + std::generic_category().message(errno) +
                            "; the environment variable TMPDIR can name another place");
     path_ = name;
-    Leftovers::instance().add(path_);
+    list_leftover(path_);
 }
 
-ScratchFolder::~ScratchFolder() { Leftovers::instance().remove(path_); }
+ScratchFolder::~ScratchFolder() { remove_leftover(path_); }
 
 }

@@ -1,10 +1,11 @@
-// Standard streams that the caller of the program has closed.
+// A misfortune: a caller (`poissonlab ... >&-`, some services) has closed a standard stream of the program.
 #pragma once
 
 namespace poissonlab {
 
-/// Puts something in the place of closed standard streams, so that no file that is opened later takes it and gets what
-/// was meant for a terminal. Reading and writing there fails, as on closed streams. To be called first.
+/// Opens /dev/null in place of every closed standard stream. The first file that the program opens would get the
+/// stream's number otherwise, and with it what is printed. Reading and writing there fails, as it does on closed
+/// streams. main() calls this before anything else.
 void open_standard_streams();
 
 }

@@ -27,36 +27,29 @@ using FileHandle = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 std::string last_system_error() { return std::generic_category().message(errno); }
 
-constexpr std::string_view temporary_mark = ".tmp";
+constexpr std::string_view temporary_mark = ".tmp-";
 
-/// A name beside `path` that no other thread or process uses, hidden, with the same extension.
+/// A name beside `path` that no other thread or process uses, hidden, with the same extension:
+/// ".tmp-PROCESS-NUMBER-NAME".
 std::filesystem::path temporary_beside(const std::filesystem::path& path)
 {
     static std::atomic<unsigned> counter = 0;
-    const std::string name = fmt::format(".{}.{}-{}{}{}", path.stem().string(), ::getpid(), ++counter, temporary_mark,
-                                         path.extension().string());
-    return path.parent_path() / name;
+    return path.parent_path() /
+           fmt::format("{}{}-{}-{}", temporary_mark, ::getpid(), ++counter, path.filename().string());
 }
 
 /// The process that has made up this name in temporary_beside(); 0: it is no such name.
 pid_t maker_of(const std::filesystem::path& file)
 {
-    const std::string whole = file.filename().string();
-    std::string_view name = whole;
-    const std::size_t mark = name.rfind(temporary_mark);
-    if (!name.starts_with('.') || mark == std::string_view::npos) return 0;
-    const std::string_view extension = name.substr(mark + temporary_mark.size());
-    if (!extension.empty() && (extension[0] != '.' || extension.find('.', 1) != std::string_view::npos)) return 0;
-    name = name.substr(0, mark);
-    name.remove_prefix(name.rfind('.') + 1); // there is a dot: the first character
-
+    const std::string name = file.filename().string();
+    if (!name.starts_with(temporary_mark)) return 0;
+    const char* const end = name.data() + name.size(); // a zero, as behind every string
     pid_t process = 0;
-    unsigned count = 0;
-    const char* const end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data(), end, process);
-    if (error != std::errc() || process <= 0 || stop == end || *stop != '-') return 0;
-    const auto [last, count_error] = std::from_chars(stop + 1, end, count);
-    return count_error == std::errc() && last == end ? process : 0;
+    unsigned number = 0;
+    const auto [stop, error] = std::from_chars(name.data() + temporary_mark.size(), end, process);
+    if (error != std::errc() || process <= 0 || *stop != '-') return 0;
+    const auto [last, number_error] = std::from_chars(stop + 1, end, number);
+    return number_error == std::errc() && *last == '-' ? process : 0;
 }
 
 /// On this machine, whoever runs it.
@@ -76,11 +69,11 @@ class TemporaryFile
 public:
     explicit TemporaryFile(const std::filesystem::path& target) : path_(temporary_beside(target))
     {
-        Leftovers::instance().add(path_);
+        list_leftover(path_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { Leftovers::instance().remove(path_); }
+    ~TemporaryFile() { remove_leftover(path_); }
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -161,15 +154,6 @@ void write_whole_file(const std::filesystem::path& path,
     std::error_code error;
     std::filesystem::rename(temporary.path(), path, error);
     if (error) throw StorageError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
-}
-
-void remove_temporary_files() noexcept
-{
-    try {
-        Leftovers::instance().clear();
-    } catch (const std::exception&) {
-        // What stays is removed by the next run.
-    }
 }
 
 void remove_stale_temporary_files(const std::filesystem::path& folder, std::chrono::seconds age,

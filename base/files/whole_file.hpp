@@ -25,10 +25,6 @@ void write_whole_file_in_pieces(const std::filesystem::path& path,
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// Removes the temporary files that other threads are writing at this moment, and all else that would stay, see
-/// Leftovers: for a process that is about to end without waiting for them.
-void remove_temporary_files() noexcept;
-
 /// Removes temporary files of processes that were killed while they wrote, below a folder but not in folders of the
 /// name `except`: those older than `age`, whose process is not running on this machine. Nothing but regular files whose
 /// names write_whole_file() makes.

@@ -1,12 +1,13 @@
-// XXH64 of byte strings of any length, in one or several parts: the checksum of tile set files.
+// XXH64 of byte strings of any length, in one or several parts: the checksum of tile set files and finished work.
 //
-// Collet, xxHash, https://github.com/Cyan4973/xxHash, doc/xxhash_spec.md. It is as fast as memory.
+// By libxxhash. The hash of lattice points, tiles/tilings/xxh64_hash.hpp, is the same function of a few words.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string_view>
+
+struct XXH64_state_s;
 
 namespace poissonlab {
 
@@ -22,14 +23,7 @@ public:
     std::uint64_t value() const;
 
 private:
-    static constexpr std::size_t stripe_size = 32;
-
-    void add_stripe(const char* stripe);
-
-    std::uint64_t seed_;
-    std::array<std::uint64_t, 4> lanes_;
-    std::array<char, stripe_size> rest_{}; ///< what does not fill a stripe yet
-    std::uint64_t length_ = 0;
+    std::unique_ptr<XXH64_state_s, void (*)(XXH64_state_s*)> state_;
 };
 
 /// XXH64 of one byte string.

@@ -4,7 +4,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/images/png_codec.hpp"
+#include "base/images/picture_codec.hpp"
 
 #include <dlfcn.h>
 
@@ -20,23 +20,23 @@ namespace {
 /// Beside the program, or where it was built.
 fs::path module_file()
 {
-    const fs::path built = POISSONLAB_PNG_MODULE;
+    const fs::path built = POISSONLAB_PICTURE_MODULE;
     std::error_code error;
     const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / built.filename();
     return fs::exists(beside, error) ? beside : built;
 }
 
-const PngCodec* load_codec()
+const PictureCodec* load_codec()
 {
     void* const module = ::dlopen(module_file().c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const function = module ? ::dlsym(module, png_codec_function) : nullptr;
+    void* const function = module ? ::dlsym(module, picture_codec_function) : nullptr;
     if (!function) throw StorageError(std::string("pictures need OpenImageIO: ") + ::dlerror());
-    return reinterpret_cast<PngCodecFunction>(function)();
+    return reinterpret_cast<PictureCodecFunction>(function)();
 }
 
-const PngCodec& codec()
+const PictureCodec& codec()
 {
-    static const PngCodec* const loaded = load_codec(); // never unloaded
+    static const PictureCodec* const loaded = load_codec(); // never unloaded
     return *loaded;
 }
 

@@ -1,4 +1,6 @@
 // The header of a PLY file (Turk 1994, "The PLY polygon file format").
+//
+// CGAL reads PLY as well, but says neither the line nor the reason where a file is wrong.
 #pragma once
 
 #include "base/points/point_file_formats.hpp"

@@ -1,5 +1,6 @@
 // Reads point sets from NumPy's .npy format, versions 1 to 3
-// (https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html).
+// (https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html). The readers of
+// libraries (xtensor) do not say what is wrong with a file, and do not compare its shape with its size.
 #include "base/files/byte_order.hpp"
 #include "base/points/point_file_formats.hpp"
 

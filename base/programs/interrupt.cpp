@@ -1,6 +1,6 @@
 #include "base/programs/interrupt.hpp"
 
-#include "base/files/whole_file.hpp"
+#include "base/files/leftovers.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -38,7 +38,7 @@ void watch()
     if (::read(signal_pipe[0], &byte, 1) != 1) return;
     std::this_thread::sleep_for(patience);
     tell_of_interruption();
-    remove_temporary_files();
+    remove_all_leftovers();
     ::_exit(exit_interrupted);
 }
 

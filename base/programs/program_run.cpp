@@ -123,7 +123,7 @@ private:
 class RunningProgram
 {
 public:
-    explicit RunningProgram(pid_t process) : process_(process) { Leftovers::instance().add_program(process_); }
+    explicit RunningProgram(pid_t process) : process_(process) { list_leftover(process_); }
     ~RunningProgram() { end(); }
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
@@ -141,7 +141,7 @@ public:
     {
         if (process_ == 0) return status_;
         ::kill(-process_, SIGKILL);
-        Leftovers::instance().forget_program(process_);
+        forget_leftover(process_);
         while (::waitpid(process_, &status_, 0) < 0 && errno == EINTR) continue;
         process_ = 0;
         return status_;

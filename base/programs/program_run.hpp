@@ -1,4 +1,6 @@
 // Runs other programs: without a shell, in a process group of their own, for a limited time.
+//
+// Boost.Process (1.74) waits with a limit in a way that is not safe in threads, and cannot kill a whole group.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,6 @@
 // Words of a command line as a POSIX shell writes them.
+//
+// wordexp(3) would expand variables and globs; GLib, which has the right function, is too much for these lines.
 #pragma once
 
 #include <optional>

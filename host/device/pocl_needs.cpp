@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* variable = "POCL_CACHE_DIR";
 
-/// As PoCL (3.1) chooses it.
+/// The folder for compiled kernels that PoCL (3.1) would choose.
 fs::path chosen_by_pocl()
 {
     const auto value_of = [](const char* name) {
@@ -56,7 +56,7 @@ bool is_of_this_user_alone(const fs::path& folder)
            (info.st_mode & (S_IRWXG | S_IRWXO)) == 0;
 }
 
-/// Returns what to say where there is none.
+/// Names another folder to PoCL where it cannot use its own. Returns what to say where there is none.
 std::string provide_kernel_cache()
 {
     const fs::path chosen = chosen_by_pocl();

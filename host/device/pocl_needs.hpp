@@ -1,4 +1,4 @@
-// What PoCL needs of the machine, and ends the program without.
+// A misfortune: PoCL ends the program, or has no devices, where the machine lacks what it needs.
 #pragma once
 
 #include <string>

@@ -139,6 +139,13 @@ std::optional<StoredUnit> checked_unit(Manifest manifest, const fs::path& base)
     return unit;
 }
 
+/// A misfortune of machines that share the store: a network file system (NFS) remembers for long that a file was not
+/// there. Opening its folder makes it ask the server whether the folder has changed.
+void ask_server_about(const fs::path& folder)
+{
+    if (DIR* const opened = ::opendir(folder.c_str())) ::closedir(opened);
+}
+
 void create_folder(const fs::path& folder)
 {
     std::error_code error;
@@ -148,15 +155,12 @@ void create_folder(const fs::path& folder)
 
 }
 
-/// Nothing: it is not there. A network file system may remember for long that a file was not there, unless its folder
-/// is opened, which asks the server whether it has changed.
+/// Returns nothing where the manifest is not there.
 std::optional<UnitStore::Stamp> UnitStore::stamp_of(const fs::path& manifest)
 {
     struct stat status = {};
     if (::stat(manifest.c_str(), &status) != 0) {
-        DIR* const folder = ::opendir(manifest.parent_path().c_str());
-        if (!folder) return std::nullopt;
-        ::closedir(folder);
+        ask_server_about(manifest.parent_path());
         if (::stat(manifest.c_str(), &status) != 0) return std::nullopt;
     }
     return Stamp{status.st_dev, status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};

@@ -1,4 +1,6 @@
 // Finished units of work on disk: what a run that was interrupted, and every later one, need not do again.
+//
+// Files and no database: results are hard links to them, and machines share the folder, where SQLite is not safe.
 #pragma once
 
 #include "host/store/unit_key.hpp"

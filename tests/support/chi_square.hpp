@@ -1,6 +1,8 @@
 // Pearson's chi-square test of counts, with correction for the number of tests.
 #pragma once
 
+#include <boost/math/special_functions/gamma.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,34 +24,10 @@ inline double chi_square(std::span<const std::uint64_t> counts)
     return sum;
 }
 
-/// The probability that chi-square with so many degrees of freedom is larger: the regularized incomplete
-/// gamma function Q(degrees / 2, statistic / 2), by its series or its continued fraction (Abramowitz and
-/// Stegun 6.5.29, 6.5.31).
+/// The probability that chi-square with so many degrees of freedom is larger.
 inline double chi_square_tail(double statistic, double degrees)
 {
-    const double a = degrees / 2;
-    const double x = statistic / 2;
-    if (x <= 0) return 1;
-    const double scale = std::exp(a * std::log(x) - x - std::lgamma(a));
-    if (x < a + 1) {
-        double term = 1 / a;
-        double sum = term;
-        for (double n = a + 1; term > sum * 1e-16; ++n) sum += term *= x / n;
-        return 1 - scale * sum;
-    }
-    double b = x + 1 - a;
-    double c = 1e300;
-    double d = 1 / b;
-    double fraction = d;
-    for (int n = 1; n < 100'000; ++n) {
-        const double numerator = -n * (n - a);
-        b += 2;
-        d = 1 / (numerator * d + b);
-        c = b + numerator / c;
-        fraction *= c * d;
-        if (std::abs(c * d - 1) < 1e-15) break;
-    }
-    return scale * fraction;
+    return statistic <= 0 ? 1 : boost::math::gamma_q(degrees / 2, statistic / 2);
 }
 
 /// Whether counts are what chance makes of equal probabilities: neither too far off nor too even. Chance

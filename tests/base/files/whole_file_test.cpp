@@ -205,17 +205,24 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeftAndNothingElse)
     const TemporaryFolder folder;
     const std::string gone = std::to_string(ended_process());
     const std::string running = std::to_string(::getpid());
-    const std::vector<std::string> stale{".a.b." + gone + "-12.tmp.exr", "below/.file." + gone + "-1.tmp"};
-    const std::vector<std::string> kept{
-        "a." + gone + "-1.tmp",         ".a." + gone + ".tmp",    ".notes.tmp",
-        ".a." + gone + "-1.tmp.x.y",    ".a." + gone + "-1.tmpx", ".a.x" + gone + "-1.tmp",
-        ".a." + running + "-1.tmp.svg", ".a." + gone + "-.tmp",   "other/.a." + gone + "-1.tmp"};
+    const std::string left = ".tmp-" + gone;
+    const std::vector<std::string> stale{left + "-12-a.b.exr", "below/" + left + "-1-file"};
+    const std::vector<std::string> kept{"tmp-" + gone + "-1-a",
+                                        left + "-a",
+                                        ".tmp-notes",
+                                        left + "-1",
+                                        ".tmpx-" + gone + "-1-a",
+                                        ".tmp-x" + gone + "-1-a",
+                                        left + "--a",
+                                        left + "-1.a",
+                                        "other/" + left + "-1-a",
+                                        ".tmp-" + running + "-1-a.svg"};
     for (const auto& names : {stale, kept})
         for (const std::string& name : names) folder.write(name, "x");
-    std::filesystem::create_directory(folder.path() / (".folder." + gone + "-1.tmp"));
-    std::filesystem::create_symlink("nowhere", folder.path() / (".link." + gone + "-1.tmp"));
+    std::filesystem::create_directory(folder.path() / (left + "-1-folder"));
+    std::filesystem::create_symlink("nowhere", folder.path() / (left + "-1-link"));
     const TemporaryFolder elsewhere;
-    const auto outside = elsewhere.write(".a." + gone + "-1.tmp", "x");
+    const auto outside = elsewhere.write(left + "-1-a", "x");
     std::filesystem::create_directory_symlink(elsewhere.path(), folder.path() / "link");
 
     remove_stale_temporary_files(folder.path(), std::chrono::hours(1));
@@ -223,8 +230,8 @@ TEST(WholeFile, RemovesWhatKilledProcessesLeftAndNothingElse)
     remove_stale_temporary_files(folder.path(), std::chrono::seconds(0), "other");
     for (const std::string& name : stale) EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
     for (const std::string& name : kept) EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / (".folder." + gone + "-1.tmp")));
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / (".link." + gone + "-1.tmp")));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / (left + "-1-folder")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / (left + "-1-link")));
     EXPECT_TRUE(std::filesystem::exists(outside));
 }
 

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace poissonlab {
 namespace {
@@ -47,6 +50,13 @@ TEST(Xxh64Bytes, IsTheHashOfWords)
 {
     const std::string zeros(24, '\0');
     EXPECT_EQ(xxh64_bytes(zeros, 9), xxh64({0, 0, 0}, 9));
+    for (std::uint64_t i = 1; i < 1000; ++i) {
+        const std::array words{i * 0x9E3779B97F4A7C15, ~i, i << 40};
+        const std::string_view bytes(reinterpret_cast<const char*>(words.data()), sizeof(words)); // low ones first
+        ASSERT_EQ(xxh64_bytes(bytes.substr(0, 8), i), xxh64({words[0]}, i));
+        ASSERT_EQ(xxh64_bytes(bytes.substr(0, 16), i), xxh64({words[0], words[1]}, i));
+        ASSERT_EQ(xxh64_bytes(bytes, i), xxh64({words[0], words[1], words[2]}, i));
+    }
 }
 
 TEST(Xxh64Bytes, PartsAreTheWhole)

@@ -1,5 +1,5 @@
-// The module poissonlab_png: see png_file.cpp.
-#include "base/images/png_codec.hpp"
+// The module poissonlab_pictures: see png_file.cpp.
+#include "base/images/picture_codec.hpp"
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,7 +8,7 @@
 namespace poissonlab {
 namespace {
 
-class OpenImageIoCodec final : public PngCodec
+class OpenImageIoCodec final : public PictureCodec
 {
 public:
     std::string write(const std::filesystem::path& path, const PngLayout& layout, const PngRows& rows) const override
@@ -52,7 +52,7 @@ private:
 }
 }
 
-extern "C" __attribute__((visibility("default"))) const poissonlab::PngCodec* poissonlab_png_codec()
+extern "C" __attribute__((visibility("default"))) const poissonlab::PictureCodec* poissonlab_picture_codec()
 {
     static const poissonlab::OpenImageIoCodec codec;
     return &codec;

@@ -1,0 +1,78 @@
+// A command of the program as data: its options, its help, and what it does.
+//
+// command_line.cpp makes a parser of it with CLI11, whose header takes five seconds to compile: no other file includes
+// that.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace poissonlab {
+
+/// Where the value of an option goes. The type says what is allowed: bool makes a flag, int is a number of threads from
+/// 1 to 4096, and the other integers may have any value of their type.
+using OptionTarget =
+    std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
+                 std::vector<std::int64_t>*, std::vector<std::string>*, std::vector<std::filesystem::path>*>;
+
+/// Words for Option::is_required.
+inline constexpr bool required = true;
+inline constexpr bool optional = false;
+
+struct Option
+{
+    std::string name; ///< "--out"; without dashes: an argument that has to be given, known by its place
+    OptionTarget target;
+    std::string help;
+    std::string value_name{}; ///< what the help calls the value, "DIR"; empty: its type
+    bool is_required = false;
+    int most_values = 1;    ///< of a list of integers
+    std::string excludes{}; ///< the option that does not go together with this one
+};
+
+/// Does the work of a command. Returns the exit status, or throws.
+using Action = std::function<int()>;
+
+struct Command
+{
+    std::string name;
+    std::string summary;         ///< a line of the program's help
+    std::vector<Option> options; ///< their targets live as long as `action`
+    std::string notes;           ///< below the options in the command's help; empty: those of the program
+    Action action;
+    std::vector<Command> commands{}; ///< of a group, which has no action of its own
+};
+
+/// The action of a command that throws where it cannot do all of its work.
+template <class Options>
+Action action_on(std::shared_ptr<Options> options, void (*work)(const Options&))
+{
+    return [options = std::move(options), work] {
+        work(*options);
+        return 0;
+    };
+}
+
+/// The exit status of `diff` where something changed; other commands return 0 or throw.
+inline constexpr int exit_changed = 4;
+
+// One file a command. `typed` is the whole command as the user would type it again; results remember it.
+Command run_command(const std::string& typed);
+Command merge_command();
+Command analyze_command(const std::string& typed);
+Command report_command();
+Command diff_command();
+Command tiling_command();
+Command tiles_build_command();
+Command tiles_points_command();
+Command tiles_verify_command();
+Command devices_command();
+Command samplers_command();
+
+}

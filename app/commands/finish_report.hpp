@@ -1,0 +1,15 @@
+// The last step of every command that makes a report.
+#pragma once
+
+#include "host/run/progress.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace poissonlab {
+
+/// Writes the report and prints the path of its page.
+void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
+                   Progress& progress);
+
+}

@@ -1,0 +1,26 @@
+// Between this room and the module that holds OpenImageIO, the library of every picture file: PNG files are written and
+// read so far; other kinds (photographs, environment maps) are functions of the same codec.
+#pragma once
+
+#include "base/images/png_file.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace poissonlab {
+
+/// Reads and writes picture files. All functions return what went wrong, empty where all went well.
+class PictureCodec
+{
+public:
+    virtual ~PictureCodec() = default;
+    virtual std::string write(const std::filesystem::path& path, const PngLayout& layout,
+                              const PngRows& rows) const = 0;
+    virtual std::string read(const std::filesystem::path& path, PngPixels& pixels) const = 0;
+};
+
+/// The function of the module that returns its codec, which lives as long as the module.
+using PictureCodecFunction = const PictureCodec* (*)();
+inline constexpr const char* picture_codec_function = "poissonlab_picture_codec";
+
+}
