@@ -13,6 +13,7 @@
 // Needs DIMENSION (2 or 3), REACH (points in conflict are at most so many level 0 cells apart), and LARGE_DISKS (see
 // common/torus.clh).
 
+#include "kernels/common/dart_throwing.h"
 #include "kernels/common/philox.clh"
 #include "kernels/common/torus.clh"
 
@@ -24,8 +25,7 @@
 #define MAX_NEAR (WINDOW * WINDOW * WINDOW)
 #endif
 
-// A dart as words: position, time, level 0 cell.
-#define DART_WORDS (DIMENSION + 2)
+// Of a dart.
 #define TIME_WORD DIMENSION
 #define CELL_WORD (DIMENSION + 1)
 
@@ -35,23 +35,11 @@
 //   positions  DIMENSION words: the point in the cell (a cell has room for one); undefined when there is none
 //   slots      1 + the number of the first dart in the cell's chain. Darts are numbered through all batches, so that
 //              numbers of earlier batches stand for an empty chain, and nothing needs clearing.
-#define MASK_WORDS ((MAX_NEAR + 31) / 32)
-
-// A dart's rivals are listed in the first round: their number, then the first of them. Those with more, which are very
-// rare, list what is left of their rivals again in every round.
-#define MAX_RIVALS 7
-#define RIVAL_WORDS (MAX_RIVALS + 1)
 
 // States of a dart.
 #define UNDECIDED 0u
 #define ACCEPTED 1u
 #define REJECTED 2u
-
-// Counters in global memory.
-#define OPEN_CELLS 0
-#define DARTS 1
-#define POINTS 2
-#define WAITING_ROUND 3 // 1 + the last round in which a dart had to wait for another round
 
 typedef struct { uint c[DIMENSION]; } Cell;
 
@@ -219,48 +207,45 @@ void copy_staged(const List* list, uint begin)
 /// OPEN_CELLS and DARTS zero.
 ///
 /// `parents` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their slots
-/// and masks, and does not list them as open. `level` that of the children, or, where `split` is 0, of the parents
-/// themselves, which then take the place of children. `is_last_level`: they cannot be split further. Local memory:
-/// staged_cells for DIMENSION * staged_cells_capacity words, staged_darts for DART_WORDS * staged_darts_capacity words,
-/// group for 4 words.
-kernel void throw_darts(global const uint* parents, uint parent_count, global uint* masks, global uint* slots,
-                        global const uint* positions, uint grid_size, ulong step, int level, uint split, uint is_last_level,
-                        uint batch, ulong squared_min_distance, uint key_x, uint key_y, constant const uint* thresholds,
-                        uint threshold_count, global uint* open_cells, uint open_cells_capacity, global uint* darts,
-                        uint darts_capacity, global uint* counters, local uint* staged_cells,
-                        uint staged_cells_capacity, local uint* staged_darts, uint staged_darts_capacity,
+/// and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts for
+/// DART_WORDS each, group for GROUP_WORDS.
+kernel void throw_darts(struct Batch batch, global const uint* parents, global uint* masks, global uint* slots,
+                        global const uint* positions, constant const uint* thresholds, global uint* open_cells,
+                        global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
                         local uint* group)
 {
-    const List cells_list = {staged_cells, staged_cells_capacity, &group[0],
-                             open_cells,   open_cells_capacity,   &counters[OPEN_CELLS], DIMENSION};
-    const List darts_list = {staged_darts, staged_darts_capacity, &group[1],
-                             darts,        darts_capacity,        &counters[DARTS], DART_WORDS};
+    const uint grid_size = batch.grid_size;
+    const ulong squared_min_distance = batch.squared_min_distance;
+    const List cells_list = {staged_cells, batch.staged_capacity, &group[0],
+                             open_cells,   batch.open_capacity,   &counters[OPEN_CELLS], DIMENSION};
+    const List darts_list = {staged_darts, batch.staged_capacity, &group[1],
+                             darts,        batch.dart_capacity,   &counters[DARTS], DART_WORDS};
     if (get_local_id(0) == 0) group[0] = group[1] = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 
     const uint id = get_global_id(0);
-    if (id < parent_count) {
+    if (id < batch.parents) {
         Cell parent;
-        if (batch <= 1) {
+        if (batch.number <= 1) {
             parent = cell_at(id, grid_size);
         } else {
             FOR_EACH_AXIS(k) parent.c[k] = parents[id * DIMENSION + k];
         }
-        const int parent_level = level - (int)split;
+        const int parent_level = batch.level - (int)batch.is_split;
         Cell base;
         FOR_EACH_AXIS(k) base.c[k] = parent.c[k] >> parent_level;
         const uint base_index = cell_index(&base, grid_size);
-        if (batch == 0) {
+        if (batch.number == 0) {
             slots[base_index] = 0;
             for (uint w = 0; w < MASK_WORDS; ++w) masks[base_index * MASK_WORDS + w] = 0;
         }
 
-        const Halves halves = halves_of(&parent, parent_level, split, step);
+        const Halves halves = halves_of(&parent, parent_level, batch.is_split, batch.step);
 
         // The points that can matter to it, and the children that they cover.
         Position near[MAX_NEAR];
         uint near_count = 0;
-        uint open = split ? (1u << CHILDREN) - 1 : 1u;
+        uint open = batch.is_split ? (1u << CHILDREN) - 1 : 1u;
         for (uint w = 0; w < MASK_WORDS; ++w) {
             for (uint mask = masks[base_index * MASK_WORDS + w]; mask != 0 && open != 0; mask &= mask - 1) {
                 const uint lowest_bit = 31 - clz(mask & (0u - mask));
@@ -270,23 +255,23 @@ kernel void throw_darts(global const uint* parents, uint parent_count, global ui
                 ++near_count;
             }
         }
-        if (is_last_level && open != 0 && !has_room(&halves, near, near_count, squared_min_distance)) open = 0;
+        if (batch.is_last_level && open != 0 && !has_room(&halves, near, near_count, squared_min_distance)) open = 0;
 
         // The open children, and the darts in each.
         if (open != 0) {
-            const uint2 key = (uint2)(key_x, key_y);
+            const uint2 key = (uint2)(batch.key_x, batch.key_y);
             uint count_words[CHILDREN];
             for (int c = 0; c < CHILDREN; c += 4) {
-                vstore4(random_words(&parent, batch, 0xfffc + c / 4, key), 0, &count_words[c]);
+                vstore4(random_words(&parent, batch.number, 0xfffc + c / 4, key), 0, &count_words[c]);
             }
             for (; open != 0; open &= open - 1) {
                 const uint c = 31 - clz(open & (0u - open));
                 Cell child = parent;
-                if (split) FOR_EACH_AXIS(k) child.c[k] = 2 * parent.c[k] + (c >> k & 1);
-                if (batch > 0) append(&cells_list, child.c);
-                const uint count = dart_count(count_words[c], thresholds, threshold_count);
+                if (batch.is_split) FOR_EACH_AXIS(k) child.c[k] = 2 * parent.c[k] + (c >> k & 1);
+                if (batch.number > 0) append(&cells_list, child.c);
+                const uint count = dart_count(count_words[c], thresholds, batch.thresholds);
                 for (uint number = 0; number < count; ++number) {
-                    const uint4 words = random_words(&child, batch, number, key);
+                    const uint4 words = random_words(&child, batch.number, number, key);
                     const uint offsets[3] = {words.y, words.z, words.w};
                     Position position;
                     FOR_EACH_AXIS(k) {
@@ -307,8 +292,8 @@ kernel void throw_darts(global const uint* parents, uint parent_count, global ui
 
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
-        group[2] = atomic_add(&counters[OPEN_CELLS], min(group[0], staged_cells_capacity));
-        group[3] = atomic_add(&counters[DARTS], min(group[1], staged_darts_capacity));
+        group[2] = atomic_add(&counters[OPEN_CELLS], min(group[0], batch.staged_capacity));
+        group[3] = atomic_add(&counters[DARTS], min(group[1], batch.staged_capacity));
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     copy_staged(&cells_list, group[2]);
@@ -445,7 +430,7 @@ ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, uint grid_
 }
 
 /// One work-item owns `run` darts in a row. Accepted darts become points: in the grid, and appended to `points`
-/// (position and time, DIMENSION + 1 words).
+/// (POINT_WORDS).
 kernel void insert_points(global const uint* darts, uint dart_count, uint run, global const uint* states,
                           uint grid_size, ulong step, ulong squared_min_distance, global volatile uint* masks,
                           global uint* positions, global uint* points, global uint* counters)
@@ -464,8 +449,8 @@ kernel void insert_points(global const uint* darts, uint dart_count, uint run, g
         FOR_EACH_AXIS(k) positions[index * DIMENSION + k] = position.c[k];
         const Cell cell = cell_at(index, grid_size);
         mark_disk(&position, &cell, grid_size, step, squared_min_distance, masks);
-        FOR_EACH_AXIS(k) points[at * (DIMENSION + 1) + k] = position.c[k];
-        points[at * (DIMENSION + 1) + DIMENSION] = darts[i * DART_WORDS + TIME_WORD];
+        FOR_EACH_AXIS(k) points[at * POINT_WORDS + k] = position.c[k];
+        points[at * POINT_WORDS + TIME_WORD] = darts[i * DART_WORDS + TIME_WORD];
         ++at;
     }
 }

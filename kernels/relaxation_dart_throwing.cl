@@ -26,28 +26,11 @@
 #define LARGE_DISKS 1 // for common/torus.clh, of which only what does not depend on it is used
 
 #include "kernels/common/philox.clh"
+#include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/torus.clh"
 
-// Darts come from blocks of four random words: in 2D darts 2 j and 2 j + 1 from block j, in 3D dart j.
-#define DARTS_A_BLOCK (4 / DIMENSION)
-
-// Flags are a byte a block, candidates a bit a dart.
-#define DARTS_A_WORD 64
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
-
-// A point as words: position, 1 + the number of the next point in the cell's chain.
-#define POINT_WORDS (DIMENSION + 1)
-#define NEXT_WORD DIMENSION
-
-// Where the algorithm is, as 64-bit words in global memory.
-#define NEXT_DART 0     // the first dart that is not decided
-#define LEVEL 1         // how often the radius was reduced
-#define FAILURES 2      // in a row
-#define POINTS 3        // accepted so far
-#define FIRST_NEW 4     // the first point that is not in the table yet
-#define LOW_LEVEL 5     // the batch at hand must not go beyond this level
-#define LOW_THRESHOLD 6 // the squared minimum distance there
-#define CANDIDATES 7    // looked at by settle_candidates so far
+#define NEXT_WORD DIMENSION // of a point
 
 // The table counts squared distances in units of 2^-15 of a grid cell's squared width, which no threshold
 // exceeds.
@@ -142,7 +125,7 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     // The sign of low - farthest says that the part is not covered: neither exceeds 2^15. (oclgrind 21.10
     // takes a vector comparison for 255 where it is widened to 1.)
     ushort8 result = (low - vload8(0, farthest)) >> (ushort8)15;
-#if DARTS_A_BLOCK == 2
+#if DIMENSION == 2
     result |= (low - vload8(1, farthest)) >> (ushort8)15 << (ushort8)1;
 #endif
     vstore8(convert_uchar8(result), id, flags);
@@ -260,22 +243,22 @@ void insert_point(const Position* position, uint number, global uint* heads, glo
 /// levels.
 ///
 /// `thresholds` the squared minimum distances of levels from `first_level` on.
-kernel void settle_candidates(global ulong* state, global const ulong* candidates, uint word_count,
-                              uint key_x, uint key_y, global const ulong* thresholds, ulong first_level,
-                              ulong attempts, uint target, uint levels_ahead, global uint* heads,
-                              global uint* points, uint grid_bits)
+kernel void settle_candidates(struct Settling settling, global ulong* state, global const ulong* candidates,
+                              global const ulong* thresholds, global uint* heads, global uint* points)
 {
     if (get_global_id(0) != 0) return;
+    const ulong attempts = settling.attempts;
+    const uint grid_bits = settling.grid_bits;
     const ulong low_level = state[LOW_LEVEL];
     const ulong skipped = state[NEXT_DART] % DARTS_A_BLOCK;
     const ulong first = state[NEXT_DART] - skipped;
     Progress progress = {state[NEXT_DART], state[LEVEL], state[FAILURES]};
     uint count = (uint)state[POINTS];
     ulong looked_at = 0;
-    bool goes_on = count < target;
+    bool goes_on = count < settling.target;
     state[FIRST_NEW] = count;
 
-    for (uint w = 0; w < word_count && goes_on; ++w) {
+    for (uint w = 0; w < settling.words && goes_on; ++w) {
         ulong word = candidates[w];
         if (w == 0) word &= ~0ul << skipped;
         for (; word != 0 && goes_on; word &= word - 1) {
@@ -284,27 +267,27 @@ kernel void settle_candidates(global ulong* state, global const ulong* candidate
                 fail(&progress, dart - progress.dart, attempts, low_level) && progress.level <= low_level;
             if (!goes_on) break;
             ++looked_at;
-            const Position position = dart_position(dart, (uint2)(key_x, key_y));
-            if (is_free(&position, heads, points, grid_bits, thresholds[progress.level - first_level])) {
+            const Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
+            if (is_free(&position, heads, points, grid_bits, thresholds[progress.level - settling.first_level])) {
                 insert_point(&position, count, heads, points, grid_bits);
                 ++count;
                 ++progress.dart;
                 progress.failures = 0;
-                goes_on = count < target;
+                goes_on = count < settling.target;
             } else {
                 fail(&progress, 1, attempts, low_level);
             }
         }
     }
     if (goes_on)
-        fail(&progress, first + (ulong)word_count * DARTS_A_WORD - progress.dart, attempts, low_level);
+        fail(&progress, first + (ulong)settling.words * DARTS_A_WORD - progress.dart, attempts, low_level);
 
     state[NEXT_DART] = progress.dart;
     state[LEVEL] = progress.level;
     state[FAILURES] = progress.failures;
     state[POINTS] = count;
-    state[LOW_LEVEL] = progress.level + levels_ahead;
-    state[LOW_THRESHOLD] = thresholds[progress.level + levels_ahead - first_level];
+    state[LOW_LEVEL] = progress.level + settling.levels_ahead;
+    state[LOW_THRESHOLD] = thresholds[progress.level + settling.levels_ahead - settling.first_level];
     state[CANDIDATES] += looked_at;
 }
 

@@ -12,17 +12,14 @@
 #include "kernels/common/philox.clh"
 #include "kernels/common/tile_torus.clh"
 
-#define BATCH 32
-#define MAX_DARTS (1u << 22)
-
-/// Dart number `dart` of a stream, in the box from `low` on, `extent` wide along each axis.
-Position dart_at(uint dart, uint stream, uint attempt, uint zone, uint2 key, int low, uint extent)
+/// Dart number `dart` of a stream.
+Position dart_at(uint dart, uint stream, const struct Darts* darts)
 {
-    const uint4 words = philox((uint4)(dart, stream, attempt, zone), key);
+    const uint4 words = philox((uint4)(dart, stream, darts->attempt, darts->zone), (uint2)(darts->key_x, darts->key_y));
     const uint word[3] = {words.x, words.y, words.z};
     Position position;
     for (int k = 0; k < DIMENSION; ++k) {
-        position.c[k] = (low + (int)((ulong)word[k] * extent >> 32)) & TORUS_MASK;
+        position.c[k] = (darts->low + (int)((ulong)word[k] * darts->extent >> 32)) & TORUS_MASK;
     }
     return position;
 }
@@ -30,7 +27,7 @@ Position dart_at(uint dart, uint stream, uint attempt, uint zone, uint2 key, int
 /// Is no point at a smaller squared distance?
 bool is_free(global const int* points, uint capacity, uint count, const Position* position, uint squared_distance)
 {
-    for (uint from = 0; from < count; from += LANES_OF_DISTANCES) {
+    for (uint from = 0; from < count; from += LANES) {
         if (any(squared_distances(points, capacity, count, from, position) < squared_distance)) return false;
     }
     return true;
@@ -45,21 +42,22 @@ typedef struct
     uint darts;
 } Filling;
 
-/// Work-group g fills problem problems[g]. A problem has capacity ints for each axis in `points`; images of a point
-/// (see `copies`: 1, or 2^DIMENSION for the torus of one tile) come one after the other. counts: points there are,
-/// without images, before and after. levels: the level that was reached; level_count: given up.
-kernel void throw_tile_darts(global const uint* problems, global const uint* streams, uint attempt, uint zone,
-                             uint key_x, uint key_y, uint capacity, uint copies, global const int* region_values,
-                             ulong cells, int low, uint extent, global const uint* thresholds,
-                             uint level_count, uint attempts, global const uint* targets, global int* all_points,
+/// Work-group g fills problem problems[g]. A problem has capacity ints for each axis in `points`; images of a point come
+/// one after the other. counts: points there are, without images, before and after. levels: the level that was reached;
+/// darts.levels: given up.
+kernel void throw_tile_darts(struct Darts darts, global const uint* problems, global const uint* streams,
+                             global const uint* thresholds, global const uint* targets, global int* all_points,
                              global uint* counts, global uint* levels)
 {
+    const uint capacity = darts.tori.capacity;
+    const uint copies = darts.tori.copies;
+    const ulong cells = darts.tori.cells;
+    const Regions regions = darts.tori.regions;
+    const uint level_count = darts.levels;
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
     global int* points = all_points + (ulong)problem * DIMENSION * capacity;
-    const Regions regions = regions_at(region_values);
-    const uint2 key = (uint2)(key_x, key_y);
     const uint stream = streams[problem];
     const uint target = targets[problem];
 
@@ -72,10 +70,10 @@ kernel void throw_tile_darts(global const uint* problems, global const uint* str
     barrier(CLK_LOCAL_MEM_FENCE);
     while (filling.points < target && filling.level < level_count && filling.darts < MAX_DARTS) {
         const uint first = filling.darts;
-        const uint reachable = filling.level + (filling.failures + BATCH - 1) / attempts;
+        const uint reachable = filling.level + (filling.failures + BATCH - 1) / darts.attempts;
         const uint least = thresholds[min(reachable, level_count - 1)];
         for (uint i = item; i < BATCH; i += items) {
-            const Position position = dart_at(first + i, stream, attempt, zone, key, low, extent);
+            const Position position = dart_at(first + i, stream, &darts);
             is_candidate[i] = !is_allowed(&position, &regions, cells)                               ? 2
                               : is_free(points, capacity, filling.points * copies, &position, least) ? 1
                                                                                                      : 0;
@@ -86,7 +84,7 @@ kernel void throw_tile_darts(global const uint* problems, global const uint* str
             for (uint i = 0; i < BATCH && f.points < target && f.level < level_count; ++i) {
                 ++f.darts;
                 if (is_candidate[i] == 2) continue; // not in the domain
-                const Position position = dart_at(first + i, stream, attempt, zone, key, low, extent);
+                const Position position = dart_at(first + i, stream, &darts);
                 if (is_candidate[i] == 1 &&
                     is_free(points, capacity, f.points * copies, &position, thresholds[f.level])) {
                     for (uint image = 0; image < copies; ++image) {
@@ -97,7 +95,7 @@ kernel void throw_tile_darts(global const uint* problems, global const uint* str
                     }
                     ++f.points;
                     f.failures = 0;
-                } else if (++f.failures == attempts) {
+                } else if (++f.failures == darts.attempts) {
                     f.failures = 0;
                     ++f.level;
                 }

@@ -1,8 +1,8 @@
 // The points of a block of tiles: see host/tile_points/tile_points.hpp.
 //
 // Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of
-// positions: float, in tiles, or uint, in units of 1/65,536 of a tile. A run of tiles starts in the block at
-// (x0, y0, z0), and goes on along x, then y, then z.
+// positions: float, in tiles, or uint, in units of 1/65,536 of a tile.
+#include "kernels/common/tile_points.h"
 #include "runtime/poisson_tiles_gpu.h"
 
 #define VALUES (POINTS * DIMENSION) // of a tile
@@ -30,26 +30,25 @@ typedef ushort16 LooseUnits __attribute__((aligned(2)));
 #endif
 #endif
 
-/// The place in the block of the tile `n` tiles after (x0, y0, z0). n + x0 is below 2^31, so that the quotient by the
-/// width is that of a product, which processors have for vectors, unlike division: see reciprocal_of() on the host.
-PTILES_FUNCTION uint3 place_in_block(uint n, uint width, uint reciprocal, uint shift, uint height, uint x0, uint y0,
-                                     uint z0)
+/// The place in the block of the tile number `n` of a run. n + run.x is below 2^31, so that the quotient by the width is
+/// that of a product, which processors have for vectors, unlike division.
+PTILES_FUNCTION uint3 place_in_block(uint n, struct Run run)
 {
-    const uint row = (uint)((ulong)(x0 + n) * reciprocal >> shift);
-    const uint x = x0 + n - row * width;
-    if (DIMENSION == 2) return (uint3)(x, y0 + row, 0);
-    return (uint3)(x, (y0 + row) % height, z0 + (y0 + row) / height);
+    const uint row = (uint)((ulong)(run.x + n) * run.reciprocal >> run.shift);
+    const uint x = run.x + n - row * run.width;
+    if (DIMENSION == 2) return (uint3)(x, run.y + row, 0);
+    return (uint3)(x, (run.y + row) % run.height, run.z + (run.y + row) / run.height);
 }
 
 /// One work-item finds the number of one tile.
-kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom, uint width, uint reciprocal,
-                          uint shift, uint height, uint x0, uint y0, uint z0, uint count, global uint* tiles)
+kernel void look_up_tiles(struct Run run, struct Window window, global uint* tiles)
 {
     const uint id = get_global_id(0);
-    if (id >= count) return;
-    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, seed, period};
-    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
-    tiles[id] = ptiles_tile(tiling, (int3)(west + (int)place.x, south + (int)place.y, bottom + (int)place.z));
+    if (id >= run.count) return;
+    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, window.seed, window.period};
+    const uint3 place = place_in_block(id, run);
+    tiles[id] = ptiles_tile(
+        tiling, (int3)(window.west + (int)place.x, window.south + (int)place.y, window.bottom + (int)place.z));
 }
 
 /// Units within a tile, and places of tiles, as positions.
@@ -65,12 +64,11 @@ kernel void look_up_tiles(uint seed, int period, int west, int south, int bottom
 
 /// One work-item places one tile: its points, with the tile's place added to each. Points stay the 16-bit units of the
 /// tile set: what has to be read fits into caches better, and that matters more than conversions.
-kernel void place_points(global const uint* tiles, global const ushort* units, uint width, uint reciprocal,
-                         uint shift, uint height, uint x0, uint y0, uint z0, uint count, global VALUE* points)
+kernel void place_points(struct Run run, global const uint* tiles, global const ushort* units, global VALUE* points)
 {
     const uint id = get_global_id(0);
-    if (id >= count) return;
-    const uint3 place = place_in_block(id, width, reciprocal, shift, height, x0, y0, z0);
+    if (id >= run.count) return;
+    const uint3 place = place_in_block(id, run);
     const VALUE x = FROM_PLACE(place.x);
     const VALUE y = FROM_PLACE(place.y);
 #if DIMENSION == 2

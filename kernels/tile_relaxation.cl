@@ -3,7 +3,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: each work-group relaxes the points of one
 // torus of two tiles a side. Points come in three runs: held ones (of pieces that are there already), active ones, and
 // surroundings, which are held as well. Movements end where they would leave the allowed cells; with repulsion they
-// slide along them. The plain twin is host/tile_construction/reference/tile_relaxation.cpp.
+// slide along them. The plain twin is host/tile_construction/reference/tile_filling.cpp.
 //
 // Coordinates are whole units, so that all tests are exact; a torus is small enough to look at all of its points.
 //
@@ -11,15 +11,13 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/tile_torus.clh"
 #if DIMENSION == 2
 #include "kernels/common/voronoi_2d.clh"
 #else
 #include "kernels/common/voronoi_3d_window.clh"
 #endif
-#include "kernels/common/tile_torus.clh"
 
-#define MAX_ITEMS 256 // of a work-group
-#define LIST_WORDS (DIMENSION == 2 ? 64 : 256) // of a point's list of points around it
 #define MAX_LISTED (LIST_WORDS - 1)
 #define NO_LIST 65535
 #define UNIT_SHIFT 15 // units to 2^-32 of the torus
@@ -223,17 +221,21 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 
 /// Lloyd iterations. Work-group g owns problem problems[g]: `capacity` entries for each axis in all_points and others.
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
-/// from all points or, where none has, the best one. `reaches`: half widths of the boxes that are looked into for
-/// Voronoi neighbours, one after the other; where none is enough, a point stays. For the first box, each point has a
-/// list of LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have brought in
-/// others. Points themselves end as the last iterate.
-kernel void relax_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
-                        ulong cells, global const uint* counts, global const uint* held_counts,
-                        global const uint* active_counts, uint iterations, uint keeps_last, uint wanted,
-                        global const int* reaches, uint reach_count, int slack, double spacing,
-                        global ushort* all_lists, uint max_active, global int* all_points,
-                        global double* all_doubles, global int* all_moved, global int* all_kept, global uint* squared_kept)
+/// from all points or, where none has, the best one. Where no reach is enough, a point stays. For the first box, each
+/// point has a list of LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have
+/// brought in others. Points themselves end as the last iterate.
+kernel void relax_tiles(struct Relaxation relaxation, global const uint* problems, global const uint* counts,
+                        global const uint* held_counts, global const uint* active_counts, global ushort* all_lists,
+                        global int* all_points, global double* all_doubles, global int* all_moved,
+                        global int* all_kept, global uint* squared_kept)
 {
+    const uint capacity = relaxation.tori.capacity;
+    const uint copies = relaxation.tori.copies;
+    const ulong cells = relaxation.tori.cells;
+    const Regions regions = relaxation.tori.regions;
+    const uint iterations = relaxation.iterations;
+    const uint wanted = relaxation.wanted;
+    const int slack = relaxation.slack;
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
@@ -243,10 +245,9 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
     global double* doubles = all_doubles + (ulong)problem * DIMENSION * capacity;
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
-    const Regions regions = regions_at(region_values);
     local uint values[MAX_ITEMS];
 
-    global ushort* lists = all_lists + (ulong)problem * max_active * LIST_WORDS;
+    global ushort* lists = all_lists + (ulong)problem * relaxation.max_active * LIST_WORDS;
 
     for (uint i = item; i < counts[problem]; i += items) put_double(doubles, &points, i);
     barrier(CLK_GLOBAL_MEM_FENCE);
@@ -256,7 +257,7 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
         if (2 * moved_by >= slack) {
             for (uint i = first + item; i < end; i += items) {
                 const Position position = point_at(&points, i * copies);
-                list_box(&points, &position, reaches[0] + slack, lists + (i - first) * LIST_WORDS);
+                list_box(&points, &position, relaxation.reaches[0] + slack, lists + (i - first) * LIST_WORDS);
             }
             moved_by = 0;
         }
@@ -269,16 +270,16 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
             Window window;
             double displacement[3] = {0, 0, 0};
             bool is_found = false;
-            for (uint r = 0; r < reach_count && !is_found; ++r) {
+            for (uint r = 0; r < relaxation.reach_count && !is_found; ++r) {
                 if (r == 0 && list[0] != NO_LIST) {
-                    gather_listed(&window, &points, &position, reaches[0], list);
+                    gather_listed(&window, &points, &position, relaxation.reaches[0], list);
                 } else {
-                    gather_box(&window, &points, &position, reaches[r]);
+                    gather_box(&window, &points, &position, relaxation.reaches[r]);
                 }
                 if (r == 0) nearest = min(nearest, nearest_of_window(&window, &position, site));
                 if (iteration == iterations || window.count > MAX_POINTS) break;
                 if (window.count == 0) continue;
-                is_found = find_centroid(&window, &position, site, reaches[r], spacing, doubles, displacement);
+                is_found = find_centroid(&window, &position, site, relaxation.reaches[r], relaxation.spacing, doubles, displacement);
             }
             Position movement;
             for (int k = 0; k < DIMENSION; ++k) movement.c[k] = is_found ? rounded(displacement[k]) : 0;
@@ -290,7 +291,7 @@ kernel void relax_tiles(global const uint* problems, uint capacity, uint copies,
         }
         nearest = smallest_of_group(nearest, values);
         moved_by += (int)(UINT_MAX - smallest_of_group(UINT_MAX - longest, values));
-        if (keeps_last ? iteration == iterations : nearest >= wanted || nearest > best || iteration == 0) {
+        if (relaxation.keeps_last ? iteration == iterations : nearest >= wanted || nearest > best || iteration == 0) {
             best = min(nearest, wanted);
             for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
             if (item == 0) squared_kept[problem] = nearest;
@@ -349,11 +350,15 @@ Position repelled(const TorusPoints* points, const Position* position, uint site
 
 /// Repulsion, from what relax_tiles kept: until the wanted squared distance is there, or for so many passes; then the
 /// best is kept.
-kernel void repel_tiles(global const uint* problems, uint capacity, uint copies, global const int* region_values,
-                        ulong cells, global const uint* counts, global const uint* held_counts,
-                        global const uint* active_counts, uint passes, uint wanted, double distance,
-                        global int* all_points, global int* all_moved, global int* all_kept, global uint* squared_kept)
+kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems, global const uint* counts,
+                        global const uint* held_counts, global const uint* active_counts, global int* all_points,
+                        global int* all_moved, global int* all_kept, global uint* squared_kept)
 {
+    const uint capacity = repulsion.tori.capacity;
+    const uint copies = repulsion.tori.copies;
+    const ulong cells = repulsion.tori.cells;
+    const Regions regions = repulsion.tori.regions;
+    const uint passes = repulsion.passes;
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
@@ -362,7 +367,6 @@ kernel void repel_tiles(global const uint* problems, uint capacity, uint copies,
     const TorusPoints kept = points_of(all_kept, problem, capacity, 0, 1);
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
-    const Regions regions = regions_at(region_values);
     local uint values[MAX_ITEMS];
 
     for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&kept, i));
@@ -373,7 +377,7 @@ kernel void repel_tiles(global const uint* problems, uint capacity, uint copies,
         for (uint i = first + item; i < end; i += items) {
             const Position position = point_at(&points, i * copies);
             const Position movement =
-                repelled(&points, &position, i * copies, first, end, distance, &nearest);
+                repelled(&points, &position, i * copies, first, end, repulsion.distance, &nearest);
             put_point(&moved, i, allowed_end(&position, &movement, &regions, cells, true));
         }
         nearest = smallest_of_group(nearest, values);
@@ -382,7 +386,7 @@ kernel void repel_tiles(global const uint* problems, uint capacity, uint copies,
             for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
             if (item == 0) squared_kept[problem] = nearest;
         }
-        if (nearest >= wanted || pass == passes) break;
+        if (nearest >= repulsion.wanted || pass == passes) break;
         for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&moved, i));
         barrier(CLK_GLOBAL_MEM_FENCE);
     }

@@ -22,12 +22,6 @@ struct DeviceMemory
 
     /// One more buffer.
     DeviceMemory& add(std::uint64_t bytes);
-
-    template <typename T>
-    DeviceMemory& add_buffer(std::uint64_t count)
-    {
-        return add(count * sizeof(T));
-    }
 };
 
 /// Both at the same time.

@@ -28,7 +28,7 @@ public:
 
     /// Enqueues at least `items` work-items in work-groups of `group_size`: the range is padded to whole
     /// groups, so kernels compare their id with the number of items. Arguments: buffers, LocalMemory, and
-    /// plain values that have the kernel's parameter types. Nothing is enqueued for zero items.
+    /// plain values or structs that have the kernel's parameter types. Nothing is enqueued for zero items.
     template <typename... Arguments>
     void run(std::size_t items, std::size_t group_size, const Arguments&... arguments)
     {
@@ -47,7 +47,7 @@ private:
     template <typename T>
     void set(unsigned index, const T& value)
     {
-        static_assert(std::is_arithmetic_v<T>);
+        static_assert(std::is_trivially_copyable_v<T>);
         set_bytes(index, sizeof(T), &value);
     }
 

@@ -25,7 +25,8 @@ void append(std::string& out, std::string_view name, std::set<std::string, std::
         begin = end + 1;
         ++line_number;
         if (!line.starts_with(include_directive)) {
-            out.append(line).push_back('\n');
+            if (line != "#pragma once") out.append(line); // every file is there once
+            out.push_back('\n');
             continue;
         }
         const std::string_view rest = line.substr(include_directive.size());

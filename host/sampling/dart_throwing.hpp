@@ -8,11 +8,10 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
-#include "host/device/device.hpp"
+#include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
 
 namespace poissonlab {
@@ -32,24 +31,16 @@ PointSet throw_darts(const DartThrowingRequest& request);
 }
 
 /// The same, by kernels/dart_throwing.cl: the same bytes as the reference on every device.
-class DartThrower
+class DartThrower : DeviceMethod<struct DartBuffers>
 {
 public:
     /// `work_group_size` 0: the default.
     explicit DartThrower(Device device, std::size_t work_group_size = 0);
-    ~DartThrower();
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
     /// What throw_darts() takes, nearly: the number of darts in a batch is a matter of chance.
     static DeviceMemory memory(const DartThrowingRequest& request);
-
-private:
-    struct Buffers;
-
-    Device device_;
-    std::size_t work_group_size_;
-    std::unique_ptr<Buffers> buffers_; ///< kept from call to call: first touch of memory is slow
 };
 
 /// The sampler "dart-throwing": relative_radius, or stop = "saturation" with min_distance.

@@ -3,10 +3,12 @@
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/cell_hierarchy.hpp"
 #include "host/sampling/dart_throwing.hpp"
+#include "host/sampling/device_sampler.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -103,18 +105,14 @@ void check_memory(const Parameters& parameters, const SampleRequest& request)
     throw parameters.error("stop", fmt::format("{} points are too many", request.points));
 }
 
-class DartThrowingSampler final : public Sampler
+class DartThrowingSampler final : public DeviceSampler
 {
 public:
     DartThrowingSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                         const DeviceProvider& device)
-        : parameters_(parameters), request_(request)
+        : DeviceSampler(engine, device), parameters_(parameters), request_(request)
     {
-        if (engine == Engine::opencl) {
-            device_ = &device();
-            built_before_ = device_->build_seconds();
-            thrower_ = std::make_unique<DartThrower>(*device_);
-        }
+        if (device_) thrower_.emplace(*device_);
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -127,7 +125,6 @@ public:
     }
 
     bool sizes_vary() const override { return to_saturation(parameters_); }
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 private:
     /// The radius at which the set would have reached its size grows with the number of points as a length
@@ -145,9 +142,7 @@ private:
 
     Parameters parameters_;
     SampleRequest request_;
-    Device* device_ = nullptr;
-    double built_before_ = 0; ///< by earlier users of the device
-    std::unique_ptr<DartThrower> thrower_;
+    std::optional<DartThrower> thrower_;
 };
 
 }

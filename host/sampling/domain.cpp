@@ -1,23 +1,13 @@
 #include "host/sampling/domain.hpp"
 
+#include "kernels/common/domain.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace poissonlab {
 namespace {
-
-/// Contacts of one movement with boundaries; what is left after so many is given up. As in common/domain.clh.
-constexpr int max_contacts = 4;
-
-/// A point that is no deeper than this in a region is on its boundary, so that rounding, of coordinates and
-/// at the region's corners, decides nothing. As in common/domain.clh.
-constexpr double boundary_depth = 0x1p-46;
-
-/// Sliding leads away from the boundary by these: a part of the movement, and a distance. More than rounding,
-/// which thus neither leads back into the region nor, over many movements, deeper. As in common/domain.clh.
-constexpr double lift_part = 0x1p-48;
-constexpr double lift_distance = 0x1p-51;
 
 struct Contact
 {
@@ -41,7 +31,7 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
     for (const HalfSpace& half_space : region.half_spaces) {
         const double height = inner_product(half_space.normal, start) - half_space.offset;
         const double rise = inner_product(half_space.normal, movement);
-        if (height >= -boundary_depth && rise >= 0) return; // on it or above it, and not going down
+        if (height >= -contract::domain::BOUNDARY_DEPTH && rise >= 0) return; // on it or above it, and not going down
         if (height > nearest) {
             nearest = height;
             nearest_rise = rise;
@@ -57,7 +47,7 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
         }
     }
     if (nearest_boundary == nullptr) return; // no half-spaces
-    if (nearest < -boundary_depth) {         // may leave by the nearest boundary, or stay as deep as it is
+    if (nearest < -contract::domain::BOUNDARY_DEPTH) {         // may leave by the nearest boundary, or stay as deep as it is
         entered = nearest_boundary;
         entry = 0;
         if (nearest_rise >= 0) return;
@@ -98,7 +88,7 @@ Vector allowed_displacement(const Domain& domain, const Vector& position, const 
 {
     Vector movement = displacement;
     Vector done{};
-    for (int number = 0; number < max_contacts; ++number) {
+    for (int number = 0; number < contract::domain::MAX_CONTACTS; ++number) {
         Contact contact;
         Vector here;
         for (int k = 0; k < 3; ++k) here[k] = position[k] + done[k];
@@ -108,7 +98,7 @@ Vector allowed_displacement(const Domain& domain, const Vector& position, const 
         for (double& m : movement) m *= 1 - contact.part;
         double size = 0;
         for (const double m : movement) size += std::abs(m);
-        const double into = inner_product(movement, contact.normal) - (lift_part * size + lift_distance);
+        const double into = inner_product(movement, contact.normal) - (contract::domain::LIFT_PART * size + contract::domain::LIFT_DISTANCE);
         for (int k = 0; k < 3; ++k) movement[k] -= into * contact.normal[k];
     }
     return done;

@@ -42,7 +42,7 @@ DomainBuffers::DomainBuffers(Device device, const Domain& domain, int dimension)
 
 DeviceMemory DomainBuffers::memory_of_torus()
 {
-    return DeviceMemory{}.add_buffer<double>(1).add_buffer<double>(1).add_buffer<std::uint8_t>(1);
+    return DeviceMemory{}.add(sizeof(double)).add(sizeof(double)).add(sizeof(std::uint8_t));
 }
 
 PointMover::PointMover(Device device, const Domain& domain, int dimension, std::size_t work_group_size)

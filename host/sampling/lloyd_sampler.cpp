@@ -1,5 +1,6 @@
 // The sampler "lloyd": what the config can ask of Lloyd relaxation, and of the repulsion after it.
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/device_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/repulsion.hpp"
 
@@ -32,18 +33,14 @@ DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points,
     return either(relaxation, Repulsion::memory(dimension, points, repulsion));
 }
 
-class LloydSampler final : public Sampler
+class LloydSampler final : public DeviceSampler
 {
 public:
     LloydSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                  const DeviceProvider& device)
-        : parameters_(parameters)
+        : DeviceSampler(engine, device), parameters_(parameters)
     {
         const SamplerChoice start = start_of(parameters);
-        if (engine == Engine::opencl) {
-            device_ = &device();
-            built_before_ = device_->build_seconds();
-        }
         start_ = start.spec->create(start.parameters, request, engine, device);
         request_.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
         if (parameters.has("until_relative_radius")) {
@@ -72,8 +69,6 @@ public:
 
     bool sizes_vary() const override { return start_->sizes_vary(); }
     std::vector<IterationRecord> iterations() const override { return iterations_; }
-    /// The start's among them: it uses the same device.
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 private:
     /// Starts from files and programs have as many points as they have.
@@ -93,8 +88,6 @@ private:
     std::unique_ptr<Sampler> start_;
     LloydRequest request_;
     bool repels_ = false;
-    Device* device_ = nullptr;
-    double built_before_ = 0; ///< by earlier users of the device
     std::vector<IterationRecord> iterations_;
 };
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "host/device/device.hpp"
+#include "host/device/needed_buffers.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,10 @@ public:
               std::size_t work_group_size);
 
     /// What such a grid takes.
-    static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis);
+    static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis)
+    {
+        return memory_of(Buffers{}.needed(dimension, points, cells_per_axis));
+    }
 
     /// Replaces all points; ids count from 0. Not sorted yet.
     void load(const PointSet& points);
@@ -35,15 +38,24 @@ public:
     std::uint32_t cells_per_axis() const { return cells_per_axis_; }
 
     /// dimension values a point, in sorted order.
-    Buffer<double>& positions() { return positions_; }
-    const Buffer<std::uint32_t>& ids() const { return ids_; }
+    Buffer<double>& positions() { return buffers_.positions; }
+    const Buffer<std::uint32_t>& ids() const { return buffers_.ids; }
     /// The first point of each cell, and the end of the last.
-    const Buffer<std::uint32_t>& starts() const { return starts_; }
+    const Buffer<std::uint32_t>& starts() const { return buffers_.starts; }
     /// Coordinates in units of 2^-32, rounded down: an array of stride() words for each axis.
-    const Buffer<std::uint32_t>& fixed_point() const { return fixed_point_; }
+    const Buffer<std::uint32_t>& fixed_point() const { return buffers_.fixed_point; }
     std::uint32_t stride() const { return stride_; }
 
 private:
+    struct Buffers
+    {
+        Buffer<double> positions, unsorted_positions;
+        Buffer<std::uint32_t> ids, unsorted_ids;
+        Buffer<std::uint32_t> counts, starts, totals, point_cells, places, order, fixed_point;
+
+        NeededBuffers needed(int dimension, std::size_t points, std::uint32_t cells_per_axis);
+    };
+
     Device device_;
     int dimension_;
     std::size_t size_;
@@ -52,9 +64,7 @@ private:
     std::size_t work_group_size_;
     std::uint32_t chunk_;  ///< cells that one work-item of scan_counts owns
     std::uint32_t stride_; ///< with room for a vector read at the last point
-    Buffer<double> positions_, unsorted_positions_;
-    Buffer<std::uint32_t> ids_, unsorted_ids_;
-    Buffer<std::uint32_t> counts_, starts_, totals_, point_cells_, places_, order_, fixed_point_;
+    Buffers buffers_;
     Kernel count_, scan_, scan_totals_, add_totals_, place_, gather_;
 };
 

@@ -4,6 +4,8 @@
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
 #include "base/geometry/torus.hpp"
+#include "host/device/needed_buffers.hpp"
+#include "kernels/common/relaxation_dart_throwing.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,11 +17,10 @@ namespace {
 /// Rounds that are enqueued before the host looks again.
 constexpr std::uint64_t rounds_at_once = 4;
 
-/// Darts in a batch: at first, at least, and at most. Multiples of darts_a_word.
+/// Darts in a batch: at first, at least, and at most. Multiples of DARTS_A_WORD.
 constexpr std::uint64_t first_batch = 256;
 constexpr std::uint64_t smallest_batch = 1024;
 constexpr std::uint64_t largest_batch = std::uint64_t{1} << 18;
-constexpr std::uint64_t darts_a_word = 64; // as in the kernel file
 
 /// Candidates in a batch that are worth a round: they are settled one after the other, while the other
 /// kernels run in parallel and cost a launch each.
@@ -29,21 +30,6 @@ constexpr double candidates_a_batch = 300;
 /// the smaller, the more candidates fail.
 constexpr double least_radius_ahead = 0.98;
 constexpr std::uint64_t least_levels_ahead = 3;
-
-/// Positions in the state buffer, as in the kernel file.
-enum State : std::size_t
-{
-    next_dart,
-    level,
-    failures,
-    points,
-    first_new,
-    low_level,
-    low_threshold,
-    candidates,
-    state_count
-};
-using StateWords = std::array<std::uint64_t, state_count>;
 
 /// The grids of the kernel file: 2^grid_bits cells along each axis, and 2^cover_bits parts of each.
 struct GridLimits
@@ -77,15 +63,12 @@ GridSizes grid_sizes(const GridLimits& limits, int dimension)
             std::size_t{1} << dimension * (limits.most_grid_bits + limits.cover_bits)};
 }
 
-std::uint64_t darts_a_block(int dimension) { return 4 / static_cast<std::uint64_t>(dimension); }
-
 /// Blocks of the largest batch, padded to whole work-groups.
 std::size_t most_blocks(int dimension, std::size_t group_size)
 {
-    return largest_batch / darts_a_block(dimension) + 8 * group_size;
+    return largest_batch / contract::relaxation_dart_throwing::DARTS_A_BLOCK(dimension) +
+           contract::relaxation_dart_throwing::BLOCKS_A_FLAG_ITEM * group_size;
 }
-
-std::size_t point_words(int dimension) { return static_cast<std::size_t>(dimension) + 1; } // as in the kernel file
 
 /// The most levels beyond the present one that a batch is looked at for.
 std::uint64_t most_levels_ahead(const RelaxationDartThrowingRequest& request)
@@ -108,7 +91,7 @@ std::uint64_t RadiusLevels::squared_min_distance() const
     return std::max<std::uint64_t>(1, squared_threshold(2 * radius_));
 }
 
-struct RelaxationDartThrower::Buffers
+struct RelaxationDartBuffers
 {
     Buffer<std::uint64_t> state, thresholds;
     Buffer<std::uint8_t> flags;       ///< a block of darts each
@@ -116,17 +99,31 @@ struct RelaxationDartThrower::Buffers
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
     Buffer<std::uint32_t> heads;      ///< a grid cell each
     Buffer<std::uint32_t> points;
+
+    NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
+    {
+        const int d = request.dimension;
+        const auto [cells, parts] = grid_sizes(grid_limits(request.points, d), d);
+        return {{state, contract::relaxation_dart_throwing::STATE_WORDS},
+                {thresholds, levels_of_table(request)},
+                {flags, most_blocks(d, group_size)},
+                {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
+                {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
+                {heads, cells},
+                {table, parts}};
+    }
 };
 
 namespace {
 
-template <int D, typename Buffers>
-class Throwing
+template <int D>
+class RelaxationThrowing
 {
 public:
-    Throwing(Device& device, Buffers& buffers, const RelaxationDartThrowingRequest& request, std::size_t group_size)
-        : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          limits_(grid_limits(request.points, D)), window_(request)
+    RelaxationThrowing(Device& device, RelaxationDartBuffers& buffers, const RelaxationDartThrowingRequest& request,
+                       std::size_t group_size)
+        : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
+          window_(request)
     {
         const KernelProgram program =
             kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}});
@@ -136,23 +133,15 @@ public:
         cover_ = device.kernel(program, "cover_cells");
         clear_ = device.kernel(program, "clear_cells");
         link_ = device.kernel(program, "link_points");
-
-        Buffers& b = buffers_;
-        reserve(device, b.state, state_count);
-        const auto [cells, parts] = grid_sizes(limits_, D);
-        reserve(device, b.flags, most_blocks(D, group_size));
-        reserve(device, b.candidates, largest_batch / darts_a_word);
-        reserve(device, b.points, request.points * point_words(D));
-        reserve(device, b.heads, cells);
-        reserve(device, b.table, parts);
+        reserve(device, buffers_.needed(request, group_size));
     }
 
     RelaxationDarts run()
     {
         fit_window();
-        state_[low_threshold] = window_thresholds_[0];
+        state_[LOW_THRESHOLD] = window_thresholds_[0];
         buffers_.state.write(state_);
-        while (state_[points] < request_.points) {
+        while (state_[POINTS] < request_.points) {
             fit_grids();
             fit_window();
             for (std::uint64_t round = 0; round < rounds_at_once; ++round) throw_batch();
@@ -160,23 +149,37 @@ public:
             buffers_.state.read(state_);
             choose_batch(before);
         }
-        while (window_.level() < state_[level]) window_.reduce();
-        return {accepted_points(), window_.radius(), state_[next_dart]};
+        while (window_.level() < state_[LEVEL]) window_.reduce();
+        return {accepted_points(), window_.radius(), state_[NEXT_DART]};
     }
 
 private:
+    using enum contract::relaxation_dart_throwing::State;
+    using StateWords = std::array<std::uint64_t, STATE_WORDS>;
+    static constexpr std::uint64_t darts_a_word = contract::relaxation_dart_throwing::DARTS_A_WORD;
+    static constexpr std::size_t point_words = contract::relaxation_dart_throwing::POINT_WORDS(D);
+    static constexpr std::size_t darts_a_throwing_item =
+        contract::relaxation_dart_throwing::DARTS_A_BLOCK(D) * contract::relaxation_dart_throwing::BLOCKS_A_FLAG_ITEM;
+
     static std::uint32_t u32(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
 
     void throw_batch()
     {
-        Buffers& b = buffers_;
+        RelaxationDartBuffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        throw_.run(batch_ / darts_a_block(D) / 8, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
+        throw_.run(batch_ / darts_a_throwing_item, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
         find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points, grid_bits_,
                   key_x, key_y, b.candidates);
-        settle_.run(1, 1, b.state, b.candidates, words, key_x, key_y, b.thresholds, window_.level(), request_.attempts,
-                    u32(request_.points), u32(levels_ahead_), b.heads, b.points, grid_bits_);
+        const contract::relaxation_dart_throwing::Settling settling{.first_level = window_.level(),
+                                                                    .attempts = request_.attempts,
+                                                                    .words = words,
+                                                                    .key_x = key_x,
+                                                                    .key_y = key_y,
+                                                                    .target = u32(request_.points),
+                                                                    .levels_ahead = u32(levels_ahead_),
+                                                                    .grid_bits = grid_bits_};
+        settle_.run(1, 1, settling, b.state, b.candidates, b.thresholds, b.heads, b.points);
         update_table();
     }
 
@@ -192,17 +195,17 @@ private:
     {
         // The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of
         // 2^-32.
-        const std::uint64_t squared = window_thresholds_[state_[level] - window_.level()];
+        const std::uint64_t squared = window_thresholds_[state_[LEVEL] - window_.level()];
         const int for_distance = std::countl_zero(squared - 1) / 2;
         const auto bits = u32(static_cast<std::uint64_t>(std::min(for_distance, limits_.most_grid_bits)));
         if (grids_exist_ && bits == grid_bits_) return;
         grids_exist_ = true;
         grid_bits_ = bits;
-        Buffers& b = buffers_;
+        RelaxationDartBuffers& b = buffers_;
         const std::size_t cells = std::size_t{1} << D * bits;
         const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
         clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells));
-        link_.run(std::max<std::size_t>(1, state_[points]), group_size_, b.state, b.heads, b.points, grid_bits_);
+        link_.run(std::max<std::size_t>(1, state_[POINTS]), group_size_, b.state, b.heads, b.points, grid_bits_);
         update_table();
     }
 
@@ -210,13 +213,12 @@ private:
     void fit_window()
     {
         const std::uint64_t reach = levels_in_reach(request_);
-        if (state_[level] + reach < window_.level() + window_thresholds_.size()) return;
-        while (window_.level() < state_[level]) window_.reduce();
+        if (state_[LEVEL] + reach < window_.level() + window_thresholds_.size()) return;
+        while (window_.level() < state_[LEVEL]) window_.reduce();
         window_thresholds_.clear();
         RadiusLevels levels = window_;
         for (std::uint64_t i = 0; i < levels_of_table(request_); ++i, levels.reduce())
             window_thresholds_.push_back(levels.squared_min_distance());
-        reserve(device_, buffers_.thresholds, window_thresholds_.size());
         buffers_.thresholds.write(window_thresholds_);
     }
 
@@ -224,9 +226,9 @@ private:
     /// levels ahead; and levels enough for them. Judged by what the last rounds made of theirs.
     void choose_batch(const StateWords& before)
     {
-        const auto darts = static_cast<double>(state_[next_dart] - before[next_dart]);
-        const auto levels = static_cast<double>(state_[level] - before[level]);
-        const auto found = static_cast<double>(state_[candidates] - before[candidates]);
+        const auto darts = static_cast<double>(state_[NEXT_DART] - before[NEXT_DART]);
+        const auto levels = static_cast<double>(state_[LEVEL] - before[LEVEL]);
+        const auto found = static_cast<double>(state_[CANDIDATES] - before[CANDIDATES]);
         const double most_levels = static_cast<double>(most_levels_ahead(request_));
         double wanted = darts * candidates_a_batch / std::max(found, 1.0);
         if (levels > 0) wanted = std::min(wanted, darts * most_levels / levels);
@@ -239,15 +241,14 @@ private:
 
     PointSet accepted_points() const
     {
-        const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words(D));
+        const std::vector<std::uint32_t> words = buffers_.points.read(0, request_.points * point_words);
         std::vector<TorusPoint<D>> positions(request_.points);
         for (std::size_t i = 0; i < positions.size(); ++i)
-            std::copy_n(&words[i * point_words(D)], D, positions[i].begin());
+            std::copy_n(&words[i * point_words], D, positions[i].begin());
         return to_point_set<D>(std::span<const TorusPoint<D>>(positions));
     }
 
-    Device& device_;
-    Buffers& buffers_;
+    RelaxationDartBuffers& buffers_;
     const RelaxationDartThrowingRequest& request_;
     std::size_t group_size_;
     GridLimits limits_;
@@ -264,27 +265,18 @@ private:
 }
 
 RelaxationDartThrower::RelaxationDartThrower(Device device, std::size_t work_group_size)
-    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),
-      buffers_(std::make_unique<Buffers>())
+    : DeviceMethod(std::move(device), work_group_size, std::make_shared<RelaxationDartBuffers>())
 {}
-
-RelaxationDartThrower::~RelaxationDartThrower() = default;
 
 RelaxationDarts RelaxationDartThrower::throw_darts(const RelaxationDartThrowingRequest& request)
 {
-    return request.dimension == 2 ? Throwing<2, Buffers>(device_, *buffers_, request, work_group_size_).run()
-                                  : Throwing<3, Buffers>(device_, *buffers_, request, work_group_size_).run();
+    return request.dimension == 2 ? RelaxationThrowing<2>(device_, *buffers_, request, work_group_size_).run()
+                                  : RelaxationThrowing<3>(device_, *buffers_, request, work_group_size_).run();
 }
 
 DeviceMemory RelaxationDartThrower::memory(const RelaxationDartThrowingRequest& request)
 {
-    const auto [cells, parts] = grid_sizes(grid_limits(request.points, request.dimension), request.dimension);
-    DeviceMemory memory;
-    memory.add_buffer<std::uint64_t>(state_count).add_buffer<std::uint64_t>(levels_of_table(request));
-    memory.add_buffer<std::uint8_t>(most_blocks(request.dimension, default_work_group_size));
-    memory.add_buffer<std::uint64_t>(largest_batch / darts_a_word);
-    memory.add_buffer<std::uint32_t>(request.points * point_words(request.dimension));
-    return memory.add_buffer<std::uint32_t>(cells).add_buffer<std::uint16_t>(parts);
+    return memory_of(RelaxationDartBuffers{}.needed(request, default_work_group_size));
 }
 
 }

@@ -11,12 +11,11 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
-#include "host/device/device.hpp"
+#include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace poissonlab {
 
@@ -75,24 +74,16 @@ RelaxationDarts throw_relaxation_darts(const RelaxationDartThrowingRequest& requ
 }
 
 /// The same, by kernels/relaxation_dart_throwing.cl: the same bytes as the reference on every device.
-class RelaxationDartThrower
+class RelaxationDartThrower : DeviceMethod<struct RelaxationDartBuffers>
 {
 public:
     /// `work_group_size` 0: the default.
     explicit RelaxationDartThrower(Device device, std::size_t work_group_size = 0);
-    ~RelaxationDartThrower();
 
     RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request);
 
     /// What throw_darts() takes.
     static DeviceMemory memory(const RelaxationDartThrowingRequest& request);
-
-private:
-    struct Buffers;
-
-    Device device_;
-    std::size_t work_group_size_;
-    std::unique_ptr<Buffers> buffers_; ///< kept from call to call: first touch of memory is slow
 };
 
 /// The sampler "relaxation-dart-throwing": initial_radius, factor, attempts.

@@ -1,11 +1,13 @@
 // The sampler "relaxation-dart-throwing": what the config can ask of relaxation dart throwing, and what it is
 // told when that is impossible.
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/device_sampler.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -45,18 +47,14 @@ void check_effort(const Parameters& parameters, const SampleRequest& request, co
     throw InputError(to_string(where) + ": sampler = relaxation-dart-throwing: " + problem);
 }
 
-class RelaxationDartThrowingSampler final : public Sampler
+class RelaxationDartThrowingSampler final : public DeviceSampler
 {
 public:
     RelaxationDartThrowingSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                                   const DeviceProvider& device)
-        : request_(request_for(parameters, request)), seed_(request.seed)
+        : DeviceSampler(engine, device), request_(request_for(parameters, request)), seed_(request.seed)
     {
-        if (engine == Engine::opencl) {
-            device_ = &device();
-            built_before_ = device_->build_seconds();
-            thrower_ = std::make_unique<RelaxationDartThrower>(*device_);
-        }
+        if (device_) thrower_.emplace(*device_);
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -67,14 +65,10 @@ public:
         return std::move(darts.points);
     }
 
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
-
 private:
     RelaxationDartThrowingRequest request_;
     std::uint64_t seed_;
-    Device* device_ = nullptr;
-    double built_before_ = 0; ///< by earlier users of the device
-    std::unique_ptr<RelaxationDartThrower> thrower_;
+    std::optional<RelaxationDartThrower> thrower_;
 };
 
 std::vector<ParameterSpec> parameter_specs()

@@ -1,22 +1,16 @@
 #include "host/sampling/repulsion.hpp"
 
 #include "base/geometry/relative_radius.hpp"
+#include "host/device/needed_buffers.hpp"
 #include "host/sampling/domain_buffers.hpp"
 #include "host/sampling/point_grid.hpp"
+#include "host/sampling/point_summary.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace poissonlab {
-namespace {
-
-/// Points that one work-item of summarize_points looks at.
-constexpr std::uint32_t run_of_points = 256;
-
-std::size_t runs_of(std::size_t points) { return (points + run_of_points - 1) / run_of_points; }
-
-}
 
 RepulsionPass repulsion_pass(const RepulsionRequest& request, std::size_t points, int dimension)
 {
@@ -27,37 +21,40 @@ RepulsionPass repulsion_pass(const RepulsionRequest& request, std::size_t points
     return {distance, std::min(distance, 1.0), cells, distance < 1 ? 1 : 2};
 }
 
-struct Repulsion::Buffers
+struct RepulsionBuffers
 {
-    Buffers(Device& device, int dimension_, std::size_t points, std::uint32_t cells_per_axis,
-            std::size_t work_group_size)
-        : dimension(dimension_), grid(device, dimension, points, cells_per_axis, work_group_size)
+    Buffer<double> displacements, squared_near, best;
+
+    NeededBuffers needed(int dimension, std::size_t points)
     {
         const std::size_t values = points * static_cast<std::size_t>(dimension);
-        runs = runs_of(points);
-        displacements = device.buffer<double>(values);
-        squared_near = device.buffer<double>(points);
-        best = device.buffer<double>(values);
-        sums = device.buffer<double>(runs);
-        smallest = device.buffer<double>(runs);
+        return {{displacements, values}, {squared_near, points}, {best, values}};
+    }
+};
+
+struct RepulsionState
+{
+    RepulsionState(Device& device, int dimension_, std::size_t points, std::uint32_t cells_per_axis,
+                   std::size_t work_group_size)
+        : dimension(dimension_), grid(device, dimension, points, cells_per_axis, work_group_size),
+          summary(device, dimension, points)
+    {
+        reserve(device, buffers.needed(dimension, points));
         const KernelProgram program = kernel_program("repulsion.cl", {{"DIMENSION", dimension}});
         push = device.kernel(program, "push_points");
         keep = device.kernel(program, "keep_points");
-        summarize = device.kernel(kernel_program("relaxation.cl", {{"DIMENSION", dimension}}), "summarize_points");
     }
 
     int dimension;
-    std::size_t runs;
     PointGrid grid;
-    Buffer<double> displacements, squared_near, best, sums, smallest;
-    Kernel push, keep, summarize;
+    PointSummary summary;
+    RepulsionBuffers buffers;
+    Kernel push, keep;
 };
 
 Repulsion::Repulsion(Device device, std::size_t work_group_size)
-    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+    : DeviceMethod(std::move(device), work_group_size, nullptr)
 {}
-
-Repulsion::~Repulsion() = default;
 
 RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request)
 {
@@ -66,10 +63,11 @@ RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain, c
     const RepulsionPass pass = repulsion_pass(request, n, points.dimension);
     if (!buffers_ || buffers_->dimension != points.dimension || buffers_->grid.size() != n ||
         buffers_->grid.cells_per_axis() != pass.cells_per_axis) {
-        buffers_ = std::make_unique<Buffers>(device_, points.dimension, n, pass.cells_per_axis, work_group_size_);
+        buffers_ =
+            std::make_shared<RepulsionState>(device_, points.dimension, n, pass.cells_per_axis, work_group_size_);
     }
-    Buffers& b = *buffers_;
-    PointGrid& grid = b.grid;
+    RepulsionBuffers& b = buffers_->buffers;
+    PointGrid& grid = buffers_->grid;
     PointMover mover(device_, domain, points.dimension, work_group_size_);
     const DomainBuffers& held = mover.domain();
 
@@ -77,15 +75,13 @@ RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain, c
     RepulsionResult result{{points.dimension, std::vector<double>(points.coordinates.size())}, 0, -1};
     for (;; ++result.passes) {
         grid.sort();
-        b.push.run(n, work_group_size_, grid.positions(), grid.ids(), count, grid.starts(), pass.cells_per_axis,
-                   pass.reach, pass.distance, pass.limit, held.is_fixed, held.has_fixed, b.displacements,
-                   b.squared_near);
-        b.summarize.run(b.runs, 1, b.squared_near, b.squared_near, count, run_of_points, b.sums, b.smallest);
-        const std::vector<double> smallest = b.smallest.read(0, b.runs);
-        const double reached = std::sqrt(*std::min_element(smallest.begin(), smallest.end()));
+        buffers_->push.run(n, work_group_size_, grid.positions(), grid.ids(), count, grid.starts(), pass.cells_per_axis,
+                           pass.reach, pass.distance, pass.limit, held.is_fixed, held.has_fixed, b.displacements,
+                           b.squared_near);
+        const double reached = std::sqrt(buffers_->summary.summarize(b.squared_near, b.squared_near).squared_near);
         if (reached > result.min_distance) {
             result.min_distance = reached;
-            b.keep.run(n, work_group_size_, grid.positions(), grid.ids(), count, b.best);
+            buffers_->keep.run(n, work_group_size_, grid.positions(), grid.ids(), count, b.best);
         }
         if (reached >= request.min_distance || result.passes == request.passes) break;
         mover.move(grid, b.displacements, true);
@@ -96,11 +92,8 @@ RepulsionResult Repulsion::repel(const PointSet& points, const Domain& domain, c
 
 DeviceMemory Repulsion::memory(int dimension, std::size_t points, const RepulsionRequest& request)
 {
-    const std::uint64_t values = points * static_cast<std::uint64_t>(dimension);
-    DeviceMemory buffers;
-    buffers.add_buffer<double>(values).add_buffer<double>(values).add_buffer<double>(points);
-    buffers.add_buffer<double>(runs_of(points)).add_buffer<double>(runs_of(points));
-    return PointGrid::memory(dimension, points, repulsion_pass(request, points, dimension).cells_per_axis) + buffers +
+    return PointGrid::memory(dimension, points, repulsion_pass(request, points, dimension).cells_per_axis) +
+           memory_of(RepulsionBuffers{}.needed(dimension, points)) + PointSummary::memory(points) +
            DomainBuffers::memory_of_torus();
 }
 

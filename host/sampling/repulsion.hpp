@@ -9,12 +9,11 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "host/device/device.hpp"
+#include "host/sampling/device_method.hpp"
 #include "host/sampling/domain.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace poissonlab {
 
@@ -54,24 +53,16 @@ RepulsionResult repel(const PointSet& points, const Domain& domain, const Repuls
 }
 
 /// The same by kernels/repulsion.cl: the same bytes as the reference.
-class Repulsion
+class Repulsion : DeviceMethod<struct RepulsionState>
 {
 public:
     /// `work_group_size` 0: the default.
     explicit Repulsion(Device device, std::size_t work_group_size = 0);
-    ~Repulsion();
 
     RepulsionResult repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request);
 
     /// What repel() takes on the torus.
     static DeviceMemory memory(int dimension, std::size_t points, const RepulsionRequest& request);
-
-private:
-    struct Buffers;
-
-    Device device_;
-    std::size_t work_group_size_;
-    std::unique_ptr<Buffers> buffers_; ///< kept from call to call
 };
 
 }

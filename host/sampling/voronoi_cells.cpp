@@ -21,23 +21,17 @@ std::uint32_t VoronoiKernels::cells_per_axis(int dimension, std::size_t points)
     return std::max(1u, static_cast<std::uint32_t>(dimension == 2 ? std::sqrt(cells) : std::cbrt(cells)));
 }
 
-DeviceMemory VoronoiKernels::memory(int dimension, std::size_t points)
+NeededBuffers VoronoiKernels::Buffers::needed(int dimension, std::size_t points)
 {
-    DeviceMemory memory;
-    memory.add_buffer<double>(points * static_cast<std::uint64_t>(dimension));
-    for (int i = 0; i < 3; ++i) memory.add_buffer<double>(points); // volumes, energies, distances
-    return memory.add_buffer<std::uint32_t>(points).add_buffer<std::uint32_t>(1);
+    return {{volumes, points},  {displacements, points * static_cast<std::size_t>(dimension)},
+            {energies, points}, {squared_near, points},
+            {slow, points},     {slow_count, 1}};
 }
 
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
     : work_group_size_(work_group_size)
 {
-    volumes_ = device.buffer<double>(points);
-    displacements_ = device.buffer<double>(points * static_cast<std::size_t>(dimension));
-    energies_ = device.buffer<double>(points);
-    squared_near_ = device.buffer<double>(points);
-    slow_ = device.buffer<std::uint32_t>(points);
-    slow_count_ = device.buffer<std::uint32_t>(1);
+    reserve(device, buffers_.needed(dimension, points));
     const KernelProgram fast = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_fast.cl", {});
     const KernelProgram slow = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_slow.cl", {});
     forget_slow_ = device.kernel(slow, "forget_slow");
@@ -49,11 +43,12 @@ void VoronoiKernels::find_cells(PointGrid& grid)
 {
     const std::uint32_t cells = grid.cells_per_axis();
     const float margin = std::nextafter(static_cast<float>(0x1p32 / cells), 0.0f);
-    forget_slow_.run(1, 1, slow_count_);
+    const Buffers& b = buffers_;
+    forget_slow_.run(1, 1, b.slow_count);
     find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(),
-                   cells, margin, volumes_, displacements_, energies_, squared_near_, slow_, slow_count_);
-    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, slow_, slow_count_, volumes_,
-                   displacements_, energies_, squared_near_);
+                   cells, margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow, b.slow_count);
+    find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, b.slow, b.slow_count, b.volumes,
+                   b.displacements, b.energies, b.squared_near);
 }
 
 VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size)

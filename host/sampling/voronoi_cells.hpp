@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "host/device/device.hpp"
+#include "host/device/needed_buffers.hpp"
 #include "host/sampling/point_grid.hpp"
 
 #include <cstddef>
@@ -34,7 +34,10 @@ public:
     VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size);
 
     /// What the results take.
-    static DeviceMemory memory(int dimension, std::size_t points);
+    static DeviceMemory memory(int dimension, std::size_t points)
+    {
+        return memory_of(Buffers{}.needed(dimension, points));
+    }
 
     /// The grid that points must be sorted by.
     static std::uint32_t cells_per_axis(int dimension, std::size_t points);
@@ -42,18 +45,25 @@ public:
     /// Enqueues the computation for sorted points. Results are in sorted order.
     void find_cells(PointGrid& grid);
 
-    const Buffer<double>& volumes() const { return volumes_; }
-    const Buffer<double>& displacements() const { return displacements_; }
-    const Buffer<double>& energies() const { return energies_; }
-    const Buffer<double>& squared_near() const { return squared_near_; }
+    const Buffer<double>& volumes() const { return buffers_.volumes; }
+    const Buffer<double>& displacements() const { return buffers_.displacements; }
+    const Buffer<double>& energies() const { return buffers_.energies; }
+    const Buffer<double>& squared_near() const { return buffers_.squared_near; }
 
     /// How many points of the last call needed the slow way.
-    std::size_t slow_points() const { return slow_count_.read(0, 1)[0]; }
+    std::size_t slow_points() const { return buffers_.slow_count.read(0, 1)[0]; }
 
 private:
+    struct Buffers
+    {
+        Buffer<double> volumes, displacements, energies, squared_near;
+        Buffer<std::uint32_t> slow, slow_count;
+
+        NeededBuffers needed(int dimension, std::size_t points);
+    };
+
     std::size_t work_group_size_;
-    Buffer<double> volumes_, displacements_, energies_, squared_near_;
-    Buffer<std::uint32_t> slow_, slow_count_;
+    Buffers buffers_;
     Kernel forget_slow_, find_fast_, find_slow_;
 };
 

@@ -1,6 +1,10 @@
 // Fills tori on a device, a batch a launch.
 #include "host/tile_construction/tile_filling.hpp"
 
+#include "host/device/needed_buffers.hpp"
+#include "kernels/common/tile_filling.h"
+#include "kernels/common/vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,16 +20,16 @@ std::uint64_t batch_bytes(const DeviceInfo& device)
     return std::min({max_batch_bytes, device.global_memory_bytes / 4, device.max_allocation_bytes});
 }
 
-constexpr std::size_t lanes = 8;
-
 /// Of work-groups on CPUs: there, work-items of a group run one after the other.
 constexpr std::size_t cpu_work_group_size = 1;
 constexpr std::size_t gpu_work_group_size = 32;
 
-std::vector<std::int32_t> region_values(const TileRegions& r)
+contract::tile_filling::Regions shared(const TileRegions& r)
 {
     return {r.width, r.pair_one, r.pair_sum, r.corner_one, r.corner_two, r.corner_three};
 }
+
+static_assert(tile_units == 1 << contract::tile_filling::TILE_BITS);
 
 /// Half widths of the boxes in which Voronoi neighbours are looked for, one after the other; units.
 std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
@@ -44,19 +48,18 @@ std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
 /// How much larger the box is whose points are listed once for several iterations; in spacings.
 constexpr double list_slack = 0.5;
 
-/// As in the kernel.
-std::size_t list_words(int dimension) { return dimension == 2 ? 64 : 256; }
-
 /// Elements of buffers that a torus takes.
 struct TorusRoom
 {
-    std::size_t capacity; ///< points with their images, a multiple of `lanes`
+    std::size_t capacity; ///< points with their images, in whole vectors
     std::size_t lists;
 };
 
 TorusRoom torus_room(const FillShape& shape, int dimension)
 {
-    return {(shape.points * shape.images + lanes - 1) / lanes * lanes, shape.active * list_words(dimension)};
+    constexpr std::size_t lanes = contract::vectors::LANES;
+    return {(shape.points * shape.images + lanes - 1) / lanes * lanes,
+            shape.active * contract::tile_filling::LIST_WORDS(dimension)};
 }
 
 /// Tori that are filled at once.
@@ -79,6 +82,30 @@ FillShape shape_of(const FillStage& stage, std::span<const FillProblem> problems
     return shape;
 }
 
+struct FillBuffers
+{
+    Buffer<std::uint32_t> distances;
+    Buffer<std::int32_t> points, moved, kept; ///< a coordinate each
+    Buffer<double> doubles;
+    Buffer<std::uint16_t> lists;
+    Buffer<std::uint32_t> problem_numbers, streams, held, active, active_targets, all_targets, counts, levels,
+        squared_kept; ///< a torus each
+
+    NeededBuffers needed(const FillSettings& settings, std::size_t tori, std::size_t coordinates, std::size_t listed)
+    {
+        NeededBuffers all{{distances, settings.squared_distances.size()},
+                          {points, coordinates},
+                          {moved, coordinates},
+                          {kept, coordinates},
+                          {doubles, coordinates},
+                          {lists, listed}};
+        for (Buffer<std::uint32_t>* buffer : {&problem_numbers, &streams, &held, &active, &active_targets, &all_targets,
+                                              &counts, &levels, &squared_kept})
+            all.emplace_back(*buffer, tori);
+        return all;
+    }
+};
+
 class DeviceFiller final : public TileFiller
 {
 public:
@@ -92,17 +119,13 @@ public:
         throw_ = device_.kernel(kernel_program("tile_darts.cl", constants), "throw_tile_darts");
         relax_ = device_.kernel(kernel_program("tile_relaxation.cl", constants), "relax_tiles");
         repel_ = device_.kernel(kernel_program("tile_relaxation.cl", constants), "repel_tiles");
-        distances_ = device_.buffer<std::uint32_t>(settings.squared_distances.size());
-        distances_.write(settings.squared_distances);
-        reach_values_ = device_.buffer<std::int32_t>(reaches_.size());
-        reach_values_.write(reaches_);
-        region_values_ = device_.buffer<std::int32_t>(region_values({}).size());
+        reserve(device_, buffers_.needed(settings, 0, 0, 0));
+        buffers_.distances.write(settings.squared_distances);
     }
 
     std::vector<FilledTorus> fill(const FillStage& stage, std::span<const FillProblem> problems,
                                   std::uint32_t attempt) override
     {
-        region_values_.write(region_values(stage.regions));
         const FillShape shape = shape_of(stage, problems, settings_.dimension);
         const TorusRoom room = torus_room(shape, settings_.dimension);
         copies_ = shape.images;
@@ -123,9 +146,9 @@ private:
                     std::vector<FilledTorus>& results)
     {
         upload(problems);
-        throw_darts(stage.active, attempt, 2 * stage.number, settings_.attempts, active_targets_);
-        const std::vector<std::uint32_t> active_ends = counts_.read(0, problems.size());
-        const std::vector<std::int32_t> thrown = points_.read(0, problems.size() * axes() * capacity_);
+        throw_darts(stage, stage.active, attempt, 2 * stage.number, settings_.attempts, buffers_.active_targets);
+        const std::vector<std::uint32_t> active_ends = buffers_.counts.read(0, problems.size());
+        const std::vector<std::int32_t> thrown = buffers_.points.read(0, problems.size() * axes() * capacity_);
 
         // What could not be filled goes no farther.
         std::vector<std::uint32_t> filled;
@@ -134,8 +157,9 @@ private:
                 filled.push_back(static_cast<std::uint32_t>(i));
         }
         groups_ = filled.size();
-        problem_numbers_.write(filled);
-        throw_darts(stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts, all_targets_);
+        buffers_.problem_numbers.write(filled);
+        throw_darts(stage, stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts,
+                    buffers_.all_targets);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
         download(problems, active_ends, thrown, filled, results);
@@ -157,22 +181,16 @@ private:
             active_targets[i] = held[i] + problem.active;
             all_targets[i] = active_targets[i] + problem.surroundings;
         }
-        reserve(device_, points_, n * per_problem);
-        reserve(device_, moved_, n * per_problem);
-        reserve(device_, kept_, n * per_problem);
-        reserve(device_, doubles_, n * per_problem);
-        reserve(device_, lists_, std::max<std::size_t>(1, n * max_active_ * list_words(settings_.dimension)));
-        for (Buffer<std::uint32_t>* buffer : {&problem_numbers_, &streams_, &held_, &active_, &active_targets_,
-                                              &all_targets_, &counts_, &levels_, &squared_kept_})
-            reserve(device_, *buffer, n);
-        points_.write(points);
-        problem_numbers_.write(numbers);
-        streams_.write(streams);
-        held_.write(held);
-        counts_.write(held);
-        active_.write(active);
-        active_targets_.write(active_targets);
-        all_targets_.write(all_targets);
+        const std::size_t listed = n * max_active_ * contract::tile_filling::LIST_WORDS(settings_.dimension);
+        reserve(device_, buffers_.needed(settings_, n, n * per_problem, std::max<std::size_t>(1, listed)));
+        buffers_.points.write(points);
+        buffers_.problem_numbers.write(numbers);
+        buffers_.streams.write(streams);
+        buffers_.held.write(held);
+        buffers_.counts.write(held);
+        buffers_.active.write(active);
+        buffers_.active_targets.write(active_targets);
+        buffers_.all_targets.write(all_targets);
         groups_ = n;
     }
 
@@ -188,33 +206,57 @@ private:
         }
     }
 
-    void throw_darts(const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number, std::uint32_t attempts,
-                     const Buffer<std::uint32_t>& targets)
+    contract::tile_filling::Tori tori(const FillStage& stage, CellSet cells) const
     {
-        throw_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_, streams_, attempt, zone_number,
-                   settings_.stream[0], settings_.stream[1], static_cast<std::uint32_t>(capacity_),
-                   static_cast<std::uint32_t>(copies_), region_values_, zone.cells, zone.low, zone.extent, distances_,
-                   static_cast<std::uint32_t>(settings_.squared_distances.size()), attempts, targets, points_, counts_,
-                   levels_);
+        return {cells, shared(stage.regions), static_cast<std::uint32_t>(capacity_),
+                static_cast<std::uint32_t>(copies_)};
+    }
+
+    void throw_darts(const FillStage& stage, const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
+                     std::uint32_t attempts, const Buffer<std::uint32_t>& targets)
+    {
+        const contract::tile_filling::Darts darts{.tori = tori(stage, zone.cells),
+                                                  .attempt = attempt,
+                                                  .zone = zone_number,
+                                                  .key_x = settings_.stream[0],
+                                                  .key_y = settings_.stream[1],
+                                                  .low = zone.low,
+                                                  .extent = zone.extent,
+                                                  .levels =
+                                                      static_cast<std::uint32_t>(settings_.squared_distances.size()),
+                                                  .attempts = attempts};
+        FillBuffers& b = buffers_;
+        throw_.run(groups_ * work_group_size_, work_group_size_, darts, b.problem_numbers, b.streams, b.distances,
+                   targets, b.points, b.counts, b.levels);
     }
 
     void relax(const FillStage& stage)
     {
-        relax_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
-                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
-                   stage.active.cells, counts_, held_, active_, settings_.lloyd_iterations,
-                   static_cast<std::uint32_t>(settings_.repulsion_passes > 0), settings_.wanted, reach_values_,
-                   static_cast<std::uint32_t>(reaches_.size()),
-                   static_cast<std::int32_t>(list_slack * settings_.spacing), settings_.spacing, lists_,
-                   static_cast<std::uint32_t>(max_active_), points_, doubles_, moved_, kept_, squared_kept_);
+        contract::tile_filling::Relaxation relaxation{.tori = tori(stage, stage.active.cells),
+                                                      .spacing = settings_.spacing,
+                                                      .iterations = settings_.lloyd_iterations,
+                                                      .keeps_last = settings_.repulsion_passes > 0,
+                                                      .wanted = settings_.wanted,
+                                                      .reaches = {},
+                                                      .reach_count = static_cast<std::uint32_t>(reaches_.size()),
+                                                      .slack =
+                                                          static_cast<std::int32_t>(list_slack * settings_.spacing),
+                                                      .max_active = static_cast<std::uint32_t>(max_active_)};
+        std::ranges::copy(reaches_, relaxation.reaches);
+        FillBuffers& b = buffers_;
+        relax_.run(groups_ * work_group_size_, work_group_size_, relaxation, b.problem_numbers, b.counts, b.held,
+                   b.active, b.lists, b.points, b.doubles, b.moved, b.kept, b.squared_kept);
     }
 
     void repel(const FillStage& stage)
     {
-        repel_.run(groups_ * work_group_size_, work_group_size_, problem_numbers_,
-                   static_cast<std::uint32_t>(capacity_), static_cast<std::uint32_t>(copies_), region_values_,
-                   stage.active.cells, counts_, held_, active_, settings_.repulsion_passes, settings_.wanted,
-                   settings_.repulsion_distance, points_, moved_, kept_, squared_kept_);
+        const contract::tile_filling::Repulsion repulsion{.tori = tori(stage, stage.active.cells),
+                                                          .distance = settings_.repulsion_distance,
+                                                          .passes = settings_.repulsion_passes,
+                                                          .wanted = settings_.wanted};
+        FillBuffers& b = buffers_;
+        repel_.run(groups_ * work_group_size_, work_group_size_, repulsion, b.problem_numbers, b.counts, b.held,
+                   b.active, b.points, b.moved, b.kept, b.squared_kept);
     }
 
     /// `count` points of a problem from number `first` on, `images` apart.
@@ -241,10 +283,10 @@ private:
             results[first_result + i].thrown = points_of(thrown, i, held, active_ends[i] - held, copies_);
         }
         if (filled.empty()) return;
-        const std::vector<std::uint32_t> ends = counts_.read(0, n);
-        const std::vector<std::uint32_t> squared = squared_kept_.read(0, n);
-        const std::vector<std::int32_t> kept = kept_.read(0, n * axes() * capacity_);
-        const std::vector<std::int32_t> points = points_.read(0, n * axes() * capacity_);
+        const std::vector<std::uint32_t> ends = buffers_.counts.read(0, n);
+        const std::vector<std::uint32_t> squared = buffers_.squared_kept.read(0, n);
+        const std::vector<std::int32_t> kept = buffers_.kept.read(0, n * axes() * capacity_);
+        const std::vector<std::int32_t> points = buffers_.points.read(0, n * axes() * capacity_);
         for (const std::uint32_t i : filled) {
             FilledTorus& result = results[first_result + i];
             const std::size_t held = problems[i].held.size();
@@ -263,13 +305,7 @@ private:
     std::size_t copies_ = 1;
     std::size_t groups_ = 0;
     Kernel throw_, relax_, repel_;
-    Buffer<std::uint32_t> distances_;
-    Buffer<std::int32_t> reach_values_, region_values_;
-    Buffer<std::int32_t> points_, moved_, kept_;
-    Buffer<double> doubles_;
-    Buffer<std::uint16_t> lists_;
-    Buffer<std::uint32_t> problem_numbers_, streams_, held_, active_, active_targets_, all_targets_, counts_, levels_,
-        squared_kept_;
+    FillBuffers buffers_;
 };
 
 }
@@ -290,14 +326,7 @@ DeviceMemory filling_memory(const FillSettings& settings, std::span<const FillSh
         lists = std::max(lists, tori * room.lists);
         most = std::max(most, tori);
     }
-    DeviceMemory memory;
-    memory.add_buffer<std::uint32_t>(settings.squared_distances.size());
-    memory.add_buffer<std::int32_t>(voronoi_reaches(settings).size());
-    memory.add_buffer<std::int32_t>(region_values({}).size());
-    for (int i = 0; i < 3; ++i) memory.add_buffer<std::int32_t>(values); // points, moved, kept
-    memory.add_buffer<double>(values).add_buffer<std::uint16_t>(lists);
-    for (int i = 0; i < 9; ++i) memory.add_buffer<std::uint32_t>(most); // numbers of each torus
-    return memory;
+    return memory_of(FillBuffers{}.needed(settings, most, values, lists));
 }
 
 }

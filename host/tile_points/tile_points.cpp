@@ -1,6 +1,7 @@
 #include "host/tile_points/tile_points.hpp"
 
 #include "base/errors/errors.hpp"
+#include "kernels/common/tile_points.h"
 
 #include <fmt/format.h>
 
@@ -23,30 +24,30 @@ std::size_t tiles_per_piece(std::size_t values_per_tile, const DeviceInfo& devic
     return std::max<std::size_t>(1, values / values_per_tile);
 }
 
+std::size_t values_of_tile(const PoissonTileParameters& p)
+{
+    return std::size_t{p.points_per_tile} * static_cast<std::size_t>(p.dimension);
+}
+
 /// Longer runs are refused: kernels divide the numbers of tiles below 2^31.
 constexpr std::uint32_t max_run = std::uint32_t{1} << 30;
 
-/// n / width = n * factor >> shift for all n below 2^31, where width is at most 2^16: with 2^b the power of
-/// two that is not below the width, shift = 31 + b and factor = 2^shift / width rounded up, which makes the
-/// product too large by less than n < 2^shift / width.
-struct Reciprocal
+/// A run of a block. n / width = n * reciprocal >> shift for all n below 2^31, where width is at most 2^16: with 2^b
+/// the power of two that is not below the width, shift = 31 + b and reciprocal = 2^shift / width rounded up, which
+/// makes the product too large by less than n < 2^shift / width.
+contract::tile_points::Run run_of(const TileBlock& block, const TileRun& run)
 {
-    std::uint32_t factor;
-    std::uint32_t shift;
-};
-
-Reciprocal reciprocal_of(std::uint32_t width)
-{
+    const std::uint32_t width = block.size[0];
+    const std::uint64_t row = run.first / width;
     const auto shift = 31 + static_cast<std::uint32_t>(std::bit_width(width - 1));
-    return {static_cast<std::uint32_t>(((std::uint64_t{1} << shift) + width - 1) / width), shift};
-}
-
-/// Where in the block a run starts.
-std::array<std::uint32_t, 3> first_place(const TileBlock& block, const TileRun& run)
-{
-    const std::uint64_t row = run.first / block.size[0];
-    return {static_cast<std::uint32_t>(run.first % block.size[0]), static_cast<std::uint32_t>(row % block.size[1]),
-            static_cast<std::uint32_t>(row / block.size[1])};
+    return {.x = static_cast<std::uint32_t>(run.first % width),
+            .y = static_cast<std::uint32_t>(row % block.size[1]),
+            .z = static_cast<std::uint32_t>(row / block.size[1]),
+            .count = run.count,
+            .width = width,
+            .height = block.size[1],
+            .reciprocal = static_cast<std::uint32_t>(((std::uint64_t{1} << shift) + width - 1) / width),
+            .shift = shift};
 }
 
 }
@@ -70,14 +71,19 @@ void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t per
     for (const std::uint32_t unit : units) coordinates.push_back(unit / side);
 }
 
+NeededBuffers TilePointGenerator::Buffers::needed(const PoissonTileParameters& p, std::size_t piece)
+{
+    return {{units, p.tiles * values_of_tile(p)}, {tiles, piece}, {points, piece * values_of_tile(p)}};
+}
+
 TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tiles, std::size_t work_group_size)
     : device_(std::move(device)), parameters_(tiles.parameters),
-      work_group_size_(work_group_size == 0 ? 256 : work_group_size),
-      values_per_tile_(std::size_t{parameters_.points_per_tile} * static_cast<std::size_t>(parameters_.dimension)),
-      units_(device_.buffer<std::uint16_t>(tiles.points.size())), look_up_(kernel("look_up_tiles", "float")),
-      place_floats_(kernel("place_points", "float")), place_integers_(kernel("place_points", "uint"))
+      work_group_size_(work_group_size == 0 ? 256 : work_group_size), values_per_tile_(values_of_tile(parameters_)),
+      look_up_(kernel("look_up_tiles", "float")), place_floats_(kernel("place_points", "float")),
+      place_integers_(kernel("place_points", "uint"))
 {
-    units_.write(tiles.points);
+    reserve(device_, buffers_.needed(parameters_, 0));
+    buffers_.units.write(tiles.points);
 }
 
 /// Constants for the compiler: loops over a tile's points are unrolled, remainders by the colours are
@@ -94,26 +100,21 @@ Kernel TilePointGenerator::kernel(const char* name, const char* value)
                           name);
 }
 
-void TilePointGenerator::look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run)
-{
-    const auto [x, y, z] = first_place(block, run);
-    const auto [factor, shift] = reciprocal_of(block.size[0]);
-    reserve(device_, tiles_, run.count);
-    look_up_.run(run.count, work_group_size_, tiling.seed, tiling.period, block.lowest[0], block.lowest[1],
-                 block.lowest[2], block.size[0], factor, shift, block.size[1], x, y, z, run.count, tiles_);
-}
-
 template <class Value>
 void TilePointGenerator::place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block,
                                       const TileRun& run, Buffer<Value>& points)
 {
     check(block, parameters_.dimension);
     if (run.count > max_run) throw InputError(fmt::format("a run of {} tiles: must be at most {}", run.count, max_run));
-    look_up(tiling, block, run);
-    const auto [x, y, z] = first_place(block, run);
-    const auto [factor, shift] = reciprocal_of(block.size[0]);
-    place.run(run.count, work_group_size_, tiles_, units_, block.size[0], factor, shift, block.size[1], x, y, z,
-              run.count, points);
+    reserve(device_, buffers_.tiles, run.count);
+    const contract::tile_points::Run tiles = run_of(block, run);
+    const contract::tile_points::Window window{.seed = tiling.seed,
+                                               .period = tiling.period,
+                                               .west = block.lowest[0],
+                                               .south = block.lowest[1],
+                                               .bottom = block.lowest[2]};
+    look_up_.run(run.count, work_group_size_, tiles, window, buffers_.tiles);
+    place.run(run.count, work_group_size_, tiles, buffers_.tiles, buffers_.units, points);
 }
 
 void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
@@ -134,13 +135,12 @@ void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& bl
     const std::size_t most = tiles_per_piece(values_per_tile_, device_.info());
     const std::uint64_t tiles = block.tiles();
     std::vector<std::uint32_t> values;
-    Buffer<std::uint32_t> points =
-        device_.buffer<std::uint32_t>(std::min<std::uint64_t>(most, tiles) * values_per_tile_);
+    reserve(device_, buffers_.needed(parameters_, std::min<std::uint64_t>(most, tiles)));
     for (std::uint64_t first = 0; first < tiles; first += most) {
         const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, tiles - first));
-        place(tiling, block, {first, count}, points);
+        place(tiling, block, {first, count}, buffers_.points);
         values.resize(count * values_per_tile_);
-        points.read(std::span(values));
+        buffers_.points.read(std::span(values));
         sink(values);
     }
 }
@@ -158,11 +158,7 @@ PointSet TilePointGenerator::generate_torus(std::uint32_t seed, std::uint32_t pe
 
 DeviceMemory TilePointGenerator::memory(const PoissonTileParameters& p, std::uint64_t tiles, const DeviceInfo& device)
 {
-    const std::size_t values_per_tile = std::size_t{p.points_per_tile} * static_cast<std::size_t>(p.dimension);
-    const std::uint64_t piece = std::min<std::uint64_t>(tiles, tiles_per_piece(values_per_tile, device));
-    DeviceMemory memory;
-    memory.add_buffer<std::uint16_t>(p.tiles * values_per_tile);
-    return memory.add_buffer<std::uint32_t>(piece).add_buffer<std::uint32_t>(piece * values_per_tile);
+    return memory_of(Buffers{}.needed(p, std::min<std::uint64_t>(tiles, tiles_per_piece(values_of_tile(p), device))));
 }
 
 }

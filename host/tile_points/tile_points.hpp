@@ -7,7 +7,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "host/device/device.hpp"
+#include "host/device/needed_buffers.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 
 #include <array>
@@ -79,8 +79,17 @@ public:
     PointSet generate_torus(std::uint32_t seed, std::uint32_t period);
 
 private:
+    struct Buffers
+    {
+        Buffer<std::uint16_t> units;
+        Buffer<std::uint32_t> tiles;  ///< the numbers of a run's tiles
+        Buffer<std::uint32_t> points; ///< of stream()
+
+        /// `piece`: tiles that stream() makes at once.
+        NeededBuffers needed(const PoissonTileParameters& parameters, std::size_t piece);
+    };
+
     Kernel kernel(const char* name, const char* value);
-    void look_up(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run);
     template <class Value>
     void place_values(Kernel& place, const PoissonTiling& tiling, const TileBlock& block, const TileRun& run,
                       Buffer<Value>& points);
@@ -89,11 +98,8 @@ private:
     PoissonTileParameters parameters_;
     std::size_t work_group_size_;
     std::size_t values_per_tile_;
-    Buffer<std::uint16_t> units_;
-    Kernel look_up_;
-    Buffer<std::uint32_t> tiles_; ///< the numbers of a run's tiles
-    Kernel place_floats_;
-    Kernel place_integers_;
+    Buffers buffers_;
+    Kernel look_up_, place_floats_, place_integers_;
 };
 
 }

@@ -2,6 +2,7 @@
 
 #include "base/geometry/lattice.hpp"
 #include "base/random/random.hpp"
+#include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
@@ -45,17 +46,14 @@ PoissonTileParameters tile_parameters(const TileMethod& method, const Parameters
     return p;
 }
 
-class TileSampler final : public Sampler
+class TileSampler final : public DeviceSampler
 {
 public:
     TileSampler(const PoissonTileParameters& parameters, const SampleRequest& request, Engine engine,
                 const DeviceProvider& device)
-        : seed_(request.seed), side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
+        : DeviceSampler(engine, device), seed_(request.seed),
+          side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
     {
-        if (engine == Engine::opencl) {
-            device_ = &device();
-            built_before_ = device_->build_seconds();
-        }
         const auto begin = std::chrono::steady_clock::now();
         CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
         tiles_ = std::move(cached.set);
@@ -73,14 +71,11 @@ public:
 
     std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
     std::uint32_t tiles_along_axis() const override { return side_; }
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
     double preparation_seconds() const override { return preparation_seconds_; }
 
 private:
     std::uint64_t seed_;
     std::uint32_t side_;
-    Device* device_ = nullptr;
-    double built_before_ = 0; ///< by earlier users of the device
     double preparation_seconds_ = 0;
     PoissonTileSet tiles_;
     TileSetRecord tile_set_;

@@ -2,6 +2,7 @@
 #include "host/tile_construction/tile_filling.hpp"
 #include "base/geometry/point_set.hpp"
 #include "host/sampling/voronoi_cells.hpp"
+#include "kernels/common/tile_filling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,6 @@
 
 namespace poissonlab::reference {
 namespace {
-
-/// As in the kernel: a filling that needs more is given up.
-constexpr std::uint32_t max_darts = std::uint32_t{1} << 22;
-
-/// Distances are of interest below half a tile's side; longer lengths along an axis count as this.
-constexpr std::int64_t far = 32767;
 
 /// A torus while it is filled.
 class Filling
@@ -31,7 +26,7 @@ public:
         const std::size_t target = points_.size() + count;
         std::size_t level = 0;
         std::uint32_t failures = 0;
-        for (std::uint32_t dart = 0; points_.size() < target && dart < rounded_darts(); ++dart) {
+        for (std::uint32_t dart = 0; points_.size() < target && dart < contract::tile_filling::MAX_DARTS; ++dart) {
             const TilePosition position = dart_at(zone, {dart, stream, attempt, zone_number});
             if (!is_allowed(stage_.regions, zone.cells, position)) continue;
             if (squared_nearest(position, points_.size()) >= settings_.squared_distances[level]) {
@@ -119,9 +114,6 @@ private:
     std::size_t dimension() const { return static_cast<std::size_t>(settings_.dimension); }
     std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
 
-    /// The kernel looks at 32 darts a round, whose last may lie beyond the limit.
-    static constexpr std::uint32_t rounded_darts() { return (max_darts + 31) / 32 * 32; }
-
     TilePosition dart_at(const DartZone& zone, const std::array<std::uint32_t, 4>& counter) const
     {
         const auto words = philox(counter, settings_.stream);
@@ -145,7 +137,8 @@ private:
     {
         std::uint32_t sum = 0;
         for (std::size_t k = 0; k < dimension(); ++k) {
-            const std::int64_t length = std::min(std::abs(std::int64_t{shortest(a[k] - b[k])}), far);
+            const std::int64_t length =
+                std::min<std::int64_t>(std::abs(shortest(a[k] - b[k])), contract::tile_filling::FAR_LENGTH);
             sum += static_cast<std::uint32_t>(length * length);
         }
         return sum;

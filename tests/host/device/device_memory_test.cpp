@@ -14,7 +14,7 @@ constexpr std::uint64_t mebi = 1 << 20;
 TEST(DeviceMemory, AddsBuffersAndTakesTheLargerOfTurns)
 {
     DeviceMemory a;
-    a.add(100).add_buffer<double>(10);
+    a.add(100).add(80);
     EXPECT_EQ(a, (DeviceMemory{100, 180}));
     const DeviceMemory b{150, 160};
     EXPECT_EQ(a + b, (DeviceMemory{150, 340}));

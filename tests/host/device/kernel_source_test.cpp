@@ -19,7 +19,7 @@ TEST(KernelSource, EmbedsFilesWhole)
 TEST(KernelSource, ReplacesIncludesOnceAndKeepsLineNumbers)
 {
     const std::string text = kernel_source("kernels/dart_throwing.cl");
-    EXPECT_EQ(text.find("#include"), std::string::npos);
+    EXPECT_EQ(text.find("#include \""), std::string::npos);
     const std::size_t first = text.find("uint4 philox(");
     ASSERT_NE(first, std::string::npos);
     EXPECT_EQ(text.find("uint4 philox(", first + 1), std::string::npos);

@@ -1,0 +1,59 @@
+// What dart_throwing.cl and its host code, host/sampling/dart_throwing.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(dart_throwing)
+
+/// A dart as words: position, time, level 0 cell.
+DERIVED(DART_WORDS, (size_t DIMENSION), DIMENSION + 2)
+
+/// An accepted dart as words: position, time.
+DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
+
+/// A bit for each cell of the window around a cell of level 0, which has REACH cells on either side.
+DERIVED(MASK_WORDS, (size_t DIMENSION, size_t REACH),
+        ((2 * REACH + 1) * (2 * REACH + 1) * (DIMENSION == 2 ? 1 : 2 * REACH + 1) + 31) / 32)
+
+/// A dart's rivals are listed in the first round: their number, then the first of them. Those with more, which are very
+/// rare, list what is left of their rivals again in every round.
+enum
+{
+    MAX_RIVALS = 7,
+    RIVAL_WORDS = MAX_RIVALS + 1
+};
+
+/// Counters in global memory.
+enum Counter
+{
+    OPEN_CELLS,
+    DARTS,
+    POINTS,
+    WAITING_ROUND, ///< 1 + the last round in which a dart had to wait for another round
+    COUNTERS
+};
+
+/// Words of local memory that a work-group of throw_darts counts in.
+enum
+{
+    GROUP_WORDS = 4
+};
+
+/// What throw_darts is told. Capacities are numbers of cells and of darts.
+struct Batch
+{
+    ulong step; ///< cell width of level 0, units of 2^-64
+    ulong squared_min_distance;
+    uint grid_size; ///< cells of level 0 along each axis
+    uint number;
+    uint parents;
+    int level;          ///< of the children or, where there is no split, of the parents, which then take their place
+    uint is_split;      ///< else parents have one child, themselves
+    uint is_last_level; ///< of no further split
+    uint key_x, key_y;  ///< of random numbers
+    uint thresholds;
+    uint open_capacity, dart_capacity;
+    uint staged_capacity; ///< of cells, and of darts, in local memory
+};
+
+END_CONTRACT

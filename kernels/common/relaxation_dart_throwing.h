@@ -1,0 +1,46 @@
+// What relaxation_dart_throwing.cl and its host code, host/sampling/relaxation_dart_throwing.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(relaxation_dart_throwing)
+
+/// Darts come from blocks of four random words: in 2D darts 2 j and 2 j + 1 from block j, in 3D dart j.
+DERIVED(DARTS_A_BLOCK, (size_t DIMENSION), 4 / DIMENSION)
+
+enum
+{
+    BLOCKS_A_FLAG_ITEM = 8, ///< blocks that a work-item of throw_darts owns; flags are a byte a block
+    DARTS_A_WORD = 64       ///< candidates are a bit a dart
+};
+
+/// A point as words: position, 1 + the number of the next point in the cell's chain.
+DERIVED(POINT_WORDS, (size_t DIMENSION), DIMENSION + 1)
+
+/// Where the algorithm is, as 64-bit words in global memory.
+enum State
+{
+    NEXT_DART,     ///< the first dart that is not decided
+    LEVEL,         ///< how often the radius was reduced
+    FAILURES,      ///< in a row
+    POINTS,        ///< accepted so far
+    FIRST_NEW,     ///< the first point that is not in the table yet
+    LOW_LEVEL,     ///< the batch at hand must not go beyond this level
+    LOW_THRESHOLD, ///< the squared minimum distance there
+    CANDIDATES,    ///< looked at by settle_candidates so far
+    STATE_WORDS
+};
+
+/// What settle_candidates is told.
+struct Settling
+{
+    ulong first_level; ///< of the thresholds
+    ulong attempts;
+    uint words;        ///< of candidates
+    uint key_x, key_y; ///< of random numbers
+    uint target;       ///< points
+    uint levels_ahead; ///< that the next batch is allowed
+    uint grid_bits;
+};
+
+END_CONTRACT

@@ -1,0 +1,69 @@
+// What tile_darts.cl, tile_relaxation.cl and their host code, host/tile_construction/tile_filler.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(tile_filling)
+
+enum
+{
+    TILE_BITS = 16,      ///< coordinates are units of which a tile's side has 2^16
+    FAR_LENGTH = 32767,  ///< longer lengths along an axis count as this: no distance that is asked for is as large
+    BATCH = 32,          ///< darts that a work-group looks at together
+    MAX_DARTS = 1 << 22, ///< of a filling, whole batches: one that needs more is given up
+    MAX_ITEMS = 256,     ///< of a work-group
+    MAX_REACHES = 3
+};
+
+/// Entries of the list of points around a point: their number, then the points.
+DERIVED(LIST_WORDS, (size_t DIMENSION), DIMENSION == 2 ? 64 : 256)
+
+/// Bounds of folded coordinates, see tiles/poisson/tile_regions.hpp.
+struct Regions
+{
+    int width, pair_one, pair_sum, corner_one, corner_two, corner_three;
+};
+
+/// The tori that a launch works on.
+struct Tori
+{
+    ulong cells; ///< in which points may lie, as bits
+    struct Regions regions;
+    uint capacity; ///< entries of a torus for each axis
+    uint copies;   ///< images of each point: 1, or 2^DIMENSION for the torus of one tile
+};
+
+/// What throw_tile_darts is told.
+struct Darts
+{
+    struct Tori tori;
+    uint attempt, zone, key_x, key_y; ///< of random numbers
+    int low;                          ///< of the box that darts fall into, along each axis
+    uint extent;                      ///< of the box
+    uint levels;                      ///< squared distances
+    uint attempts;                    ///< failures in a row before the next
+};
+
+/// What relax_tiles is told.
+struct Relaxation
+{
+    struct Tori tori;
+    double spacing; ///< mean distance of points; units
+    uint iterations;
+    uint keeps_last;          ///< else the best iterate
+    uint wanted;              ///< squared distance
+    int reaches[MAX_REACHES]; ///< half widths of the boxes that are looked into for Voronoi neighbours, in this order
+    uint reach_count;
+    int slack; ///< how much larger the box is whose points are listed once for several iterations
+    uint max_active;
+};
+
+/// What repel_tiles is told.
+struct Repulsion
+{
+    struct Tori tori;
+    double distance; ///< closer points are pushed apart; units
+    uint passes, wanted;
+};
+
+END_CONTRACT

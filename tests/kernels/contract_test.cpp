@@ -1,0 +1,77 @@
+// Structs that kernels are told by value have the same layout on the device, and constants the same values.
+#include "host/device/device.hpp"
+#include "host/device/kernel_source.hpp"
+#include "kernels/common/dart_throwing.h"
+#include "kernels/common/relaxation_dart_throwing.h"
+#include "kernels/common/tile_filling.h"
+#include "kernels/common/tile_points.h"
+
+#include <gmock/gmock.h>
+
+#include <cstddef>
+
+namespace poissonlab {
+namespace {
+
+using testing::ElementsAreArray;
+
+/// What expressions of OpenCL C are, after a file and with the constants that it needs.
+std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<std::string>& expressions)
+{
+    std::string text = kernel_source(file) + "kernel void tell(global uint* values) {";
+    for (std::size_t i = 0; i < expressions.size(); ++i)
+        text += " values[" + std::to_string(i) + "] = " + expressions[i] + ";";
+    Device device = Device::open();
+    auto values = device.buffer<std::uint32_t>(expressions.size());
+    device.kernel_from_text(text + " }", file, "tell", "-D DIMENSION=3 -D REACH=2").run(1, 1, values);
+    return values.read(0, expressions.size());
+}
+
+#define LAYOUT_OF(type, last) sizeof(type), offsetof(type, last)
+
+std::vector<std::string> layout_of(const std::string& type, const std::string& last)
+{
+    return {"sizeof(struct " + type + ")", "__builtin_offsetof(struct " + type + ", " + last + ")"};
+}
+
+TEST(Contract, OfDartThrowing)
+{
+    using namespace contract::dart_throwing;
+    const std::size_t layout[] = {LAYOUT_OF(Batch, staged_capacity)};
+    EXPECT_THAT(on_device("kernels/common/dart_throwing.h", layout_of("Batch", "staged_capacity")),
+                ElementsAreArray(layout));
+    const std::size_t constants[] = {DART_WORDS(3), POINT_WORDS(3), MASK_WORDS(3, 2), RIVAL_WORDS, COUNTERS};
+    EXPECT_THAT(on_device("kernels/common/dart_throwing.h",
+                          {"DART_WORDS", "POINT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
+                ElementsAreArray(constants));
+}
+
+TEST(Contract, OfRelaxationDartThrowing)
+{
+    const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, grid_bits)};
+    EXPECT_THAT(on_device("kernels/common/relaxation_dart_throwing.h", layout_of("Settling", "grid_bits")),
+                ElementsAreArray(layout));
+}
+
+TEST(Contract, OfTileFilling)
+{
+    using namespace contract::tile_filling;
+    const std::string file = "kernels/common/tile_filling.h";
+    const std::size_t darts[] = {LAYOUT_OF(Darts, attempts)};
+    EXPECT_THAT(on_device(file, layout_of("Darts", "attempts")), ElementsAreArray(darts));
+    const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_active)};
+    EXPECT_THAT(on_device(file, layout_of("Relaxation", "max_active")), ElementsAreArray(relaxation));
+    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, wanted)};
+    EXPECT_THAT(on_device(file, layout_of("Repulsion", "wanted")), ElementsAreArray(repulsion));
+}
+
+TEST(Contract, OfTilePoints)
+{
+    const std::size_t run[] = {LAYOUT_OF(contract::tile_points::Run, shift)};
+    EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Run", "shift")), ElementsAreArray(run));
+    const std::size_t window[] = {LAYOUT_OF(contract::tile_points::Window, bottom)};
+    EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Window", "bottom")), ElementsAreArray(window));
+}
+
+}
+}
