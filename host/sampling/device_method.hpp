@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/device/device.hpp"
+#include "host/device/kernel.hpp"
 
 #include <cstddef>
 #include <memory>
