@@ -1,4 +1,4 @@
-// What a process that ends all at once would leave behind: files and folders made for a while, programs it has started.
+// Files and folders made for a while, and programs that are running: a process that ends all at once would leave these.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace poissonlab {
 
-/// The list of them. Safe in any thread.
+/// The list of these. Safe in any thread.
 class Leftovers
 {
 public:
-    /// Of this process. Never destroyed: a thread that ends the process may come late.
+    /// This process's list. It is never destroyed, because the thread that ends the process may come late.
     static Leftovers& instance();
 
     void add(const std::filesystem::path& path);
@@ -21,10 +21,10 @@ public:
     /// Removes a file, or a folder with all that is in it, and takes it off the list.
     void remove(const std::filesystem::path& path);
 
-    /// A program that leads a process group of its own.
+    /// Adds a program that leads a process group of its own.
     void add_program(pid_t program);
 
-    /// To be called before waitpid() is: from then on the number may be that of another process.
+    /// Must be called before waitpid(): from then on another process may have the same number.
     void forget_program(pid_t program);
 
     /// Ends the programs and removes the files and folders.

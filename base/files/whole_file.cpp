@@ -100,7 +100,7 @@ void write_content(const std::filesystem::path& file, const std::filesystem::pat
     write([&](std::string_view bytes) {
         if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) fail();
     });
-    // What is still buffered is written here, so a full disk may show up only now.
+    // Closing writes the rest of the buffer, so a full disk may show up only now.
     if (std::fclose(handle.release()) != 0) fail();
 }
 
@@ -168,7 +168,7 @@ void remove_temporary_files() noexcept
     try {
         Leftovers::instance().clear();
     } catch (const std::exception&) {
-        // What stays is removed by the next run.
+        // The next run removes the files that stay.
     }
 }
 

@@ -1,4 +1,4 @@
-// What headers of square OpenEXR images are checked for before anything is allocated for their pixels.
+// Checks of the headers of square OpenEXR images, made before anything is allocated for their pixels.
 #pragma once
 
 #include <OpenEXR/ImfHeader.h>
@@ -13,7 +13,7 @@ namespace poissonlab {
 /// OpenEXR takes as much memory for each as it says that it has. Throws std::runtime_error, without the file's name.
 void check_header_fits(const std::filesystem::path& file);
 
-/// Whether an image has a channel of float32 for each pixel.
+/// True if an image has this channel, as a float32 for each pixel.
 bool has_float_channel(const Imf::Header& header, const std::string& name);
 
 /// Width and height of an image with its corner at (0, 0). Throws std::runtime_error, without the file's name, for

@@ -62,7 +62,7 @@ void catch_interrupts()
     if (::pipe2(signal_pipe.data(), O_CLOEXEC) != 0) return; // without, a signal ends the process as it is
     start_watching();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        // What a parent process had us ignore (nohup) stays ignored.
+        // A signal that the parent process had us ignore (nohup) stays ignored.
         if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 
