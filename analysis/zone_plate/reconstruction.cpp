@@ -40,7 +40,7 @@ struct SortedSamples
     std::span<const Sample> of_pixel(int column, int row) const { return cells(column, row, column + 1, row); }
 
 private:
-    // From one pixel up to another, in the order of pixels.
+    // The samples of the pixels from one up to another, in the order of pixels.
     std::span<const Sample> cells(int from_column, int from_row, int to_column, int to_row) const
     {
         const auto number = [&](int column, int row) {

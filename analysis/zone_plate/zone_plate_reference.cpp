@@ -15,7 +15,7 @@ namespace poissonlab {
 namespace {
 
 constexpr int nodes = 16;
-// With phases that change by at most 2 a over a panel, the relative error of 16 nodes is about
+// If phases change by at most 2 a over a panel, the relative error of 16 nodes is about
 // a^32 2^33 16!^4 / (33 32!^3) < 1e-25 for a = 4; the cubic weight adds a few powers of 32 / a.
 constexpr double most_phase_of_a_panel = 8;
 
