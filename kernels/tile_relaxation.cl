@@ -3,7 +3,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: each work-group relaxes the points of one
 // torus of two tiles a side. Points come in three runs: held ones (of pieces that are there already), active ones, and
 // surroundings, which are held as well. Movements end where they would leave the allowed cells; with repulsion they
-// slide along them. The plain twin is host/tile_construction/reference/tile_relaxation.cpp.
+// slide along them. The plain twin is host/tile_construction/reference/tile_filling.cpp.
 //
 // Coordinates are whole units, so that all tests are exact; a torus is small enough to look at all of its points.
 //
