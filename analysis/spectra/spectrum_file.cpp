@@ -22,7 +22,7 @@ namespace poissonlab {
 
 namespace {
 
-// Our attributes have names of their own: no clash with those that mean something to OpenEXR ("type").
+/// Our attributes have names of their own: no clash with those that mean something to OpenEXR ("type").
 const std::string points_name = "poissonlab:points";
 const std::string realizations_name = "poissonlab:realizations";
 const std::string metadata_prefix = "poissonlab:meta:";

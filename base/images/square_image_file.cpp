@@ -29,7 +29,7 @@ Imf::FrameBuffer frame_buffer(std::vector<float>& pixels, int size)
     return frame;
 }
 
-// Rows from the highest to the lowest y instead of the other way round, or back.
+/// Rows from the highest to the lowest y instead of the other way round, or back.
 template <class From, class To>
 void turn_over(const std::vector<From>& from, std::vector<To>& to, int size)
 {

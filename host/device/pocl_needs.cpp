@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* variable = "POCL_CACHE_DIR";
 
-/// As PoCL (3.1) chooses it.
+/// The folder for compiled kernels that PoCL (3.1) chooses.
 fs::path chosen_by_pocl()
 {
     const auto value_of = [](const char* name) {

@@ -148,8 +148,8 @@ void create_folder(const fs::path& folder)
 
 }
 
-/// Nothing: it is not there. A network file system may remember for long that a file was not there, unless its folder
-/// is opened, which asks the server whether it has changed.
+/// The stamp of the manifest, or std::nullopt if there is none. A network file system may remember for long that a
+/// file was not there, unless its folder is opened, which asks the server whether it has changed.
 std::optional<UnitStore::Stamp> UnitStore::stamp_of(const fs::path& manifest)
 {
     struct stat status = {};

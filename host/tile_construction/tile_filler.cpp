@@ -7,7 +7,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the buffers of one launch may take; larger batches are cut.
+/// The most that the buffers of one launch may take; larger batches are cut.
 constexpr std::uint64_t max_batch_bytes = std::uint64_t{256} << 20;
 
 /// Less where a device has less: all buffers of a batch together take no more than one buffer may.
@@ -18,7 +18,7 @@ std::uint64_t batch_bytes(const DeviceInfo& device)
 
 constexpr std::size_t lanes = 8;
 
-/// Of work-groups on CPUs: there, work-items of a group run one after the other.
+/// The size of work-groups on CPUs, where work-items of a group run one after the other.
 constexpr std::size_t default_work_group_size = 1;
 constexpr std::size_t gpu_work_group_size = 32;
 
@@ -41,10 +41,10 @@ std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
     return reaches;
 }
 
-/// How much larger the box is whose points are listed once for several iterations; in spacings.
+/// The width, in spacings, by which a box is larger if its points are listed once for several iterations.
 constexpr double list_slack = 0.5;
 
-/// As in the kernel.
+/// The words of a list of points, as in the kernel.
 std::size_t list_words(int dimension) { return dimension == 2 ? 64 : 256; }
 
 /// Elements of buffers that a torus takes.
@@ -68,7 +68,7 @@ std::size_t batch_size(const TorusRoom& room, int dimension, const DeviceInfo& d
     return std::max<std::size_t>(1, batch_bytes(device) / std::max<std::size_t>(1, bytes));
 }
 
-/// What all problems of a stage have room in.
+/// A shape in which all problems of a stage have room.
 FillShape shape_of(const FillStage& stage, std::span<const FillProblem> problems, int dimension)
 {
     FillShape shape{problems.size(), 0, 0, stage.is_one_tile ? std::size_t{1} << dimension : 1};
@@ -127,7 +127,7 @@ private:
         const std::vector<std::uint32_t> active_ends = counts_.read(0, problems.size());
         const std::vector<std::int32_t> thrown = points_.read(0, problems.size() * axes() * capacity_);
 
-        // What could not be filled goes no farther.
+        // Tori that could not be filled go no farther.
         std::vector<std::uint32_t> filled;
         for (std::size_t i = 0; i < problems.size(); ++i) {
             if (active_ends[i] == problems[i].held.size() + problems[i].active)

@@ -87,8 +87,8 @@ private:
     std::vector<std::uint8_t> color_of_sum_;
 };
 
-// The remainder without a division (Lemire, Kaser, Kurz: Faster remainder by direct computation, Software:
-// Practice and Experience 49, 2019): exact, because reduced * size < 2^64.
+/// The remainder without a division (Lemire, Kaser, Kurz: Faster remainder by direct computation, Software:
+/// Practice and Experience 49, 2019): exact, because reduced * size < 2^64.
 inline std::uint32_t LongPeriodHash::Table::remainder(std::uint64_t reduced) const
 {
     __extension__ using Wide = unsigned __int128;

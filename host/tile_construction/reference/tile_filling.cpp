@@ -10,7 +10,7 @@
 namespace poissonlab::reference {
 namespace {
 
-/// As in the kernel: a filling that needs more is given up.
+/// The most darts, as in the kernel: a filling that needs more is given up.
 constexpr std::uint32_t max_darts = std::uint32_t{1} << 22;
 
 /// Distances are of interest below half a tile's side; longer lengths along an axis count as this.
@@ -151,7 +151,8 @@ private:
         return sum;
     }
 
-    /// From any image of any point; `self`: the point at that position, or the number of points.
+    /// The squared distance from the nearest image of any point; `self`: the point at that position, or the number of
+    /// points.
     std::uint32_t squared_nearest(const TilePosition& position, std::size_t self) const
     {
         std::uint32_t smallest = std::numeric_limits<std::uint32_t>::max();
