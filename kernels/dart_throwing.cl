@@ -29,7 +29,7 @@
 #define TIME_WORD DIMENSION
 #define CELL_WORD (DIMENSION + 1)
 
-// What is known of each level 0 cell:
+// Three arrays hold the state of each level 0 cell:
 //   masks      MASK_WORDS words: bit b is set when the point in cell b of the window around this cell is near enough
 //              to matter here; cells are numbered x fastest, the cell itself is in the middle
 //   positions  DIMENSION words: the point in the cell (a cell has room for one); undefined when there is none
@@ -168,8 +168,8 @@ uint4 random_words(const Cell* cell, uint batch, uint number, uint2 key)
     return philox(counter, key);
 }
 
-/// What throw_darts appends to: a part staged in local memory, so that global counters are touched once a work-group,
-/// and, where the staging area is full, global memory directly.
+/// A list that throw_darts appends to: a part is staged in local memory, so that global counters are touched once a
+/// work-group; when the staging area is full, entries go to global memory directly.
 typedef struct
 {
     local uint* staged;

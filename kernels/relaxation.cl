@@ -1,4 +1,4 @@
-// What relaxation methods share: moving points in their domain, and summing up over points.
+// The kernels that relaxation methods share: moving points in their domain, and summing up over points.
 //
 // Needs DIMENSION (2 or 3).
 

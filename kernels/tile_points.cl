@@ -76,7 +76,7 @@ kernel void place_points(struct Run run, global const uint* tiles, global const 
     const VALUE16 b = a;
     const VALUE16 c = a;
 #else
-    // What is added to coordinates repeats after three vectors.
+    // The sequence x, y, z of summands repeats after three vectors of 16.
     const VALUE z = FROM_PLACE(place.z);
     const VALUE16 a = (VALUE16)(x, y, z, x, y, z, x, y, z, x, y, z, x, y, z, x);
     const VALUE16 b = (VALUE16)(y, z, x, y, z, x, y, z, x, y, z, x, y, z, x, y);

@@ -175,8 +175,8 @@ uint nearest_of_window(const Window* window, const Position* position, uint site
     return nearest;
 }
 
-/// From the site to the centroid of its cell among the points of a window, in units; false where a larger window is
-/// needed.
+/// Finds the displacement, in units, from the site to the centroid of its cell among the points of a window; returns
+/// false if a larger window is needed.
 bool find_centroid(const Window* window, const Position* position, uint site, int reach, double spacing,
                    global const double* doubles, double* displacement)
 {

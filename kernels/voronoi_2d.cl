@@ -122,7 +122,7 @@ ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global 
                                  width_around - (reach * width + below)};
         Differences d;
         const uint vectors = subtract_site(window, site, x, y, &d);
-        // What was found in the smaller window most often is the cell; only its proof needs more points.
+        // The cell found in the smaller window is most often the right one; only its proof needs more points.
         if (is_known && is_complete(&vertices, margins) && is_certain(&d, vectors, &vertices)) return true;
         is_known = cell_among(&d, vectors, window, positions[site], positions, cell, &vertices);
         if (is_known && is_complete(&vertices, margins)) return is_certain(&d, vectors, &vertices);
@@ -153,8 +153,8 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     }
 }
 
-/// What is left of a walk along an edge: the nearest vertex, as the parameter t of the edge's line, and who
-/// makes it.
+/// The end of a walk along an edge: the nearest vertex so far, as the parameter t of the edge's line, and the point
+/// whose bisector makes it.
 typedef struct
 {
     double2 difference; // the point behind the vertex
@@ -169,7 +169,7 @@ ALWAYS_INLINE void consider(const double2 a, double a_offset, const double2 d, d
     const double2 e = d - a;
     const double turn = cross_product(a, e);
     if (!(turn > 0)) return;
-    // With both offsets half the squared lengths, the numerator is d . (d - a) / 2.
+    // If both offsets are half the squared lengths, the numerator is d . (d - a) / 2.
     const bool both_bisectors = (offset > 0) & (a_offset > 0);
     const double t =
         both_bisectors ? dot(d, e) / (2 * turn) : (offset - a_offset * dot(d, a) / dot(a, a)) / turn;

@@ -64,7 +64,7 @@ typedef struct
     double offset;
 } HalfSpace;
 
-/// What is nearer to the site than to a point, without underflow.
+/// The half-space of the positions that are nearer to the site than to a point, computed without underflow.
 HalfSpace half_space_of(double3 difference)
 {
     const double largest = fmax(fmax(fabs(difference.x), fabs(difference.y)), fabs(difference.z));
@@ -185,7 +185,7 @@ bool add_seam(Polyhedron* p, Seam* seam)
 /// False where there is no room.
 bool clip(Polyhedron* p, HalfSpace h)
 {
-    // What is cut off by less than this is rounding.
+    // A corner that lies beyond h by less than this does so by rounding.
     const double radius = sqrt(p->squared_radius);
     const double limit = h.offset + 0x1p-49 * radius;
     bool is_cut = false;
@@ -268,7 +268,7 @@ void clip_edge(Edge* e, HalfPlane h)
     if (cross == 0) {
         const double along = n.x * m.x + n.y * m.y;
         const double excess = e->line.offset * along - h.offset * length;
-        // Of equal lines the first counts.
+        // If several lines are equal, the first counts.
         if (excess > 0 || (excess == 0 && along > 0 && h.number < e->line.number)) e->high = -INFINITY;
         return;
     }

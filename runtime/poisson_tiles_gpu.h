@@ -169,7 +169,7 @@ PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
         int layers = is_3d ? ring : 0;
         for (int k = -layers; k <= layers; ++k) {
             for (int j = -ring; j <= ring; ++j) {
-                // Of rows inside the ring, only the ends.
+                // Rows inside the ring contribute only their ends.
                 bool outer = ring == 0 || j == -ring || j == ring || (is_3d && (k == -ring || k == ring));
                 for (int i = -ring; i <= ring; i += outer ? 1 : 2 * ring) {
                     if (ptiles_gap(f.x, i) + ptiles_gap(f.y, j) + ptiles_gap(f.z, k) >= squared) continue;

@@ -64,13 +64,13 @@ public:
     /// must lie in [0, 1).
     void add(const PointSet& points);
 
-    /// As if the sets of `other`, which begins with the number after the last one here, had been added here.
+    /// Appends the sets of `other`, which begins with the number after the last one here; equal to adding them here.
     void append(const IntegrationErrorEstimate& other);
 
     /// One entry an integrand, in the order of integrands(); none where no set was added.
     std::vector<IntegrationError> mean() const;
 
-    /// For cereal: what was added, into an estimate that was constructed alike.
+    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -1,5 +1,4 @@
-// How the power spectrum behaves at low frequencies: the exponent b of P(f) ~ f^b, and P extrapolated to f =
-// 0.
+// The power spectrum at low frequencies: the exponent b of P(f) ~ f^b, and P extrapolated to f = 0.
 //
 // A set is hyperuniform when the power vanishes at f = 0, and b says how fast: Torquato and Stillinger, Local
 // density fluctuations, hyperuniformity, and order metrics, Phys. Rev. E 68, 041113 (2003); Torquato,

@@ -45,13 +45,13 @@ public:
     /// in [0, 1).
     void add(const PointSet& points);
 
-    /// As if the sets of `other`, which was constructed alike, had been added after those here, up to rounding.
+    /// Appends the sets of `other`, which was constructed alike; equal to adding them here, up to rounding.
     void append(const PairCorrelationEstimate& other);
 
     /// The mean of what was added; no bins where nothing was.
     std::vector<PairCorrelationBin> mean() const;
 
-    /// For cereal: what was added, into an estimate that was constructed alike.
+    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -22,7 +22,7 @@ struct PeakAnisotropy
     double standard_error_db = 0; ///< anisotropy_standard_error_db()
 };
 
-/// Of rings one sample wide, over `realizations` K. Nothing where no ring has enough samples.
+/// The peak over rings one sample wide, of the mean of `realizations` K; std::nullopt if no ring has enough samples.
 std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radial, int realizations);
 
 /// The standard error of a ring's anisotropy where all that varies within the ring is chance, in dB.

@@ -1,4 +1,4 @@
-// How the work is divided. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all
+// The work is divided into lines. Grid points have indices (z, y, x), x fastest; a "line" along an axis has all
 // others fixed.
 //   1. lines along x are filled by all points that touch them, transformed, and cut to u = 0 .. M/2;
 //   2. for each u, lines along y are transformed (3D: and cut to -M/2 .. M/2); then those along z.
@@ -81,7 +81,7 @@ public:
     void compute(const PointSet& points, HalfSpectrum& half);
 
 private:
-    /// What a thread works in, kept from line to line.
+    /// The memory in which a thread works, kept from line to line.
     struct Workspace
     {
         explicit Workspace(const Plan& plan)
@@ -221,7 +221,7 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
         Complex* const plane = transforms_.data() + u * plane_;
         const double factor = scale * deconvolution_[size_ / 2 + u];
         if (dimension_ == 2) {
-            // What is far away comes faster in its order than in that of a transform.
+            // Copying first is faster: memory far away comes faster in its own order than in that of a transform.
             std::copy_n(plane, grid_, work.lines.data());
             transform(work.lines.data(), work.line.data());
             store_power(work.line.data(), factor, half.power.data() + u * rows);

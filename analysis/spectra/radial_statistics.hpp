@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// What stands for "no variation at all", a finite number that tables and plots can hold. Bins of constant
+/// The anisotropy of "no variation at all", a finite number that tables and plots can hold. Bins of constant
 /// power and bins without any power, or with no more than rounding leaves of a zero, have this anisotropy.
 /// The rounding of a mean over a million samples, relative 1e-10 at worst, lies below it as well.
 inline constexpr double least_anisotropy_db = -200.0;

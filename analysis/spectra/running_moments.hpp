@@ -12,10 +12,10 @@ namespace poissonlab {
 class RunningMoments
 {
 public:
-    /// As many values each time.
+    /// Adds an observation of each value; every call has equally many.
     void add(std::span<const double> values);
 
-    /// As if all observations of `other` had been added after those here, up to rounding. Chan, Golub and LeVeque,
+    /// Appends the observations of `other`; equal to adding them here, up to rounding. Chan, Golub and LeVeque,
     /// Algorithms for Computing the Sample Variance, The American Statistician 37(3), 1983, equations 2.1.
     void append(const RunningMoments& other);
 
@@ -25,7 +25,7 @@ public:
     /// Squared deviations from the mean, summed up: the variance times count - 1. Empty for one observation.
     std::span<const double> squares() const { return squares_; }
 
-    /// For cereal.
+    /// Cereal stores all members.
     template <class Archive>
     void serialize(Archive& archive)
     {

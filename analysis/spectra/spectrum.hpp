@@ -29,8 +29,8 @@ struct Spectrum
     std::size_t points = 0;    ///< N of each realization; of the first one where sizes vary
     int realizations = 0;      ///< K
     std::vector<double> power; ///< M^dimension values, row-major, y (then z) slowest
-    /// Of each power between realizations (divisor K - 1), which estimates the power's own squared error times K. Empty
-    /// for K = 1.
+    /// The variance of each power between realizations (divisor K - 1), which estimates the squared error of the mean
+    /// power times K. Empty for K = 1.
     std::vector<double> variance = {};
     double transform_error = 1e-11; ///< bound of the error of transform values, as a share of N
 
@@ -54,7 +54,7 @@ inline constexpr int largest_spectrum_3d = 256;
 /// 156,000 in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 
-/// How periodograms are computed.
+/// The ways to compute a periodogram.
 enum class PeriodogramMethod
 {
     fast, ///< FastPeriodogram: transform values within 1e-8, relative l2 error
@@ -81,7 +81,7 @@ public:
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
-    /// As if the realizations of `other` had been added after those here, up to rounding. Throws InputError as add()
+    /// Appends the realizations of `other`; equal to adding them here, up to rounding. Throws InputError as add()
     /// does.
     void append(const SpectrumEstimate& other);
 
@@ -98,7 +98,7 @@ public:
     /// The periodogram of the last realization.
     const HalfSpectrum& last_periodogram() const { return periodogram_; }
 
-    /// For cereal: what was added, into an estimate that was constructed alike.
+    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

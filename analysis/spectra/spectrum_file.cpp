@@ -16,7 +16,7 @@ namespace {
 const std::string points_name = "poissonlab:points";
 const std::string realizations_name = "poissonlab:realizations";
 
-/// What stands before the names of channels: nothing for a 2D spectrum, the planes of a 3D one.
+/// The prefixes of channel names: "" for a 2D spectrum, the planes of a 3D one.
 std::vector<std::string> layers_of(int dimension, int size)
 {
     if (dimension == 2) return {""};

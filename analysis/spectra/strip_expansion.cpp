@@ -62,7 +62,7 @@ int expansion_terms(int strips, int max_frequency)
 
 StripExpansion cheapest_expansion(std::size_t points, int size)
 {
-    // For each row of frequencies: 4 N R operations for the moments, 2 (M/2 + 1) B R to use them.
+    // Each row of frequencies takes 4 N R operations for the moments, and 2 (M/2 + 1) B R to use them.
     StripExpansion best;
     double least = std::numeric_limits<double>::infinity();
     for (int strips = 4; strips <= 4 * size; strips *= 2) {

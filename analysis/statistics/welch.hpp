@@ -1,4 +1,4 @@
-// Whether two means differ by more than chance: Welch's test, and Holm's correction for many tests.
+// Tests of whether two means differ by more than chance: Welch's test, and Holm's correction for many tests.
 //
 // B. L. Welch, The generalization of "Student's" problem when several different population variances are involved,
 // Biometrika 34, 1947; S. Holm, A simple sequentially rejective multiple test procedure, Scandinavian Journal of

@@ -14,7 +14,7 @@ namespace poissonlab {
 
 namespace {
 
-/// How many pairs of places at each displacement have the same colour: the sum over colours of the
+/// The numbers of pairs of places at each displacement that have the same colour: the sum over colours of the
 /// autocorrelation of each one's indicator, on a grid large enough that displacements do not wrap around.
 class AgreementGrid
 {

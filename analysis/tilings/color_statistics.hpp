@@ -1,5 +1,5 @@
-// Whether the colours of a stochastic tiling are as random as they should be: how often each is there, and
-// how colours at some distance from one another agree. A bad hash function shows in both.
+// Tests of whether the colours of a stochastic tiling are as random as they should be: the frequency of each, and
+// the agreement of colours at some distance from one another. A bad hash function shows in both.
 #pragma once
 
 #include <array>
@@ -24,17 +24,17 @@ struct ColorField
 struct FrequencyTest
 {
     double chi_square = 0; ///< sum of (count - mean)^2 / mean
-    double p_value =
-        1; ///< probability that chance makes it at least as large: chi-square with n - 1 degrees of freedom
+    /// The probability that chance makes it at least as large: chi-square with n - 1 degrees of freedom.
+    double p_value = 1;
 };
 
-/// Of at least two counts, not all of them 0; p = 1 and chi-square 0 otherwise.
+/// Tests whether counts are equally frequent. With fewer than two counts, or if all are 0, p = 1 and chi-square 0.
 FrequencyTest test_frequencies(std::span<const std::uint64_t> counts);
 
-/// How often each colour is there.
+/// The number of places of each colour.
 std::vector<std::uint64_t> color_counts(const ColorField& field);
 
-/// How often colours agree at each displacement, against independent and equally frequent ones.
+/// The agreement of colours at each displacement, against independent and equally frequent ones.
 ///
 /// With n pairs of places at a displacement, m of them of the same colour, z = (m - n/C) / sqrt(n/C (1 -
 /// 1/C)): for independent colours of equal probability 1/C, mean 0 and variance 1 exactly (pairs of places
@@ -48,9 +48,9 @@ struct ColorAutocorrelation
     double bound = 0;              ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
 };
 
-/// For displacements up to `lags`, below width and height of the field. By fast Fourier transforms, so that
-/// many lags take O(C A log A) for A places; the same bytes for any number of threads. Throws
-/// std::invalid_argument for lags that are not below width and height.
+/// The autocorrelation at displacements up to `lags`. It takes fast Fourier transforms, O(C A log A) for A places;
+/// the same bytes for any number of threads. Throws std::invalid_argument unless lags are below width and height of
+/// the field.
 ColorAutocorrelation color_autocorrelation(const ColorField& field, int lags);
 
 }

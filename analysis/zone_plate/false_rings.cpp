@@ -21,7 +21,7 @@ constexpr int neighbourhood = 16; ///< frequencies to either side that say what 
 constexpr int own = 2;            ///< those that a strong plate spills into
 constexpr int plate_itself = 16;  ///< frequencies to either side of 0: centres within 1.05 of the origin
 
-// The picture's error times exp(-i |x|^2).
+/// The picture's error times exp(-i |x|^2).
 std::vector<Complex> dechirped(const SquareImage& picture, const SquareImage& reference)
 {
     const double pixel = plate_side / picture.size;
@@ -45,7 +45,7 @@ void transform(std::vector<Complex>& field, int size)
     fftw_execute(make_fftw_plan(fftw_plan_dft_2d, size, size, data, data, FFTW_FORWARD, FFTW_ESTIMATE).get());
 }
 
-// Powers with their sums over squares, around the ends.
+/// Powers with their sums over squares, around the ends.
 class PowerMap
 {
 public:

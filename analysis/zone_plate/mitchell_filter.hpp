@@ -6,9 +6,6 @@
 
 namespace poissonlab {
 
-/// Where the filter ends on either side, in pixels.
-inline constexpr double mitchell_reach = 2;
-
 /// The weight at a distance of t >= 0 pixels; 0 from 2 on. Integer shifts of it sum to 1 everywhere, and so
 /// does its integral.
 constexpr double mitchell_weight(double t)

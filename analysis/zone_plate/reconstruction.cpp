@@ -28,8 +28,8 @@ struct Sample
     double value;
 };
 
-// Samples by pixel, row by row, within a pixel in the order of the set; those of pixel p are begin[p] up to
-// begin[p + 1].
+/// Samples by pixel, row by row, within a pixel in the order of the set; those of pixel p are begin[p] up to
+/// begin[p + 1].
 struct SortedSamples
 {
     int size;
@@ -40,7 +40,7 @@ struct SortedSamples
     std::span<const Sample> of_pixel(int column, int row) const { return cells(column, row, column + 1, row); }
 
 private:
-    // From one pixel up to another, in the order of pixels.
+    // The samples of the pixels from one up to another, in the order of pixels.
     std::span<const Sample> cells(int from_column, int from_row, int to_column, int to_row) const
     {
         const auto number = [&](int column, int row) {
@@ -78,7 +78,7 @@ SortedSamples sort_samples(const PointSet& points, std::span<const double> value
     return sorted;
 }
 
-// The four pixels along an axis that a sample at x counts in, and with which weights.
+/// The four pixels along an axis that a sample at x counts in, and with which weights.
 struct Taps
 {
     int first;
@@ -99,7 +99,7 @@ struct WeightedSum
     double values = 0;
 };
 
-// Sums of rows `first` up to `end`.
+/// Sums of rows `first` up to `end`.
 std::vector<WeightedSum> weighted_sums(const SortedSamples& sorted, int first, int end)
 {
     const int size = sorted.size;
@@ -126,7 +126,7 @@ std::vector<WeightedSum> weighted_sums(const SortedSamples& sorted, int first, i
     return sums;
 }
 
-// The value of the sample nearest to the centre of a pixel, of those in the 5 x 5 pixels around it.
+/// The value of the sample nearest to the centre of a pixel, of those in the 5 x 5 pixels around it.
 double nearest_value(const SortedSamples& sorted, int column, int row)
 {
     double nearest = std::numeric_limits<double>::infinity();

@@ -21,7 +21,7 @@ int one_sample_a_pixel(std::size_t points);
 /// and dividing by them would give anything. In such a gap a pixel shows the sample nearest to its centre.
 inline constexpr double least_weight = 0.25;
 
-/// What a pixel shows that has no sample in the 5 x 5 pixels around it.
+/// The value of a pixel that has no sample in the 5 x 5 pixels around it.
 inline constexpr double empty_pixel = 0.5;
 
 /// The picture of `size` x `size` pixels from values[k] at point k: pixel p is

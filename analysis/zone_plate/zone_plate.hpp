@@ -22,9 +22,9 @@ inline double zone_plate(double x, double y) { return 0.5 + 0.5 * std::sin(x * x
 /// Pixels can show up to 1/2.
 inline double plate_frequency(double distance, int size) { return distance / std::numbers::pi * plate_side / size; }
 
-/// What a 2D set of points makes of the plate, by `reconstruct`, with one_sample_a_pixel: 512 x 512 pixels
-/// for 262,144 points. The origin is at the lower left; values may lie a little outside of [0, 1]. Same
-/// errors.
+/// The plate as `reconstruct` makes it from its values at a 2D set of points, with one_sample_a_pixel: 512 x 512
+/// pixels for 262,144 points. The origin is at the lower left; values may lie a little outside of [0, 1]. Throws as
+/// reconstruct() does.
 SquareImage zone_plate_image(const PointSet& points);
 
 }

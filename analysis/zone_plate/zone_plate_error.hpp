@@ -1,4 +1,4 @@
-// How far pictures of the zone plate are from the reference, in all and by distance from the origin.
+// The errors of pictures of the zone plate against the reference, in all and by distance from the origin.
 #pragma once
 
 #include "analysis/zone_plate/reconstruction.hpp"
@@ -41,13 +41,13 @@ public:
     /// Adds a picture and returns its own error.
     PlateError add(const SquareImage& image);
 
-    /// As if the pictures of `other` had been added after those here, up to rounding.
+    /// Appends the pictures of `other`; equal to adding them here, up to rounding.
     void append(const ZonePlateError& other);
 
     /// Ranges by distance of the pixels' centres, without those that hold no pixel.
     std::vector<ErrorBin> curve() const;
 
-    /// For cereal.
+    /// Cereal stores the sums, and reads them into an error that was constructed with the same reference.
     template <class Archive>
     void serialize(Archive& archive)
     {

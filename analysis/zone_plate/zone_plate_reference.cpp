@@ -15,8 +15,8 @@ namespace poissonlab {
 namespace {
 
 constexpr int nodes = 16;
-// With phases that change by at most 2 a over a panel, the relative error of 16 nodes is about
-// a^32 2^33 16!^4 / (33 32!^3) < 1e-25 for a = 4; the cubic weight adds a few powers of 32 / a.
+/// If phases change by at most 2 a over a panel, the relative error of 16 nodes is about
+/// a^32 2^33 16!^4 / (33 32!^3) < 1e-25 for a = 4; the cubic weight adds a few powers of 32 / a.
 constexpr double most_phase_of_a_panel = 8;
 
 struct Quadrature
@@ -25,7 +25,7 @@ struct Quadrature
     std::array<double, nodes> weights;
 };
 
-// Gauss-Legendre: roots of the Legendre polynomial, by Newton's method from Tricomi's approximation.
+/// Gauss-Legendre: roots of the Legendre polynomial, by Newton's method from Tricomi's approximation.
 Quadrature gauss_legendre()
 {
     Quadrature rule{};
@@ -48,8 +48,8 @@ Quadrature gauss_legendre()
     return rule;
 }
 
-// The integral of weight(|x / pixel - centre|) exp(i x^2) over [from, to] pixels, where the weight is a
-// cubic.
+/// The integral of weight(|x / pixel - centre|) exp(i x^2) over [from, to] pixels, where the weight is a
+/// cubic.
 std::complex<double> piece(const Quadrature& rule, double from, double to, double centre, double pixel)
 {
     const double steepest = 2 * to * pixel * pixel; // change of the phase a pixel
@@ -65,7 +65,7 @@ std::complex<double> piece(const Quadrature& rule, double from, double to, doubl
     return half * sum;
 }
 
-// The integral of the weight alone over [from, to] pixels, exact for a cubic.
+/// The integral of the weight alone over [from, to] pixels, exact for a cubic.
 double weight_between(const Quadrature& rule, double from, double to, double centre)
 {
     double sum = 0;
@@ -76,7 +76,7 @@ double weight_between(const Quadrature& rule, double from, double to, double cen
     return (to - from) / 2 * sum;
 }
 
-// The mean of exp(i x^2) around the centre of pixel number `index`, weighted by the filter, on the plate.
+/// The mean of exp(i x^2) around the centre of pixel number `index`, weighted by the filter, on the plate.
 std::complex<double> filtered_wave(const Quadrature& rule, int index, int size)
 {
     const double centre = index + 0.5;

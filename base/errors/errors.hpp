@@ -1,4 +1,4 @@
-// What can go wrong, in three kinds: what the user can mend, what OpenCL reports, and what happens to files.
+// Errors of three kinds: those that the user can mend, those that OpenCL reports, and those of files.
 //
 // Their messages are one line each, although they hold names and values that can be anything: what would end the line
 // or command a terminal is escaped, see printable(). Text that is printable already stays as it is. `details` are lines

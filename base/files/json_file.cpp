@@ -20,8 +20,8 @@ int line_of(std::string_view text, std::size_t byte)
     return static_cast<int>(std::ranges::count(before, '\n')) + 1;
 }
 
-/// What the library says without its own names: "[json.exception.parse_error.101] parse error at line 1, column 2:
-/// syntax error while parsing value - unexpected ...".
+/// The library's message without the library's names: "unexpected ..." of "[json.exception.parse_error.101] parse error
+/// at line 1, column 2: syntax error while parsing value - unexpected ...".
 std::string reason(std::string_view what)
 {
     for (const std::string_view before : {" - ", "] "})

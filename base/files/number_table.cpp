@@ -14,7 +14,7 @@ namespace poissonlab {
 
 namespace {
 
-// A number for each of `values`; false when the line holds anything else.
+/// A number for each of `values`; false when the line holds anything else.
 bool parse_line(const std::string& line, std::vector<double>& values)
 {
     const char* position = line.data();

@@ -65,7 +65,7 @@ double StoredObject::number(const std::string& name) const
 std::int64_t StoredObject::integer(const std::string& name, std::int64_t minimum, std::int64_t maximum) const
 {
     const auto& value = at(name);
-    // As a double: the library lets unsigned integers of 64 bits wrap to negative ones.
+    // The comparison is one of doubles, because the library lets unsigned integers of 64 bits wrap to negative ones.
     const bool fits = value.is_number_integer() && value.get<double>() >= static_cast<double>(minimum) &&
                       value.get<double>() <= static_cast<double>(maximum);
     if (!fits)

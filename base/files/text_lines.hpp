@@ -19,7 +19,7 @@ public:
     std::string_view line() const { return line_; }
     /// Counted from 1.
     int number() const { return number_; }
-    /// What follows the line.
+    /// The text after the line.
     std::string_view rest() const { return rest_; }
 
 private:

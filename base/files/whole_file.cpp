@@ -93,7 +93,7 @@ void write_content(const std::filesystem::path& file, const std::filesystem::pat
     write([&](std::string_view bytes) {
         if (std::fwrite(bytes.data(), 1, bytes.size(), handle.get()) != bytes.size()) fail();
     });
-    // What is still buffered is written here, so a full disk may show up only now.
+    // Closing writes the rest of the buffer, so a full disk may show up only now.
     if (std::fclose(handle.release()) != 0) fail();
 }
 

@@ -20,7 +20,7 @@ using FileSink = std::function<void(std::string_view bytes)>;
 void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write);
 
-/// For libraries that write files themselves: calls `write` with a temporary path that has the extension of
+/// Serves libraries that write files themselves: calls `write` with a temporary path that has the extension of
 /// `path` and lies in the same folder, then renames. Removes the temporary file when `write` throws.
 void write_whole_file(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
@@ -35,7 +35,7 @@ void remove_stale_temporary_files(const std::filesystem::path& folder, std::chro
 /// as one that does not fit in memory or has no end.
 std::string read_whole_file(const std::filesystem::path& path);
 
-/// Whether it is a pipe, a device or the like, which is not to be read twice. False for what is not there.
+/// True for a pipe, a device or the like, which cannot be read twice; false where nothing has this name.
 bool is_no_lasting_file(const std::filesystem::path& path);
 
 }

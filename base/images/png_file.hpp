@@ -25,7 +25,7 @@ struct PngPixels
     }
 };
 
-/// What a PNG file is like, and how hard libpng tries.
+/// The channels of a PNG file, and how hard libpng tries to make it small.
 struct PngLayout
 {
     int width = 0;

@@ -28,7 +28,7 @@ std::string shown(std::string_view text)
     return result;
 }
 
-/// What a coordinate that is none should have been.
+/// The end of the message about a number that is no coordinate: the numbers that are.
 std::string allowed_coordinate(double value, const CoordinateRange& range)
 {
     const std::string allowed = fmt::format("must be a number in [{}, {})", range.low, range.high);

@@ -33,7 +33,7 @@ inline bool is_coordinate(double value, const CoordinateRange& range)
     return value >= range.low && value < range.high;
 }
 
-/// To [0, 1); the same value where that is the range.
+/// The coordinate mapped from its range to [0, 1); unchanged if that is its range.
 double to_unit(double value, const CoordinateRange& range);
 
 /// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.

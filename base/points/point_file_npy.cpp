@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view allowed_shapes = "must be (N, 2), (N, 3), (K, N, 2) or (K, N, 3)";
 
-/// What the header of a .npy file says, and where the numbers start.
+/// The content of a .npy file's header, and the place at which the numbers start.
 struct NpyLayout
 {
     std::endian byte_order = std::endian::little;
@@ -57,7 +57,7 @@ std::string_view header_text(const PointFileContent& file, std::size_t& data_off
     return file.bytes.substr(text_offset, length);
 }
 
-/// What follows `'key':` in the dictionary.
+/// The text after `'key':` in the dictionary.
 std::string_view value_of(const PointFileContent& file, std::string_view header, std::string_view key)
 {
     const std::string quoted = fmt::format("'{}':", key);

@@ -20,7 +20,7 @@ constexpr auto patience = std::chrono::milliseconds(700);
 volatile std::sig_atomic_t signalled = 0;
 std::array<int, 2> signal_pipe{-1, -1};
 std::atomic<bool> is_told = false;
-// Never destroyed: the watching thread outlives main.
+/// Never destroyed: the watching thread outlives main.
 std::string& message = *new std::string("poissonlab: interrupted\n");
 
 void remember(int signal)
@@ -62,7 +62,7 @@ void catch_interrupts()
     if (::pipe2(signal_pipe.data(), O_CLOEXEC) != 0) return; // without, a signal ends the process as it is
     start_watching();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        // What a parent process had us ignore (nohup) stays ignored.
+        // A signal that the parent process had us ignore (nohup) stays ignored.
         if (std::signal(signal, remember) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
 

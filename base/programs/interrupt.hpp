@@ -21,10 +21,10 @@ public:
 /// second one ends the process at once. A closed pipe no longer ends it.
 void catch_interrupts();
 
-/// What the user is told when the process stops: how to go on. Empty: nothing more than that it was interrupted.
+/// Sets the advice on how to go on that the user reads when the process stops; with "", only "interrupted" is said.
 void say_when_interrupted(const std::string& advice);
 
-/// For processes of a crew that another one speaks for.
+/// Leaves the message to another process of the crew.
 void say_nothing_when_interrupted();
 
 /// Says that the process was interrupted, once. Empties the line of a terminal that is being updated.

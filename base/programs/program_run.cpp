@@ -66,7 +66,7 @@ private:
     int write_ = -1;
 };
 
-/// As exec() wants them: with a null pointer at the end.
+/// Pointers to the texts and a null pointer at the end, which is the form that exec() wants.
 std::vector<char*> pointers_to(const std::vector<std::string>& texts)
 {
     std::vector<char*> pointers;
@@ -75,7 +75,7 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts)
     return pointers;
 }
 
-/// What a program is started with: folder, streams, group and signals.
+/// The folder, streams, process group and signals that a program is started with.
 class SpawnSettings
 {
 public:

@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// How a program ended.
+/// The end of a program: its exit status or signal, and its output.
 struct ProgramOutcome
 {
     bool is_in_time = true;

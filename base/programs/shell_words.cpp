@@ -13,7 +13,7 @@ class WordReader
 public:
     explicit WordReader(std::string_view text) : text_(text) {}
 
-    /// Whether another word begins.
+    /// Goes to the next word; false if there is none.
     bool skip_blanks()
     {
         while (at_ < text_.size() && blanks.find(text_[at_]) != std::string_view::npos) ++at_;

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What random numbers are used for. Values are part of the results: never renumber, only append.
+/// The purposes that random numbers serve. Values are part of the results: never renumber, only append.
 enum class Purpose : std::uint32_t
 {
     random_points = 1,

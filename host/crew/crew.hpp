@@ -41,14 +41,14 @@ public:
 /// This process alone.
 std::unique_ptr<Crew> make_crew_of_one();
 
-/// Those that mpirun started together with this one; this one alone where it did not. Throws InputError where mpirun
+/// The processes that mpirun started together with this one; this one alone if it did not. Throws InputError if mpirun
 /// started several and the program was built without MPI: each would do all the work.
 std::unique_ptr<Crew> make_crew();
 
-/// How many processes of a crew run on this machine, this one included. Asks the environment only.
+/// The number of processes of the crew on this machine, this one included. Asks the environment only.
 int crew_processes_here();
 
-/// Whether this process belongs to a crew that another one leads. Asks the environment only.
+/// True if another process leads the crew of this one. Asks the environment only.
 bool is_crew_follower();
 
 }

@@ -1,4 +1,4 @@
-// What went wrong, as bytes that can be sent to another process.
+// An exception as bytes that can be sent to another process.
 #pragma once
 
 #include <exception>
@@ -22,7 +22,7 @@ struct Failure
     Kind kind = Kind::none;
     std::string message;
 
-    /// Of the exception being handled.
+    /// The failure of the exception that is being handled.
     static Failure current();
 
     /// Throws an exception of that kind, or returns where nothing failed.

@@ -33,14 +33,14 @@ constexpr int farewell_tag = 3; ///< from the leader: the end
 /// of milliseconds.
 constexpr auto pause = std::chrono::milliseconds(1);
 
-/// What a process tells the leader. The message of a failure follows.
+/// A process's report to the leader. The message of a failure follows.
 struct JobReport
 {
     std::int64_t id = -1; ///< of the job that was done; -1: none yet
     Failure::Kind failure = Failure::Kind::none;
 };
 
-/// What the leader answers.
+/// The leader's answer.
 struct Order
 {
     std::int64_t id = -1; ///< -1: there is no more to do

@@ -1,4 +1,4 @@
-// How many threads the host uses.
+// The number of threads that the host uses.
 #pragma once
 
 #include <tbb/global_control.h>

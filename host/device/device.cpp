@@ -21,8 +21,8 @@ std::string type_name(cl_device_type type)
     return type & CL_DEVICE_TYPE_ACCELERATOR ? "accelerator" : "other";
 }
 
-/// What the kernels need and a device may lack: a compiler for OpenCL C 1.2, 64-bit integers (missing only in
-/// the embedded profile), and the byte order of the host.
+/// Names the first thing that kernels need and the device lacks: a compiler for OpenCL C 1.2, 64-bit integers
+/// (missing only in the embedded profile), or the byte order of the host.
 std::string why_unusable(const cl::Device& device)
 {
     if (!device.getInfo<CL_DEVICE_AVAILABLE>()) return "the device is not available";
@@ -179,7 +179,7 @@ Device Device::open(const std::string& selector, unsigned threads)
         throw DeviceError("the OpenCL device " + infos[chosen].name + " cannot be used: " + infos[chosen].unusable);
     }
 
-    // What was opened stays open until the process ends, and is handed out again. PoCL (3.1) may still be
+    // An opened device stays open until the process ends, and is handed out again. PoCL (3.1) may still be
     // releasing the last event of a queue in a worker thread when all commands are done, and crashes when its
     // context goes meanwhile.
     static std::mutex mutex;

@@ -32,9 +32,9 @@ struct DeviceInfo
     std::size_t max_work_group_size = 0;
     std::string unusable; ///< why the laboratory's kernels cannot run there; empty: they can
 
-    /// What results depend on: they may differ in their last bits between kinds of devices, and times between all.
-    /// Those of a graphics card are never taken for those of another. Processors count as one, so that machines of a
-    /// cluster may differ.
+    /// The kind of device, on which the last bits of results may depend. Stored results of one model of graphics card
+    /// are never taken for those of another; all processors count as one kind, so that the machines of a cluster may
+    /// differ.
     std::string identity() const { return platform + ", " + (type == "CPU" ? type : name); }
 };
 
@@ -57,7 +57,7 @@ public:
     /// such device. A device that is open already is handed out again.
     static Device open(const std::string& selector = {}, unsigned threads = 0);
 
-    /// What open() would open, which stays closed. Throws DeviceError as it does.
+    /// The device that open() would open; it stays closed. Throws DeviceError as open() does.
     static DeviceInfo find(const std::string& selector = {});
 
     const DeviceInfo& info() const;

@@ -84,7 +84,7 @@ std::size_t choose_device(const std::vector<DeviceInfo>& devices, const std::str
     if (found.empty())
         throw DeviceError(fmt::format("no OpenCL device matches \"{}\"; there are: {}", shortened(selector),
                                       list_of_names(devices, all_of(devices))));
-    // Of devices of one model any is meant.
+    // If all devices found are of one model, any will do.
     const bool are_alike =
         std::ranges::all_of(found, [&](std::size_t i) { return has_name(devices[i], devices[found.front()].name); });
     if (!are_alike)

@@ -1,4 +1,4 @@
-// How much memory of a device a piece of work takes, and whether a device has it.
+// The device memory that a piece of work takes, and the check that a device has it.
 //
 // Samplers say what they will take before they start (SamplerSpec::device_memory), from the sizes of the buffers that
 // they allocate; Device counts what they really take.

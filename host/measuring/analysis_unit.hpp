@@ -1,4 +1,4 @@
-// What is measured on consecutive realizations of a series, as a unit of work.
+// The analysis of consecutive realizations of a series, as a unit of work.
 #pragma once
 
 #include "host/measuring/series_analysis.hpp"
@@ -61,7 +61,7 @@ struct StoredAnalysis
     std::map<std::string, std::filesystem::path> files;
 };
 
-/// Nothing where it is not there.
+/// The stored analysis, or std::nullopt if there is none.
 std::optional<StoredAnalysis> stored_analysis(const UnitStore& store, const UnitKey& key);
 
 }

@@ -40,7 +40,7 @@ void SeriesAnalysis::check(int dimension, std::size_t points, std::size_t realiz
         throw InputError(fmt::format("{} has {} points where the first has {}", name, points, begin_.points));
 }
 
-/// What is averaged over the sets, for sets like the first one.
+/// Makes the averages over sets, for sets like the first one.
 void SeriesAnalysis::start()
 {
     has_started_ = true;

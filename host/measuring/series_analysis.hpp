@@ -1,4 +1,4 @@
-// What is measured on the realizations of a series, one after the other, or on parts of it that are put together.
+// The analysis of a series: of its realizations one after the other, or of parts of it that are put together.
 #pragma once
 
 #include "analysis/measures/integration_error.hpp"
@@ -43,11 +43,11 @@ public:
     /// not vary.
     void add(const PointSet& points);
 
-    /// As if the realizations of `next`, which begins after the last one here, had been added here, up to rounding:
-    /// parts of the same sizes give the same bytes. Throws as add() does.
+    /// Appends the realizations of `next`, which begins after the last one here; equal to adding them here, up to
+    /// rounding: parts of the same sizes give the same bytes. Throws as add() does.
     void append(const SeriesAnalysis& next);
 
-    /// Whether the options ask for spectra.
+    /// True if the options ask for spectra.
     bool has_spectrum() const { return options_.spectrum.has_value(); }
 
     /// The mean of the periodograms; at least one set must have been added, and there must be spectra.
@@ -70,7 +70,7 @@ public:
     /// Sizes, distances and seconds so far, and the spectrum's size.
     const SeriesResult& result() const { return result_; }
 
-    /// For cereal: everything but the first set, into an analysis that was constructed alike.
+    /// Cereal stores everything but the first set, and reads it into an analysis that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -17,7 +17,7 @@ public:
     /// `points` must be 2D and not empty, as SeriesAnalysis demands it.
     void add(const PointSet& points);
 
-    /// As if the realizations of `other` had been added after those here.
+    /// Appends the realizations of `other`; equal to adding them here.
     void append(const ZonePlateAnalysis& other);
 
     /// The picture of the first realization.
@@ -29,7 +29,7 @@ public:
     const ZonePlateResult& result() const { return result_; }
     double seconds() const { return seconds_; }
 
-    /// For cereal.
+    /// Cereal stores all members.
     template <class Archive>
     void serialize(Archive& archive)
     {

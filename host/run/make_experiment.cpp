@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    /// Nothing where no device is needed or none is there.
+    /// The device, or std::nullopt if none is needed or none is there.
     const std::optional<DeviceInfo>& described()
     {
         if (is_described_ || engine_ != Engine::opencl) return info_;
@@ -53,7 +53,7 @@ private:
         try {
             info_ = Device::find(selector_);
         } catch (const DeviceError&) {
-            // Who needs the device will say so.
+            // A missing device is an error only for work that needs one, which will say so.
         }
         return info_;
     }
@@ -80,7 +80,7 @@ Machine machine_of(LazyDevice& lazy, bool with_device)
     return machine;
 }
 
-/// What files and programs decide about the sets of a method, and of those that it starts from.
+/// Adds the files and programs on which the sets of a method depend, and those of the sets that it starts from.
 void add_outside_input(UnitKey& key, const SamplerSpec& sampler, const Parameters& parameters)
 {
     if (sampler.outside_input) key.add("input", sampler.outside_input(parameters));

@@ -70,7 +70,7 @@ void Progress::start(const WorkTotals& totals)
 
 double Progress::elapsed() const { return std::chrono::duration<double>(clock_() - begin_).count(); }
 
-/// Of making and analysing together; realizations still to come are taken to be as slow as those done.
+/// Seconds left, assuming that remaining realizations take as long to make and analyse as those done.
 double Progress::seconds_left() const
 {
     const std::uint64_t done = made_ + analysed_;
@@ -119,7 +119,7 @@ void Progress::show_state()
     }
 }
 
-/// Whether nothing was said for so long.
+/// True if nothing was written for so long.
 bool Progress::is_time(double seconds)
 {
     const auto now = clock_();

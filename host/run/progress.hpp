@@ -1,4 +1,4 @@
-// How far the work is: a bar that updates itself on a terminal, plain lines in a pipe, or events for scripts.
+// Progress of the work: a bar that updates itself on a terminal, plain lines in a pipe, or events for scripts.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What there is to do, in realizations.
+/// The amount of work, in realizations.
 struct WorkTotals
 {
     std::uint64_t realizations = 0; ///< in all

@@ -51,7 +51,7 @@ std::vector<std::string> series_in(const fs::path& folder)
     return names;
 }
 
-/// Whether a folder may be replaced though no results.json lists it: it is empty, or a run that was killed
+/// True for a folder that may be replaced although no results.json lists it: it is empty, or a run that was killed
 /// left it.
 bool looks_like_series(const fs::path& folder)
 {
@@ -134,8 +134,8 @@ void ResultFolder::publish(const std::string& results_json)
     fs::create_directory(old, error);
     require(error, "create the folder " + old.string());
 
-    // From here on only names change. results.json goes first and comes last, so that a folder with a
-    // results.json is complete at any moment.
+    // The rest only renames. results.json goes first and comes last, so that a folder with a results.json is complete
+    // at any moment.
     std::vector<std::string> leaving = {"results.json", "index.html"};
     leaving.insert(leaving.end(), previous_.begin(), previous_.end());
     leaving.insert(leaving.end(), series_.begin(), series_.end());

@@ -167,7 +167,7 @@ bool RunWork::all_shares_are_done(bool split) const
     return pictures_.are_constructions_there();
 }
 
-/// Of the series or tiling that a job belongs to.
+/// The label of the series or tiling that a job belongs to.
 std::string RunWork::label(const Job& job) const
 {
     switch (job.kind) {

@@ -46,7 +46,7 @@ public:
     /// Jobs that can be dealt out without splitting parts.
     std::uint32_t independent_jobs() const;
 
-    /// Whether all jobs of all shards are done, on whatever machines.
+    /// True if all jobs of all shards are done, on whatever machines.
     bool all_shares_are_done(bool split) const;
 
     /// Throws what samplers throw, InputError, StorageError, and std::runtime_error where memory is lacking.

@@ -35,7 +35,7 @@ std::string summary(const SeriesTask& task, const SeriesResult& result)
     return line;
 }
 
-/// Who holds the lock on this file may change output folders.
+/// The file whose lock a process holds while it changes output folders.
 std::filesystem::path publish_lock(const std::filesystem::path& units)
 {
     std::error_code error;
@@ -75,7 +75,8 @@ public:
         return text;
     }
 
-    /// Whether what the shard leaves to others is done as well; false in all processes where one has failed.
+    /// Does the shard's part of the jobs. Returns whether the others' parts are done as well; false in all processes if
+    /// one has failed.
     bool work_on_share(const Shard& shard)
     {
         const bool split = independent_jobs() / 2 < shard.count;
@@ -137,7 +138,7 @@ private:
             schedule,
             [&](const Job& job) {
                 announce(job.run);
-                // What the last series needed of the device is not there for constructions otherwise.
+                // Constructions need the device memory that the last series' sampler holds.
                 if (job.kind == Job::Kind::constructions) slot_.clear();
                 works_.at(job.run).execute(job, listener());
             },
@@ -165,7 +166,7 @@ private:
         progress_.start(totals);
     }
 
-    /// What this process itself does is told as it goes; that of others when a job is done.
+    /// Listens to this process's work as it goes on; work of other processes is reported when a job is done.
     WorkListener listener()
     {
         return {[&](std::size_t points, double seconds) { progress_.sampled(points, seconds); },
@@ -219,8 +220,8 @@ void check_folders(std::span<const PlannedRun> runs, const RunSettings& settings
     for (const PlannedRun& run : runs) ResultFolder::check(run.out, folder_names(run.experiment));
 }
 
-/// Whether all processes make the same units: those with another device or program would not find what others made.
-/// Throws InputError in the one that leads.
+/// True if all processes make the same units: one with another device or program would not find the units of the
+/// others. If they do not, throws InputError in the process that leads.
 bool are_alike(Crew& crew, const std::string& own)
 {
     if (crew.size() == 1) return true;

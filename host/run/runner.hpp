@@ -29,7 +29,7 @@ struct PlannedRun
     std::filesystem::path out;
 };
 
-/// How runs are carried out. None of this changes results.
+/// Settings of how runs are carried out. None of them changes results.
 struct RunSettings
 {
     std::filesystem::path units; ///< folder of finished work, shared by all runs

@@ -66,7 +66,7 @@ private:
         return panel;
     }
 
-    /// How far a region reaches across its cell, and how far from the cell's ends it begins.
+    /// The reach of a region across its cell, and the distance from the cell's ends at which it begins.
     struct RegionExtent
     {
         std::int32_t reach = 0;
@@ -138,7 +138,7 @@ std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config)
     if (config.is_stage()) return {{config.axes, config.variant}};
     std::vector<PieceKey> keys;
     if (!config.is_list()) return keys;
-    // Of many, some that are far from one another.
+    // If there are many pieces, those shown are far from one another.
     const std::uint64_t all = piece_count(config.parameters, config.axes);
     for (std::uint64_t i = 0; i < config.count; ++i)
         keys.emplace_back(config.axes, static_cast<std::uint32_t>(i * all / config.count));

@@ -26,7 +26,7 @@ struct MadePiece
     FilledTorus filled;
 };
 
-/// What pictures need of a tile set that was constructed.
+/// The parts of a constructed tile set that pictures need.
 struct MadeTiles
 {
     std::map<PieceKey, MadePiece> pieces;

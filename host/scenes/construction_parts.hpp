@@ -1,5 +1,4 @@
-// What all panels of a picture of a construction are put together from: pieces, points, and boxes around
-// them.
+// The parts of all panels of a picture of a construction: pieces, points, and boxes around them.
 #pragma once
 
 #include "host/scenes/construction_panels.hpp"

@@ -15,7 +15,7 @@ struct AllIsMade
 {
 };
 
-/// What the configs with the same parameters show.
+/// The pieces that the configs with the same parameters show, and whether one of them shows a tiling.
 struct Wanted
 {
     std::set<PieceKey> pieces;

@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// What fills tori, on the engine of the experiment.
+/// Makes the filler of tori for the engine of the experiment.
 using FillerFactory = std::function<std::unique_ptr<TileFiller>(const FillSettings&)>;
 
 /// One scene for each config. Configs with the same parameters share one construction, which goes no further

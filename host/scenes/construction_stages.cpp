@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    // Of a piece.
+    // Views of a piece.
 
     /// The whole torus in 2D. In 3D the piece and the pieces at its ends: more would hide them.
     SceneBox stage_window() const
@@ -127,9 +127,9 @@ private:
         }
     }
 
-    // Of a tile.
+    // Views of a tile.
 
-    /// How far around a tile there are points while its interior is made.
+    /// The distance around a tile up to which there are points while its interior is made.
     std::int32_t surroundings_margin() const
     {
         return std::max(regions_.pair_one, std::min(tile_units / 2 - panel_margin, surrounding_radii * regions_.width));
@@ -201,7 +201,7 @@ private:
         return panel;
     }
 
-    // Of template tiles.
+    // Views of template tiles.
 
     void add_master()
     {

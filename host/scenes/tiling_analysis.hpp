@@ -16,7 +16,7 @@ inline constexpr int statistics_lags = 320; ///< beyond the 256 after which the 
 /// bottom, an empty line between them; of a set, all tiles in one line.
 std::string tiles_text(const TilingConfig& config);
 
-/// Of a tiling that does not close after a period; tilings that do repeat because they are asked to.
+/// The statistics of the tiling as it would be without its period, after which it repeats because the config says so.
 TilingStatistics tiling_statistics(const TilingConfig& config);
 
 }

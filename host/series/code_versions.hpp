@@ -12,7 +12,7 @@ struct CodeVersions
     std::string analysis; ///< of what is measured on them
     std::string pictures; ///< of tilings and constructions
 
-    /// Those of this program.
+    /// The versions of this program.
     static CodeVersions current();
 };
 

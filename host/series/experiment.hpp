@@ -57,17 +57,17 @@ using StepListener = std::function<void(const std::string& what)>;
 /// The devices and threads of an experiment.
 struct Workplace
 {
-    /// What of the device decides results beyond their last bits, for keys of stored work; nothing is opened.
+    /// The device's kind (DeviceInfo::identity), for keys of stored work; does not open the device.
     std::function<std::string()> identity;
-    /// What times depend on beside processes: device and threads; nothing is opened.
+    /// The device and the number of threads, on which times depend; does not open the device.
     std::function<std::string()> machine_conditions;
     int processes = 1; ///< that share the work; set by who runs the experiment
     std::function<bool()> is_device_open;
-    /// With the device, which is opened for that, or without.
+    /// The machine, with the device, which is opened, or without.
     std::function<Machine(bool with_device)> machine;
     StepListener on_step; ///< set by who runs the experiment
 
-    /// What times depend on.
+    /// The conditions under which times can be compared.
     std::string conditions() const
     {
         return (machine_conditions ? machine_conditions() : "") + "; processes: " + std::to_string(processes);

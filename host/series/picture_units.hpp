@@ -14,14 +14,14 @@
 
 namespace poissonlab {
 
-/// What is stored of a tile set or tiling.
+/// The stored results of a tile set or tiling.
 struct TilingUnit
 {
     std::optional<TilingStatistics> statistics;         ///< of tilings that do not close; without autocorrelations
     std::map<std::string, std::filesystem::path> files; ///< by their names in the output folder
 };
 
-/// What is stored of a construction.
+/// The stored results of a construction.
 struct ConstructionUnit
 {
     SceneSummary summary;
@@ -38,7 +38,7 @@ public:
         : experiment_(experiment), versions_(versions), store_(store)
     {}
 
-    /// Nothing where it is not stored.
+    /// The stored results, or std::nullopt if there are none.
     std::optional<TilingUnit> tiling(const TilingTask& task) const;
     std::optional<ConstructionUnit> construction(const ConstructionTask& task) const;
 

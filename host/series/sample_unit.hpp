@@ -14,7 +14,7 @@
 
 namespace poissonlab {
 
-/// What is stored of a realization beside its points.
+/// The stored results of a realization beside its points.
 struct SampleRecord
 {
     std::size_t points = 0;

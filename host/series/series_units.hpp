@@ -33,16 +33,16 @@ public:
     /// Points and times of one realization. No analysis, and no number of realizations, matters to it.
     UnitKey sample_key(std::uint32_t realization) const;
 
-    /// What is measured on the realizations of a part.
+    /// The key of the analysis of a part's realizations.
     UnitKey part_key(std::uint32_t number) const;
 
-    /// What is measured on the whole series.
+    /// The key of the analysis of the whole series.
     UnitKey analysis_key() const;
 
     /// Times of realization 0 beyond that of its making, under conditions that times depend on.
     UnitKey times_key(const std::string& conditions) const;
 
-    /// What all samples have in common; equal for series of the same point sets.
+    /// The part of the key that all samples have in common; equal for series of the same point sets.
     const UnitKey& identity() const { return identity_; }
 
 private:

@@ -38,8 +38,8 @@ SeriesWork::SeriesWork(const Experiment& experiment, const SeriesTask& task, con
     : experiment_(experiment), task_(task), store_(store), slot_(slot), units_(task, experiment.analysis, versions)
 {}
 
-// What a point file says of itself, and what identifies the origin of an image, is what its points depend on: the same
-// point sets of several experiments are stored once.
+// Comments of point files, and the origin in an image's header, name only what the points depend on: equal point sets
+// of several experiments are stored once.
 
 std::string SeriesWork::comment(std::uint32_t realization) const
 {
@@ -70,7 +70,7 @@ StorageError SeriesWork::is_gone(const std::string& what) const
 
 // Realizations.
 
-/// Whether the points of a realization are to be kept.
+/// True if the points of the realization are kept.
 bool SeriesWork::has_points_to_keep(std::uint32_t realization) const { return realization == 0 || keeps_points(); }
 
 bool SeriesWork::is_sampled(std::uint32_t realization) const

@@ -19,7 +19,8 @@ namespace poissonlab {
 class AnalysisUnit;
 struct StoredAnalysis;
 
-/// What is there already is never made again; units may be made in any order, by any process that shares the store.
+/// The units of a series' work. A stored unit is never made again; units may be made in any order, by any process that
+/// shares the store.
 class SeriesWork
 {
 public:
@@ -30,16 +31,16 @@ public:
     const SeriesUnits& units() const { return units_; }
     const SeriesTask& task() const { return task_; }
 
-    /// Whether points of every realization are kept, not only of the first.
+    /// True if points of every realization are kept, not only of the first.
     bool keeps_points() const { return !experiment_.analysis.first_points_only; }
 
     bool is_sampled(std::uint32_t realization) const;
     bool is_analysed(std::uint32_t part) const;
 
-    /// Whether everything is stored that the output folder needs, times under the conditions of this process included.
+    /// True if everything is stored that the output folder needs, with times under the conditions of this process.
     bool is_finished() const;
 
-    /// Whether everything is stored that the output folder needs, times apart.
+    /// True if everything is stored that the output folder needs, times apart.
     bool has_results() const;
 
     /// Makes the realizations of a range.
@@ -64,7 +65,7 @@ public:
     /// Files of a finished series for the output folder: where they are, by their names there.
     std::map<std::string, std::filesystem::path> files() const;
 
-    /// Whether a device took part in making a finished series.
+    /// True if a device took part in making the finished series.
     bool used_device() const;
 
 private:

@@ -1,4 +1,4 @@
-// Who is told of work while it goes on.
+// Listeners that are told of work while it goes on.
 #pragma once
 
 #include <cstddef>

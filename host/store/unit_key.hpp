@@ -1,4 +1,4 @@
-// What a unit of work depends on, and the name that follows from it.
+// The values on which a unit of work depends, and the name that follows from them.
 #pragma once
 
 #include <concepts>

@@ -33,7 +33,7 @@ struct StoredUnit
 class UnitStore
 {
 public:
-    /// Nothing is created before the first unit is stored.
+    /// The store creates nothing before the first unit is stored.
     explicit UnitStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     const std::filesystem::path& folder() const { return folder_; }

@@ -59,8 +59,8 @@ private:
     /// The sum of the squares of what the tiles around would have too many points.
     double uneven(std::uint8_t axes, std::uint32_t variant, const PiecePoints& points) const;
 
-    /// What the pieces of earlier stages miss in the tile at offset `tile`, as far as the piece is to make up
-    /// for it.
+    /// The number of points that pieces of earlier stages lack in the tile at offset `tile`, as far as this piece is to
+    /// make up for them.
     double carried(const std::vector<PlacedPiece>& neighbours, const std::array<int, 3>& tile) const;
 
     const PoissonTileParameters& parameters_;

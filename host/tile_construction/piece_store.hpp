@@ -15,8 +15,8 @@ namespace poissonlab {
 /// Points relative to the lowest corner of their piece's cell; negative on its lower side.
 using PiecePoints = std::vector<TilePosition>;
 
-/// How many points of a piece lie in each of the tiles around its cell. Bit k of the index: in the tile at
-/// the upper side of axis k, for axes along which the cell does not extend; others are 0.
+/// The number of a piece's points in each of the tiles around its cell. Bit k of the index: the tile at the upper
+/// side of axis k, for axes along which the cell does not extend; others are 0.
 using PartCounts = std::array<int, 8>;
 
 PartCounts part_counts(const PiecePoints& points, std::uint8_t axes, int dimension);

@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t max_piece_attempts = 24;
 constexpr std::uint32_t max_tile_attempts = 8;
 
-/// How often pieces are made again for tiles that could not be filled.
+/// The most rounds in which pieces are made again for tiles that could not be filled.
 constexpr std::uint32_t max_rounds = 12;
 
 /// Random numbers of a round begin here.
@@ -193,7 +193,7 @@ private:
         if (inside > p_.points_per_tile) too_many_held_.insert(tile);
         problem.active = p_.points_per_tile - std::min(inside, p_.points_per_tile);
         if (p_.lloyd_iterations == 0) return problem;
-        // As many around the tile as the density asks for.
+        // The surroundings of the tile get as many points as the density asks for.
         const double side = 1 + 2.0 * margin() / tile_units;
         const double around = p_.points_per_tile * (std::pow(side, p_.dimension) - 1);
         const double missing = around - static_cast<double>(problem.held.size() - inside);

@@ -22,8 +22,8 @@
 
 namespace poissonlab {
 
-/// How far around a tile its surroundings are filled, in radii, but at most half a tile: the cells of its own
-/// points end before.
+/// The width of the filled surroundings of a tile, in radii, but at most half a tile: the cells of its own points end
+/// before.
 inline constexpr std::int32_t surrounding_radii = 3;
 
 /// The same in units.
@@ -73,7 +73,7 @@ struct ConstructedTileSet
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
                                       const ConstructionOptions& options = {});
 
-/// What the construction takes on such a device, nearly: how many points lie in which region is a matter of chance.
+/// The memory that the construction takes on such a device, nearly: chance decides how many points lie in a region.
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);
 
 }

@@ -11,7 +11,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the buffers of one launch may take; larger batches are cut.
+/// The most that the buffers of one launch may take; larger batches are cut.
 constexpr std::uint64_t max_batch_bytes = std::uint64_t{256} << 20;
 
 /// Less where a device has less: all buffers of a batch together take no more than one buffer may.
@@ -45,7 +45,7 @@ std::vector<std::int32_t> voronoi_reaches(const FillSettings& settings)
     return reaches;
 }
 
-/// How much larger the box is whose points are listed once for several iterations; in spacings.
+/// The width, in spacings, by which a box is larger if its points are listed once for several iterations.
 constexpr double list_slack = 0.5;
 
 /// Elements of buffers that a torus takes.
@@ -71,7 +71,7 @@ std::size_t batch_size(const TorusRoom& room, int dimension, const DeviceInfo& d
     return std::max<std::size_t>(1, batch_bytes(device) / std::max<std::size_t>(1, bytes));
 }
 
-/// What all problems of a stage have room in.
+/// A shape in which all problems of a stage have room.
 FillShape shape_of(const FillStage& stage, std::span<const FillProblem> problems, int dimension)
 {
     FillShape shape{problems.size(), 0, 0, stage.is_one_tile ? std::size_t{1} << dimension : 1};
@@ -150,7 +150,7 @@ private:
         const std::vector<std::uint32_t> active_ends = buffers_.counts.read(0, problems.size());
         const std::vector<std::int32_t> thrown = buffers_.points.read(0, problems.size() * axes() * capacity_);
 
-        // What could not be filled goes no farther.
+        // Tori that could not be filled go no farther.
         std::vector<std::uint32_t> filled;
         for (std::size_t i = 0; i < problems.size(); ++i) {
             if (active_ends[i] == problems[i].held.size() + problems[i].active)

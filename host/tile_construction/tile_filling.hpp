@@ -26,7 +26,7 @@ struct DartZone
     std::uint32_t extent = torus_units; ///< of the box
 };
 
-/// What the tori of a batch have in common.
+/// The settings that the tori of a batch have in common.
 struct FillStage
 {
     TileRegions regions;
@@ -54,7 +54,7 @@ struct FilledTorus
     bool operator==(const FilledTorus&) const = default;
 };
 
-/// How a torus is filled, whatever the stage.
+/// The settings of filling that all stages have in common.
 struct FillSettings
 {
     int dimension = 2;
@@ -91,7 +91,7 @@ std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings);
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
                                              std::size_t work_group_size = 0);
 
-/// How large the tori of a stage are.
+/// The sizes of a stage's tori.
 struct FillShape
 {
     std::size_t tori;
@@ -100,7 +100,7 @@ struct FillShape
     std::size_t images = 1; ///< that are kept of each point
 };
 
-/// What the filler takes on such a device for stages like these; large batches are cut to fit.
+/// The memory that the filler takes on such a device for stages like these; large batches are cut to fit.
 DeviceMemory filling_memory(const FillSettings& settings, std::span<const FillShape> stages, const DeviceInfo& device);
 
 }

@@ -58,11 +58,11 @@ public:
     /// `work_group_size` 0: the default.
     TilePointGenerator(Device device, const PoissonTileSet& tiles, std::size_t work_group_size = 0);
 
-    /// What a generator takes on such a device for a block of so many tiles, with stream() or generate_torus(). The
-    /// tile set is copied in one piece; blocks are made in pieces that fit.
+    /// The memory that a generator takes on such a device for a block of so many tiles, with stream() or
+    /// generate_torus(). The tile set is copied in one piece; blocks are made in pieces that fit.
     static DeviceMemory memory(const PoissonTileParameters& parameters, std::uint64_t tiles, const DeviceInfo& device);
 
-    /// How many numbers a tile's points are.
+    /// The number of coordinates of a tile's points.
     std::size_t values_per_tile() const { return values_per_tile_; }
 
     /// Enqueues the positions of a part of a block; `points` has room for them and may be reused, which is

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double max_tiles = 1'048'576;
 
-/// What a sampler's name says.
+/// The kind and dimension of the tiles that a sampler's name stands for.
 struct TileMethod
 {
     PoissonTileKind kind;
@@ -198,7 +198,7 @@ SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string
                                   const DeviceInfo& device) {
         return device_memory(tile_parameters(method, parameters, request.seed), request.points, device);
     };
-    // With a single tile there is a single tiling.
+    // A set of one tile has one tiling.
     spec.is_deterministic = [method](const Parameters& parameters) {
         return parameters.integer(size_key(method)) == 1;
     };

@@ -1,4 +1,4 @@
-// What it took to build a tile set, kept beside the set in the cache: times are results of the laboratory as well.
+// The time that building a tile set took, kept beside the set in the cache: times are results of the laboratory, too.
 #pragma once
 
 #include "host/sampling/sampler.hpp"

@@ -19,8 +19,8 @@ std::string range_words(const std::vector<double>& values, int digits);
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
-/// How strong the strongest false plates of series are, against what noise alone makes; `should_alias`: whether they
-/// are said to be stronger. Nothing where no series has a picture.
+/// Judges the strongest false plates of series against those that noise alone makes; `should_alias`: the claim says
+/// that they are stronger. std::nullopt if no series has a picture.
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias);
 
@@ -35,11 +35,11 @@ struct TimedSeries
 PaperClaim time_claim(const std::string& id, const std::string& section, const std::string& says,
                       const std::vector<TimedSeries>& series);
 
-/// That sets reach the relative radius that was asked for.
+/// The claim that sets reach the relative radius that was asked for.
 PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
                        const SeriesQuery& query, double relative_radius);
 
-/// What makes a radial curve a blue noise one: little power at low frequencies, a peak near the principal frequency,
+/// The features of a blue noise radial curve: little power at low frequencies, a peak near the principal frequency,
 /// and power about 1 beyond.
 struct BlueNoise
 {

@@ -1,5 +1,5 @@
-// What chapter 6 of Lagae's Tile-Based Methods in Computer Graphics (2007) says in words about the methods of this
-// laboratory, and whether the results of a report agree.
+// Claims that chapter 6 of Lagae's Tile-Based Methods in Computer Graphics (2007) makes in words about the methods of
+// this laboratory, judged by the results of a report.
 //
 // A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
 // series. Criteria are standard errors where there are some, and else numbers that are stated. Times of 2006 are shown
@@ -54,7 +54,7 @@ std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& se
 std::vector<PaperClaim> claims_about_untiled_sets();
 std::vector<PaperClaim> claims_about_tiles();
 
-/// How many cases a claim holds in. All: it agrees; at least half: partly.
+/// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
 class Tally
 {
 public:

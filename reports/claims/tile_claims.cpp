@@ -26,7 +26,7 @@ double points_per_tile(const ReportSeries& series) { return number_parameter(ser
 
 double mean_peak(const ReportSeries& series) { return series.stored->measures.lattice_peaks->mean_ratio; }
 
-// Spectra of tilings with their lattice peaks.
+/// Spectra of tilings with their lattice peaks.
 std::vector<Series> spectra(const ClaimSeries& report, const std::string& sampler)
 {
     auto found = report.all({.sampler = sampler, .points = usual, .needs = Needs::spectrum});
@@ -41,7 +41,7 @@ std::vector<Series> plates(const ClaimSeries& report, const std::string& sampler
     return report.all({.sampler = sampler, .points = plate_points, .needs = Needs::plate});
 }
 
-// Pairs of series that differ in one of two numbers only, with no value of the report between: first the smaller one.
+/// Pairs of series that differ in one of two numbers only, with no value of the report between: first the smaller one.
 template <typename Same, typename Varied, typename Visit>
 void for_neighbours(std::vector<Series> series, const Same& same, const Varied& varied, const Visit& visit)
 {
@@ -53,7 +53,7 @@ void for_neighbours(std::vector<Series> series, const Same& same, const Varied& 
 
 double set_size(const ReportSeries& series) { return *tiles_of_set(series); }
 
-// Pairs of a series of each list with equal N.
+/// Pairs of a series of each list with equal N.
 template <typename Visit>
 void for_equal_points(const std::vector<Series>& first, const std::vector<Series>& second, const Visit& visit)
 {
@@ -154,7 +154,7 @@ Outcome wider_plates(const ClaimSeries& report, bool aliasing)
     return ClaimOutcome{tally.agreement(), joined_words(words)};
 }
 
-// Times of tilings and of dart throwing from the same machine.
+/// Times of tilings and of dart throwing from the same machine.
 Outcome tiles_are_fast(const ClaimSeries& report)
 {
     const auto* darts = report.one({.sampler = "dart-throwing", .points = usual});
@@ -223,7 +223,7 @@ Outcome many_tiles_are_alike(const ClaimSeries& report)
         joined_words({"mean peaks " + range_words(ratios, 3) + " times those of 128 tiles", tally.words()})};
 }
 
-// Template tiles against sets of other kinds with as many points a tile and no more than half as many tiles again.
+/// Template tiles against sets of other kinds with as many points a tile and no more than half as many tiles again.
 Outcome template_peaks_largest(const ClaimSeries& report)
 {
     Tally tally;
@@ -320,7 +320,7 @@ Outcome counts_of_tiles(const ClaimSeries& report)
     return ClaimOutcome{tally.agreement(), joined_words({range_words(corner, 4) + " corner tiles", tally.words()})};
 }
 
-// Corner tiles of some colours or more, `most` of them, against edge tiles of as many points a tile.
+/// Corner tiles of some colours or more, `most` of them, against edge tiles of as many points a tile.
 Outcome better_than_edges(const ClaimSeries& report, double fewest_colors, double most, double factor)
 {
     Tally tally;
@@ -338,14 +338,14 @@ Outcome better_than_edges(const ClaimSeries& report, double fewest_colors, doubl
         joined_words({"mean peaks " + range_words(ratios, 2) + " times those of edge tiles", tally.words()})};
 }
 
-// Sets of the same relative radius without tiles: Lloyd relaxation and repulsion.
+/// Sets of the same relative radius without tiles: Lloyd relaxation and repulsion.
 Series untiled(const ClaimSeries& report)
 {
     return report.one(
         {.sampler = "lloyd", .numbers = {{"until_relative_radius", 0.75}}, .points = usual, .needs = Needs::spectrum});
 }
 
-// Means of the absolute difference over rings of at least 100 samples.
+/// Means of the absolute difference over rings of at least 100 samples.
 std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b)
 {
     double sum = 0;

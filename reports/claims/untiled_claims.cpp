@@ -42,7 +42,7 @@ bool starts_with(const ReportSeries& series, const std::string& sampler)
     return sampler == "random"; // the default
 }
 
-// Lloyd series from dart throwing, without repulsion afterwards.
+/// Lloyd series from dart throwing, without repulsion afterwards.
 std::vector<const ReportSeries*> lloyd_of_darts(const ClaimSeries& report, Needs needs, int dimension = 2)
 {
     auto found = report.all({.sampler = "lloyd", .dimension = dimension, .needs = needs});
@@ -59,7 +59,7 @@ const std::vector<double>& radii(const ReportSeries& series) { return series.sto
 
 // 6.2.2
 
-// The ring that is furthest from power 1 in standard errors, corrected for the number of rings.
+/// The ring that is furthest from power 1 in standard errors, corrected for the number of rings.
 Outcome flat_spectrum(const ClaimSeries& report)
 {
     const auto* series = report.one({.sampler = "random", .needs = Needs::spectrum});
@@ -77,7 +77,8 @@ Outcome flat_spectrum(const ClaimSeries& report)
                                     format_significant(std::min(1.0, p), 2))};
 }
 
-// The mean over rings of what white noise has on average; 0.5 dB is what K = 10 sets and some hundred rings leave open.
+/// The mean over rings of what white noise has on average; 0.5 dB is what K = 10 sets and some hundred rings leave
+/// open.
 Outcome low_anisotropy(const std::vector<const ReportSeries*>& all)
 {
     Tally tally;
@@ -154,7 +155,7 @@ std::vector<PaperClaim> methodology_claims()
 
 // 6.3 and 6.4
 
-// Root mean square errors in the upper half of what pixels can show.
+/// Root mean square errors in the upper half of what pixels can show.
 constexpr double plate_low = 0.25, plate_high = 0.5;
 constexpr auto plate_criterion = "lower root mean square error where the plate has a quarter to half a cycle per pixel "
                                  "(one set each: no error known)";
@@ -203,7 +204,7 @@ struct RelaxationSetting
 };
 constexpr RelaxationSetting relaxation_settings[] = {{0.9, 100, 0.57}, {0.99, 1000, 0.68}, {0.999, 10000, 0.73}};
 
-// The text has two digits of one set: half of the last, and two standard deviations of what sets scatter.
+/// The text has two digits of one set: half of the last, and two standard deviations of what sets scatter.
 double text_tolerance(const Statistic& radius)
 {
     if (radius.each.empty()) return 0.005;
@@ -277,7 +278,7 @@ std::vector<PaperClaim> relaxation_claims()
 
 // 6.5
 
-// The first iteration from which on the mean relative radius stays within 0.01 of its last value.
+/// The first iteration from which on the mean relative radius stays within 0.01 of its last value.
 std::size_t settled_at(const std::vector<double>& values)
 {
     std::size_t settled = values.size() - 1;
@@ -300,7 +301,7 @@ Outcome lloyd_converges(const ClaimSeries& report)
     return ClaimOutcome{tally.agreement(), joined_words(words)};
 }
 
-// Series of the largest number of iterations, by number of points.
+/// Series of the largest number of iterations, by number of points.
 std::vector<const ReportSeries*> long_relaxations(const ClaimSeries& report)
 {
     auto found = lloyd_of_darts(report, Needs::iterations);
@@ -317,7 +318,7 @@ Outcome fewer_points_higher(const ClaimSeries& report)
     for (std::size_t i = 0; i < found.size(); ++i) {
         words.push_back(fmt::format("N = {}: {}", format_count(found[i]->stored->points),
                                     format_fixed(radii(*found[i]).back(), 3)));
-        // What chance does to means of K sets that differ by some 0.01.
+        // The tolerance is what chance does to means of K sets that differ by some 0.01.
         if (i > 0) tally.add(radii(*found[i]).back() < radii(*found[i - 1]).back() + 0.003);
     }
     if (tally.empty()) return std::nullopt;
@@ -337,7 +338,7 @@ Outcome settles_high(const ClaimSeries& report)
     return ClaimOutcome{tally.agreement(), joined_words({range_words(values, 3), tally.words()})};
 }
 
-// Spectra after i = 0, 1, 2, ... iterations of the same starts.
+/// Spectra after i = 0, 1, 2, ... iterations of the same starts.
 std::vector<const ReportSeries*> relaxed_spectra(const ClaimSeries& report)
 {
     auto found = lloyd_of_darts(report, Needs::spectrum);
@@ -397,7 +398,7 @@ Outcome no_regular_grid(const ClaimSeries& report)
                                     format_count(longest->stored->iterations->count()))};
 }
 
-// Times of relaxation that did not start from random points have the time of their start in them.
+/// Times of relaxation that did not start from random points have the time of their start in them.
 PaperClaim lloyd_time_claim()
 {
     std::vector<TimedSeries> timed;

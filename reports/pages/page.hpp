@@ -17,7 +17,7 @@ std::string render_overview_page(const Site& site);
 /// Curves of all series, chosen and laid over each other by the reader.
 std::string render_compare_page(const Site& site);
 
-/// What the paper says, what was measured here, and whether that agrees.
+/// The page of the paper's claims, the measured values, and whether they agree.
 std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>& claims);
 
 /// A run of several.

@@ -12,7 +12,7 @@ namespace poissonlab {
 
 namespace {
 
-// "63 series, 2 tilings".
+/// "63 series, 2 tilings".
 std::string contents_of(const ReportRun& run)
 {
     std::string text;
@@ -45,7 +45,7 @@ PageData figures(const Site& site)
     return list;
 }
 
-// What a page over several runs has not got of its own.
+/// Empties the parts that a page over several runs has not got of its own.
 void clear_run_parts(PageData& page)
 {
     for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions"})

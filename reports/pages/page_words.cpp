@@ -1,4 +1,4 @@
-// What a page says about its runs in a sentence, and what things are called in their dimensions.
+// The sentence that a page says about its runs, and the names of things in their dimensions.
 #include "reports/pages/page_parts.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -10,7 +10,7 @@ namespace poissonlab {
 
 namespace {
 
-// "16,384", or "256 to 16,384" where series differ.
+/// "16,384", or "256 to 16,384" where series differ.
 template <typename Value>
 std::string range_of(const std::vector<const ReportSeries*>& series, Value Series::*member)
 {

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <map>
 #include <random>
+#include <string>
 #include <thread>
 
 namespace poissonlab {
@@ -19,6 +21,23 @@ using Seconds = std::chrono::duration<double>;
 class KilledRun : public testing::Test
 {
 protected:
+    /// One run that nobody disturbs, for all tests: how long it takes, and its results.
+    static void SetUpTestSuite()
+    {
+        const TemporaryFolder folder;
+        folder.write("c.toml", survival_config);
+        ::setenv("POISSONLAB_CACHE", (folder.path() / "cache").c_str(), 1);
+        const auto begin = std::chrono::steady_clock::now();
+        ASSERT_EQ(StartedProgram(folder.path(), {"run", "c.toml", "--out", "out"}).wait(), 0)
+            << content_of(folder.path() / "log");
+        whole_ = std::chrono::steady_clock::now() - begin;
+        undisturbed_ = lasting_results(folder.path() / "out");
+        ASSERT_GT(undisturbed_.size(), 100U) << "points, tables, images, pictures";
+    }
+    static void TearDownTestSuite() { ::unsetenv("POISSONLAB_CACHE"); }
+
+    KilledRun() { ::setenv("POISSONLAB_CACHE", (folder_.path() / "cache").c_str(), 1); }
+
     /// Starts `poissonlab run ARGUMENTS`.
     StartedProgram start(std::vector<std::string> arguments) const
     {
@@ -29,18 +48,13 @@ protected:
     std::string log() const { return content_of(folder_.path() / "log"); }
 
     TemporaryFolder folder_;
+    static inline Seconds whole_{};
+    static inline std::map<std::string, std::string> undisturbed_;
 };
 
 TEST_F(KilledRun, GoesOnFromAnyMoment)
 {
     folder_.write("c.toml", survival_config);
-    ::setenv("POISSONLAB_CACHE", (folder_.path() / "cache").c_str(), 1);
-    const auto begin = std::chrono::steady_clock::now();
-    ASSERT_EQ(start({"c.toml", "--out", "undisturbed"}).wait(), 0) << log();
-    const Seconds whole = std::chrono::steady_clock::now() - begin;
-    const auto expected = lasting_results(folder_.path() / "undisturbed");
-    ASSERT_GT(expected.size(), 100U) << "points, tables, images, pictures";
-
     // Five times ten moments: uniform over twice a tenth of a whole run, so that ten of them reach its end on average.
     std::mt19937 random(20261121);
     for (int campaign = 0; campaign < 5; ++campaign) {
@@ -48,19 +62,18 @@ TEST_F(KilledRun, GoesOnFromAnyMoment)
         fs::remove_all(folder_.path() / "cache");
         for (int kill = 0; kill < 10; ++kill) {
             StartedProgram process = start({"c.toml", "--out", "out"});
-            std::this_thread::sleep_for(std::uniform_real_distribution(0.0, 0.2)(random) * whole);
+            std::this_thread::sleep_for(std::uniform_real_distribution(0.0, 0.2)(random) * whole_);
             process.send(SIGKILL);
             process.wait();
         }
         ASSERT_EQ(start({"c.toml", "--out", "out"}).wait(), 0) << log();
         const auto found = lasting_results(folder_.path() / "out");
-        for (const auto& [name, content] : expected) {
+        for (const auto& [name, content] : undisturbed_) {
             ASSERT_TRUE(found.contains(name)) << name << " is missing in campaign " << campaign;
             EXPECT_EQ(found.at(name), content) << name << " in campaign " << campaign;
         }
-        EXPECT_EQ(found.size(), expected.size()) << "files that an undisturbed run does not leave";
+        EXPECT_EQ(found.size(), undisturbed_.size()) << "files that an undisturbed run does not leave";
     }
-    ::unsetenv("POISSONLAB_CACHE");
 }
 
 TEST_F(KilledRun, StopsAtCtrlCAmidWorkThatTakesMinutes)
@@ -86,12 +99,11 @@ TEST_F(KilledRun, StopsAtCtrlCAmidWorkThatTakesMinutes)
 TEST_F(KilledRun, TwoAtOnceInOneFolderDoNotHurtEachOther)
 {
     folder_.write("c.toml", survival_config);
-    ASSERT_EQ(start({"c.toml", "--out", "undisturbed"}).wait(), 0) << log();
     StartedProgram first = start({"c.toml", "--out", "out"});
     StartedProgram second = start({"c.toml", "--out", "out"});
     EXPECT_EQ(first.wait(), 0) << log();
     EXPECT_EQ(second.wait(), 0) << log();
-    EXPECT_EQ(lasting_results(folder_.path() / "out"), lasting_results(folder_.path() / "undisturbed"));
+    EXPECT_EQ(lasting_results(folder_.path() / "out"), undisturbed_);
 }
 
 }

@@ -14,6 +14,27 @@ extern "C" std::uint32_t tile_in_c99(const ptiles_tiling* tiling, std::int32_t i
 namespace poissonlab {
 namespace {
 
+/// A tiling as the runtime header takes it, without points.
+class TileLookup
+{
+public:
+    TileLookup(PoissonTileKind kind, int dimension, std::uint32_t colors, std::uint32_t tiles, std::uint32_t seed,
+               std::int32_t period = 0)
+        : tiling_{{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(dimension), colors, tiles, 0, nullptr},
+                  seed,
+                  period}
+    {}
+
+    /// The number of the tile whose lowest corner is at this place; in 2D, k is not looked at.
+    std::uint32_t operator()(std::int32_t i, std::int32_t j, std::int32_t k = 0) const
+    {
+        return ptiles_tile(&tiling_, i, j, k);
+    }
+
+private:
+    ptiles_tiling tiling_;
+};
+
 /// The look-up once more, by the words of the document.
 class ByTheDocument
 {

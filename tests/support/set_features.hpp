@@ -66,6 +66,30 @@ inline std::vector<double> pairs_by_distance(const PointSet& set, double begin, 
     return counts;
 }
 
+/// The number of points in each sixteenth of a cell, over all cells of a grid with so many along each axis. Points that
+/// do not know the grid are equally often in each.
+inline std::vector<double> points_in_cells(const PointSet& set, double cells)
+{
+    std::vector<double> counts(16);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const auto part = [&](double x) { return static_cast<std::size_t>(x * cells * 4) % 4; };
+        ++counts[4 * part(set[i][1]) + part(set[i][0])];
+    }
+    return counts;
+}
+
+/// The distance of a point from the nearest of its predecessors, averaged over runs of so many points.
+inline std::vector<double> distances_to_predecessors(const PointSet& set, std::size_t run)
+{
+    std::vector<double> means(set.size() / run);
+    for (std::size_t i = 1; i < set.size(); ++i) {
+        double nearest = 1;
+        for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, squared_distance(set[i], set[j]));
+        means[i / run] += std::sqrt(nearest) / static_cast<double>(run);
+    }
+    return means;
+}
+
 /// The power averaged over rings, one for each whole frequency from 1 to size / 2 - 1 cycles per unit length.
 inline std::vector<double> radial_power(const PointSet& set, int size)
 {

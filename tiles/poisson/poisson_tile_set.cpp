@@ -10,7 +10,7 @@
 namespace poissonlab {
 namespace {
 
-/// What a file of one tile set may take: 4 GiB of coordinates.
+/// The most coordinates that the file of a tile set may hold: 4 GiB.
 constexpr std::uint64_t max_coordinates = std::uint64_t{1} << 31;
 
 /// The largest radius r, in tiles, at which regions fit, and neighbouring corner regions keep two radii of

@@ -1,7 +1,7 @@
-// How the points of a tile set are spread over the regions of corners, edges, faces and interiors.
+// The numbers of a tile set's points in the regions of corners, edges, faces and interiors.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, figure 6.24: what tiles share is in the regions of corners and
-// edges, so that it says how much the tiles of a set have in common.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, figure 6.24: points that tiles share are in the regions of
+// corners and edges, so that the numbers say how much the tiles of a set have in common.
 #pragma once
 
 #include "tiles/poisson/poisson_tile_set.hpp"

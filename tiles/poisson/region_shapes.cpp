@@ -174,7 +174,8 @@ RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const st
         low[k] = (base[k] - (others >> k & 1 ? 1.0 : 0.0)) * tile_units;
         high[k] = (base[k] + 1.0) * tile_units;
     }
-    // What bounds the region of the cell outwards, by the number of axes across it, and its ends.
+    // The bounds of the regions of corners, edges (2D: corners) and faces (2D: edges), by the number of axes summed
+    // over.
     const std::array<double, 3> corner{double(regions.corner_one), double(regions.corner_two),
                                        double(regions.corner_three)};
     const std::array<double, 3> pair{double(regions.pair_one), double(regions.pair_sum), 0};
@@ -184,7 +185,7 @@ RegionShape region_shape(const TileRegions& regions, std::uint8_t axes, const st
     const auto& outwards = across == 3 ? corner : across == 2 ? pair : strip;
     for (int count = 1; count <= across; ++count)
         cutter.cut(others, count, outwards[static_cast<std::size_t>(count - 1)]);
-    // At its ends begin the regions of cells of lower dimension: of those with `count` more axes across.
+    // The regions of cells of lower dimension, with `count` more axes across, begin at this region's ends.
     for (int count = 1; count <= along; ++count) {
         const auto& next = across + count == 3 ? corner : across + count == 2 ? pair : strip;
         cutter.cut(axes, count, next[static_cast<std::size_t>(count - 1)]);

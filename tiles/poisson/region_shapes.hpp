@@ -35,13 +35,13 @@ struct RegionShape
     std::vector<ShapeFace> faces;
 };
 
-/// From `low` to `high` along each axis.
+/// The box from `low` to `high`.
 RegionShape box_shape(int dimension, const ShapeVector& low, const ShapeVector& high);
 
-/// What of a shape lies in a half space.
+/// The part of a shape that lies in a half space.
 RegionShape clipped(const RegionShape& shape, const ShapeHalfSpace& half);
 
-/// What of a shape lies in a box.
+/// The part of a shape that lies in a box.
 RegionShape clipped_to_box(RegionShape shape, int dimension, const ShapeVector& low, const ShapeVector& high);
 
 /// The whole region of a cell whose lowest corner is the lattice point `base`; of the interior, that of one

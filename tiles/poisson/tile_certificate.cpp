@@ -36,7 +36,7 @@ struct Extents
     }
 };
 
-/// What one or several tiles come to.
+/// The measures of one tile, or those of several joined.
 struct Measures
 {
     std::uint64_t squared_distance = UINT64_MAX;

@@ -1,25 +1,24 @@
-// What is proven of every tiling of a tile set: the minimum distance, in exact integers, and the largest
-// empty circle.
+// A proof for every tiling of a tile set of the minimum distance, in exact integers, and of the largest empty
+// circle.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6 argue that regions keep points of
-// tiles apart that cannot know of each other. Here that is checked for the points that are there, however
-// they were made.
+// tiles apart that cannot know of each other. This is checked here for the points that a set has, however they
+// were made.
 //
 // The proof. Each point of a tiling belongs to the cell of the lattice in whose region it is: a corner, an
 // edge, a face, or the interior of a tile. SharedPieces checks that the tiles around a cell agree on which
 // variant of its piece they hold, so that the closures of the tiles are all that can be seen of a tiling
 // within one tile and its border.
-//   Pairs of points whose cells belong to a common tile (are it, or on its border) are both in its closure.
-//   There is
+//
+// Pairs of points whose cells belong to a common tile (are it, or on its border) are both in its closure. There is
 // one closure for each tile of the set, and all distances in it are looked at.
-//   Other pairs. Along an axis, a cell belongs to the tiles at place i if it extends from i to i + 1, and to
-//   those at
-// i - 1 and i if it is at i. Two cells have a common tile exactly if they have a common place along every
-// axis. So cells A and B without one have an axis with A below B (or the other way round) and no common
-// place: B is at least one place above A if it extends along the axis, at least two if it does not. Then
-// their points are along this axis alone at least so many tiles apart as the extents of their pieces leave;
-// the extents are those of the points of all variants. Interiors, which may be any two, are the narrowest:
-// their distance from the border, twice.
+//
+// Other pairs. Along an axis, a cell belongs to the tiles at place i if it extends from i to i + 1, and to those at
+// i - 1 and i if it is at i. Two cells have a common tile exactly if they have a common place along every axis. So
+// cells A and B without one have an axis with A below B (or the other way round) and no common place: B is at least
+// one place above A if it extends along the axis, at least two if it does not. Then their points are along this axis
+// alone at least as many tiles apart as the extents of their pieces leave; the extents are those of the points of
+// all variants. Interiors, which may be any two, are the narrowest: their distance from the border, twice.
 #pragma once
 
 #include "tiles/poisson/poisson_tile_set.hpp"

@@ -1,5 +1,4 @@
-// What the tiles of a Poisson tile set share: pieces, the points in the region of a corner, an edge or a
-// face.
+// The pieces that tiles of a Poisson tile set share: the points in the region of a corner, an edge or a face.
 //
 // A piece belongs to a cell of the lattice and reaches into all tiles around it. The tile set has a number of
 // variants of each; a tile's colours say which are at its corners, edges and faces. The pieces of axes m (see

@@ -24,9 +24,9 @@ std::string encode_tile_set(const PoissonTileSet& set);
 /// The tile set of the bytes of a file, binary or JSON. `name` is what messages call it.
 PoissonTileSet decode_tile_set(std::string_view bytes, const std::string& name);
 
-/// What a stored tile set must fulfil in any format: check(parameters), a factor that is a number even where
-/// none is used, and no minimum distance above that of the densest packing. Throws InputError, a sentence
-/// without the file's name.
+/// Checks a stored tile set of any format: check(parameters) passes, the factor is a number even if none is used,
+/// and the minimum distance is not above that of the densest packing. Throws InputError, a sentence without the
+/// file's name.
 void check_stored(const PoissonTileParameters& parameters, std::uint64_t squared_min_distance);
 
 }

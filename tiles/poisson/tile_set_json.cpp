@@ -68,7 +68,7 @@ const Json& value_of(const Json& json, const char* key)
     return *found;
 }
 
-/// What is wrong with a value: it as it is written, shortened, and what is allowed.
+/// Throws InputError with the value as it is written, shortened, and with the allowed ones.
 [[noreturn]] void refuse(const std::string& what, const Json& value, const std::string& allowed)
 {
     const std::string text =

@@ -18,8 +18,8 @@ struct HashPeriod
     bool operator==(const HashPeriod&) const = default;
 };
 
-/// Of the colours P[(P[x % N] + y) % N] % C. Both divide N, and are N but for permutations that chance hardly
-/// makes unless N is small. O(N) for each divisor of N.
+/// The periods of the colours P[(P[x % N] + y) % N] % C. Both divide N, and are N but for permutations that
+/// chance hardly makes unless N is small. The search takes O(N) for each divisor of N.
 HashPeriod permutation_period(std::span<const std::uint32_t> permutation, Color colors);
 
 }

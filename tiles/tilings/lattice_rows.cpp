@@ -5,7 +5,7 @@
 namespace poissonlab {
 namespace {
 
-/// How many steps lead from a coordinate to the last one.
+/// The number of steps from a coordinate to the last one.
 std::uint64_t steps_to(std::int64_t last, std::int64_t from)
 {
     return static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(from);
@@ -38,7 +38,7 @@ void LatticeRows::evaluate(Row& row, const ColorHash& hash) const
     std::visit(
         [&](const auto& h) {
             while (!left.empty()) {
-                // As far as no coordinate starts again: the tile's, the reduced one, the lattice point's.
+                // One piece ends where a coordinate starts again: the tile's, the reduced one, or the lattice point's.
                 const std::int64_t reduced = torus_.x(x);
                 const std::int64_t first = stepped(points.scale == 2 ? doubled(reduced) : reduced, points.offset);
                 std::uint64_t steps = std::min(steps_to(INT64_MAX, x), steps_to(INT64_MAX, first) / points.scale);

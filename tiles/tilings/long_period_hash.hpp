@@ -57,7 +57,7 @@ public:
     /// The colours at (x, y), (x + step, y), (x + 2 step, y), ...; step >= 1.
     void fill_row(std::int64_t x, std::int64_t step, std::int64_t y, std::span<std::uint8_t> row) const;
 
-    /// For hash_color_... of kernels/common/tiling.clh.
+    /// The words that hash_color_... of kernels/common/tiling.clh takes.
     std::vector<std::uint32_t> device_words() const;
 
 private:
@@ -87,8 +87,8 @@ private:
     std::vector<std::uint8_t> color_of_sum_;
 };
 
-// The remainder without a division (Lemire, Kaser, Kurz: Faster remainder by direct computation, Software:
-// Practice and Experience 49, 2019): exact, because reduced * size < 2^64.
+/// The remainder without a division (Lemire, Kaser, Kurz: Faster remainder by direct computation, Software:
+/// Practice and Experience 49, 2019): exact, because reduced * size < 2^64.
 inline std::uint32_t LongPeriodHash::Table::remainder(std::uint64_t reduced) const
 {
     __extension__ using Wide = unsigned __int128;

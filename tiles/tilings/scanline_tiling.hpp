@@ -15,10 +15,10 @@
 
 namespace poissonlab {
 
-/// With more, the tiles for each pattern of colours take too much memory.
+/// The most colours: with more, the tiles for each pattern of colours take too much memory.
 constexpr Color max_scanline_colors = 32;
 
-/// A row is kept.
+/// The widest tiling: a row is kept in memory.
 constexpr std::uint64_t max_scanline_width = std::uint64_t{1} << 32;
 
 /// The tiles of a set of Wang or corner tiles that fit where their neighbours to the north and west are
@@ -29,7 +29,8 @@ public:
     /// Throws InputError for more than max_scanline_colors.
     explicit FittingTiles(const TileSet& tiles);
 
-    /// What fits below a tile and to the right of a tile; either may be missing (nullptr), as at the borders.
+    /// The tiles that fit below one tile and to the right of another; either may be missing (nullptr), as at the
+    /// borders.
     std::span<const TileIndex> choices(const TileIndex* north, const TileIndex* west) const;
 
     /// The fewest tiles that fit anywhere in any tiling, borders included.

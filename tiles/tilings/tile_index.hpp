@@ -16,8 +16,8 @@ using TileIndex = std::uint32_t; ///< in the complete set, also where a set has 
 constexpr Color max_colors = 256;
 constexpr Color max_cube_colors = 16;
 
-/// How many colours the edges of a Wang tile set have: horizontal ones are north and south of a tile,
-/// vertical ones east and west.
+/// The numbers of colours of a Wang tile set's edges: horizontal edges are north and south of a tile, vertical ones
+/// east and west.
 struct WangColors
 {
     Color horizontal = 2;

@@ -61,7 +61,7 @@ public:
         }
     }
 
-    /// For hash_color_... of kernels/common/tiling.clh.
+    /// The words that hash_color_... of kernels/common/tiling.clh takes.
     std::vector<std::uint32_t> device_words() const
     {
         return {xxh64_hash_tag, colors_, static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)};
@@ -70,7 +70,7 @@ public:
 private:
     static constexpr std::uint64_t bits(std::int64_t coordinate) { return static_cast<std::uint64_t>(coordinate); }
 
-    /// Of 2^32 values, each colour has the same number or one less: a relative bias below colors / 2^32.
+    /// The colour of a hash. Each has equally many of the 2^32 values or one less: a relative bias below colors / 2^32.
     Color color(std::uint64_t hash) const { return static_cast<Color>((hash >> 32) * colors_ >> 32); }
 
     Color colors_;

@@ -144,7 +144,8 @@ private:
         return sum;
     }
 
-    /// From any image of any point; `self`: the point at that position, or the number of points.
+    /// The squared distance from the nearest image of any point; `self`: the point at that position, or the number of
+    /// points.
     std::uint32_t squared_nearest(const TilePosition& position, std::size_t self) const
     {
         std::uint32_t smallest = std::numeric_limits<std::uint32_t>::max();

@@ -72,30 +72,13 @@ TEST(DartThrowingStatistics, PointsDoNotKnowTheCellsTheyWereThrownIn)
     // Where points lie within cells of level 0: uniform, for single axes and for quarters and sixteenths of a
     // cell. The textbook's points do not know that grid at all, so a preference shows as a difference.
     const std::uint32_t cells = cell_hierarchy(min_distance(), 2).size;
-    expect_same_means([&](const PointSet& set) {
-        std::vector<double> counts(16);
-        for (std::size_t i = 0; i < set.size(); ++i) {
-            const auto part = [&](double x) { return static_cast<std::size_t>(x * cells * 4) % 4; };
-            ++counts[4 * part(set[i][1]) + part(set[i][0])];
-        }
-        return counts;
-    });
+    expect_same_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });
 }
 
 TEST(DartThrowingStatistics, EarlyAndLatePointsAreTheTextbooks)
 {
-    // The order of darts: distance from point n to its nearest predecessor, averaged over runs of 64 points.
-    expect_same_means([](const PointSet& set) {
-        std::vector<double> means(point_count / 64);
-        for (std::size_t i = 1; i < set.size(); ++i) {
-            double nearest = 1;
-            for (std::size_t j = 0; j < i; ++j) {
-                nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
-            }
-            means[i / 64] += std::sqrt(nearest) / 64;
-        }
-        return means;
-    });
+    // Points are in the order of darts.
+    expect_same_means([](const PointSet& set) { return test::distances_to_predecessors(set, 64); });
 }
 
 }

@@ -139,30 +139,14 @@ TEST(RelaxationDartThrowingStatistics, PointsDoNotKnowTheCellsOfTheGrids)
     // Where points lie in the whole torus and in cells of the grids, which are powers of two: uniform.
     for (const double cells : {1.0, 4.0, 32.0}) {
         SCOPED_TRACE(cells);
-        expect_same_means([&](const PointSet& set) {
-            std::vector<double> counts(16);
-            for (std::size_t i = 0; i < set.size(); ++i) {
-                const auto part = [&](double x) { return static_cast<std::size_t>(x * cells * 4) % 4; };
-                ++counts[4 * part(set[i][1]) + part(set[i][0])];
-            }
-            return counts;
-        });
+        expect_same_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });
     }
 }
 
 TEST(RelaxationDartThrowingStatistics, EarlyAndLatePointsAreTheTextbooks)
 {
-    // The order of acceptance: the distance from a point to its nearest predecessor, averaged over runs
-    // of 32.
-    expect_same_means([](const PointSet& set) {
-        std::vector<double> means(point_count / 32);
-        for (std::size_t i = 1; i < set.size(); ++i) {
-            double nearest = 1;
-            for (std::size_t j = 0; j < i; ++j) nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
-            means[i / 32] += std::sqrt(nearest) / 32;
-        }
-        return means;
-    });
+    // Points are in the order of acceptance.
+    expect_same_means([](const PointSet& set) { return test::distances_to_predecessors(set, 32); });
 }
 
 }

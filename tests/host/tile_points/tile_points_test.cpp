@@ -113,13 +113,16 @@ TEST_P(TilePoints, AreThoseOfTheHeaderForEngines)
 }
 
 using enum PoissonTileKind;
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, TilePoints,
-                         testing::Values(Case{corner, 2, 3, 7, 1}, Case{corner, 2, 4, 64}, Case{corner, 2, 4, 64, 33},
-                                         Case{corner, 2, 2, 4}, Case{corner, 2, 3, 24}, Case{corner, 2, 3, 32, 8},
-                                         Case{corner, 2, 8, 65}, Case{corner, 3, 2, 16}, Case{corner, 3, 2, 5, 7},
-                                         Case{corner, 3, 2, 13}, Case{corner, 3, 3, 48}, Case{edge, 2, 2, 9},
-                                         Case{edge, 2, 2, 16, 128}, Case{frame, 2, 1, 31}, Case{frame, 2, 1, 1},
-                                         Case{frame, 2, 1, 40, 64}));
+                         testing::Values(Case{corner, 2, 3, 7, 1}, Case{corner, 2, 3, 32, 8}, Case{corner, 3, 2, 5, 7},
+                                         Case{corner, 3, 3, 48}, Case{edge, 2, 2, 9}));
+
+INSTANTIATE_TEST_SUITE_P(Sizes, TilePoints,
+                         testing::Values(Case{corner, 2, 4, 64}, Case{corner, 2, 4, 64, 33}, Case{corner, 2, 2, 4},
+                                         Case{corner, 2, 3, 24}, Case{corner, 2, 8, 65}, Case{corner, 3, 2, 16},
+                                         Case{corner, 3, 2, 13}, Case{edge, 2, 2, 16, 128}, Case{frame, 2, 1, 31},
+                                         Case{frame, 2, 1, 1}, Case{frame, 2, 1, 40, 64}));
 
 TEST(TilePointStream, CoversBlocksLargerThanItsMemory)
 {
