@@ -5,7 +5,7 @@
 
 #include "analysis/zone_plate/reconstruction.hpp"
 #include "results/records/archive.hpp"
-#include "results/series_result.hpp"
+#include "results/series.hpp"
 
 namespace poissonlab {
 
@@ -16,69 +16,39 @@ void serialize(Archive& archive, SquareImage& image)
 }
 
 template <class Archive>
+void serialize(Archive& archive, Statistic& statistic)
+{
+    archive(statistic.min, statistic.mean, statistic.max, statistic.each);
+}
+
+template <class Archive>
 void serialize(Archive& archive, ZonePlateResult& result)
 {
-    archive(result.size, result.rms_error, result.resolved_rms_error);
+    archive(result.size, result.file, result.error_file, result.rms_error, result.resolved_rms_error);
+}
+
+/// The measures as results.json has them: what is stored there is all there is to know of them.
+template <class Archive>
+void save(Archive& archive, const Measures& measures)
+{
+    archive(measures_text(measures));
 }
 
 template <class Archive>
-void serialize(Archive& archive, Oscillation& oscillation)
+void load(Archive& archive, Measures& measures)
 {
-    archive(oscillation.value, oscillation.noise_floor, oscillation.begin, oscillation.end);
+    std::string text;
+    archive(text);
+    measures = read_measures(text);
 }
 
+/// What analysis finds out; the rest of a series belongs to other units.
 template <class Archive>
-void serialize(Archive& archive, PeakAnisotropy& peak)
+void serialize(Archive& archive, Series& series)
 {
-    archive(peak.db, peak.frequency, peak.samples, peak.standard_error_db);
-}
-
-template <class Archive>
-void serialize(Archive& archive, LowFrequencyPower& power)
-{
-    archive(power.exponent, power.exponent_standard_error, power.intercept, power.intercept_standard_error, power.begin,
-            power.end, power.bins);
-}
-
-template <class Archive>
-void serialize(Archive& archive, LatticePeaks& peaks)
-{
-    archive(peaks.tiles, peaks.max_ratio, peaks.mean_ratio, peaks.frequency, peaks.peaks);
-}
-
-template <class Archive>
-void serialize(Archive& archive, IntegrationError& error)
-{
-    archive(error.integrand, error.integral, error.rms_error, error.standard_error, error.relative_variance);
-}
-
-template <class Archive>
-void serialize(Archive& archive, LargestEmptyBall& ball)
-{
-    archive(ball.radius, ball.relative_radius, ball.centre);
-}
-
-template <class Archive>
-void serialize(Archive& archive, VoronoiStatistics& statistics)
-{
-    archive(statistics.relative_area_variance, statistics.neighbour_share);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SeriesMeasures& measures)
-{
-    archive(measures.effective_nyquist, measures.effective_nyquist_error, measures.oscillation,
-            measures.oscillation_error, measures.peak_anisotropy, measures.low_frequency_power, measures.lattice_peaks,
-            measures.lattice_peaks_error, measures.integration, measures.packing_fraction, measures.largest_empty,
-            measures.voronoi);
-}
-
-/// What analysis finds out; the rest of a result belongs to other units.
-template <class Archive>
-void serialize(Archive& archive, SeriesResult& result)
-{
-    archive(result.points, result.min_distance, result.relative_radius, result.covered_fraction, result.spectrum_size,
-            result.zone_plate, result.measures, result.has_pair_correlation, result.analysis_seconds);
+    archive(series.points, series.points_each, series.realizations, series.min_distance, series.relative_radius,
+            series.covered_fraction, series.measures, series.spectrum_size, series.pair_correlation_file,
+            series.zone_plate, series.analysis_seconds);
 }
 
 }

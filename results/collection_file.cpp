@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/json_file.hpp"
 #include "base/files/whole_file.hpp"
+#include "results/file_names.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -54,12 +55,12 @@ void write_collection_file(const fs::path& folder, const CollectionFile& collect
                        {"command", collection.command},
                        {"runs", collection.runs}};
     // Arguments can hold any bytes; JSON is UTF-8.
-    write_whole_file(folder / collection_file_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_whole_file(folder / file_names::collection, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::optional<CollectionFile> read_collection_file(const fs::path& folder)
 {
-    const fs::path file = folder / collection_file_name;
+    const fs::path file = folder / file_names::collection;
     std::error_code error;
     if (!fs::exists(file, error)) return std::nullopt;
     const nlohmann::json json = read_json_file(file);

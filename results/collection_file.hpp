@@ -8,9 +8,6 @@
 
 namespace poissonlab {
 
-/// The file's name in the folder.
-inline constexpr const char* collection_file_name = "collection.json";
-
 struct CollectionFile
 {
     std::string title;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace poissonlab {
 
@@ -15,6 +17,8 @@ std::string iterations_csv(const IterationRecords& records)
     return text;
 }
 
+namespace {
+
 std::vector<std::size_t> realizations_that_got_there(const IterationRecords& records)
 {
     std::vector<std::size_t> counts;
@@ -25,21 +29,39 @@ std::vector<std::size_t> realizations_that_got_there(const IterationRecords& rec
     return counts;
 }
 
-IterationSpread spread_over_realizations(const IterationRecords& records, double IterationRecord::*member)
+/// The spread of a member of all records, over so many iterations.
+IterationSpread spread_of(const IterationRecords& records, double IterationRecord::*member, std::size_t iterations)
 {
     IterationSpread spread;
-    const auto counts = realizations_that_got_there(records);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (std::size_t i = 0; i < iterations; ++i) {
         std::vector<double> values;
         for (const auto& realization : records)
             if (i < realization.size()) values.push_back(realization[i].*member);
-        double sum = 0;
-        for (const double value : values) sum += value;
+        const double sum = std::accumulate(values.begin(), values.end(), 0.0);
         spread.min.push_back(std::ranges::min(values));
         spread.mean.push_back(sum / static_cast<double>(values.size()));
         spread.max.push_back(std::ranges::max(values));
     }
     return spread;
+}
+
+bool is_finite(const IterationRecord& record)
+{
+    return std::isfinite(record.relative_radius) && std::isfinite(record.energy);
+}
+
+}
+
+std::optional<Iterations> iterations_of(const IterationRecords& records)
+{
+    const auto counts = realizations_that_got_there(records);
+    if (counts.empty()) return std::nullopt;
+    for (const auto& realization : records)
+        if (!std::ranges::all_of(realization, is_finite)) return Iterations{};
+    return Iterations{{},
+                      counts,
+                      spread_of(records, &IterationRecord::relative_radius, counts.size()),
+                      spread_of(records, &IterationRecord::energy, counts.size())};
 }
 
 }

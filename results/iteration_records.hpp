@@ -3,6 +3,8 @@
 
 #include "results/records/sample_records.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +22,26 @@ struct IterationSpread
     std::vector<double> min;
     std::vector<double> mean;
     std::vector<double> max;
+
+    bool operator==(const IterationSpread&) const = default;
 };
 
-/// The spread of a member of all records.
-IterationSpread spread_over_realizations(const IterationRecords& records, double IterationRecord::*member);
+/// The iterations of a method that has some; item 0 is the state before the first one.
+struct Iterations
+{
+    std::string file;                      ///< relative to the run's folder
+    std::vector<std::size_t> realizations; ///< how many got to each iteration: never growing; empty: without means
+    IterationSpread relative_radius;
+    IterationSpread energy;
 
-/// How many realizations got to each iteration: as many as there are at first, never growing.
-std::vector<std::size_t> realizations_that_got_there(const IterationRecords& records);
+    bool operator==(const Iterations&) const = default;
+
+    /// The largest number of iterations of a realization.
+    std::size_t count() const { return realizations.size() - 1; }
+};
+
+/// Means over all realizations, without the file. Nothing where there are no iterations; without means where a value is
+/// not finite (a single point has no relative radius).
+std::optional<Iterations> iterations_of(const IterationRecords& records);
 
 }

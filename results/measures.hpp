@@ -1,67 +1,85 @@
-// The member "measures" of a series in results.json: what is not there was not defined for its sets.
+// The catalogue of measures: what results.json, the ranking, the pages of series, diff and docs/output-folder.md say of
+// each follows from its row in measures.cpp.
 #pragma once
 
-#include "base/files/stored_object.hpp"
+#include "results/series.hpp"
 
 #include <array>
-#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
 
-struct Measures
+/// Which way a quantity is better.
+enum class Better
 {
-    struct Fit
-    {
-        double exponent = 0, exponent_error = 0;
-        double intercept = 0, intercept_error = 0;
-    };
-    struct Oscillation
-    {
-        double value = 0, noise_floor = 0;
-        std::optional<double> standard_error;
-    };
-    /// The ring whose power varies most with direction, of those with enough samples.
-    struct PeakAnisotropy
-    {
-        double db = 0, frequency = 0;
-        std::optional<double> standard_error_db;
-        std::int64_t samples = 0;
-    };
-    struct Cells
-    {
-        double relative_area_variance = 0;
-        std::array<double, 5> neighbour_share{}; ///< up to 4, 5, 6, 7, at least 8 neighbours
-    };
-
-    struct Peaks
-    {
-        std::int64_t tiles = 0;
-        double max_ratio = 0, mean_ratio = 0;
-        std::int64_t peaks = 0;
-        std::optional<double> mean_ratio_error; ///< standard error
-    };
-    struct Integral
-    {
-        std::string integrand;
-        double rms_error = 0, standard_error = 0;
-        double relative_variance = 0; ///< 1: Monte Carlo
-    };
-
-    std::optional<double> effective_nyquist;
-    std::optional<double> effective_nyquist_error; ///< standard error, of several realizations
-    std::optional<Oscillation> oscillation;
-    std::optional<Fit> low_frequency_power;
-    std::optional<Peaks> lattice_peaks;
-    std::optional<PeakAnisotropy> peak_anisotropy;
-    std::vector<Integral> integration;
-    std::optional<double> largest_empty_radius; ///< relative to the largest minimum distance
-    std::optional<Cells> voronoi;
+    higher,
+    lower,
+    neither,
 };
 
-/// Throws InputError for members of another kind.
-Measures read_measures(const StoredObject& series);
+/// What a value stands for, which says how large its error is.
+enum class MeasureKind
+{
+    setting,  ///< what was asked for
+    size,     ///< of the sets, exact
+    per_set,  ///< one value a realization: the error is their spread
+    estimate, ///< one value of all realizations, with a standard error where one is known
+    first,    ///< of the first realization only: no error is known
+    time,     ///< compares on one machine only
+};
+
+/// How a value is rounded for readers.
+struct Digits
+{
+    enum class Form
+    {
+        significant,
+        decimals,
+        count,   ///< whole, with separators
+        seconds, ///< with the unit that fits
+    };
+    Form form = Form::significant;
+    int digits = 3;
+};
+
+/// What a series has of a measure.
+struct MeasuredValue
+{
+    double value = 0;
+    std::optional<double> standard_error = {}; ///< over the realizations
+    std::vector<double> each = {};             ///< of every realization (times: of every run), where they are known
+    std::optional<std::array<double, 2>> range = {}; ///< from the smallest to the largest of these
+    std::string remark = {};                         ///< a word beside the value
+};
+
+struct Measure
+{
+    std::string key;
+    std::string name;   ///< "relative radius": as in a sentence
+    std::string symbol; ///< "ρ"; empty: none
+    std::string unit;   ///< as it follows a value; empty: a pure number
+    Better better = Better::neither;
+    MeasureKind kind = MeasureKind::estimate;
+    Digits digits;
+    std::string meaning; ///< a sentence or two for readers; empty: none is needed
+    std::function<std::optional<MeasuredValue>(const Series&)> get;
+    bool is_number = false; ///< one of Measures::numbers
+    bool is_detail = false; ///< the ranking shows it when all measures are asked for
+
+    /// "Relative radius ρ"
+    std::string title() const;
+};
+
+/// All of them, in the order in which they are shown.
+const std::vector<Measure>& measures();
+
+/// The measure of that key. Throws std::out_of_range for others.
+const Measure& measure(const std::string& key);
+
+/// The rows of the table of docs/output-folder.md, in Markdown.
+std::string measures_table();
 
 }

@@ -1,71 +1,127 @@
+// The member "measures" of a series in results.json: what is not there was not defined for its sets.
+#include "base/files/json_file.hpp"
+#include "base/files/json_members.hpp"
 #include "results/measures.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace poissonlab {
 
+void members(JsonMembers& m, Stored<Oscillation> auto& oscillation)
+{
+    m.member("value", oscillation.value);
+    m.or_none("begin", oscillation.begin);
+    m.or_none("end", oscillation.end);
+    m.member("standard_error", oscillation.standard_error);
+}
+
+void members(JsonMembers& m, Stored<PeakAnisotropy> auto& peak)
+{
+    m.member("db", peak.db);
+    m.member("frequency", peak.frequency);
+    m.member("samples", peak.samples, 1);
+    m.member("standard_error_db", peak.standard_error_db);
+}
+
+void members(JsonMembers& m, Stored<LowFrequencyPower> auto& power)
+{
+    m.member("exponent", power.exponent);
+    m.member("exponent_standard_error", power.exponent_standard_error);
+    m.member("intercept", power.intercept);
+    m.member("intercept_standard_error", power.intercept_standard_error);
+    m.or_none("begin", power.begin);
+    m.or_none("end", power.end);
+}
+
+void members(JsonMembers& m, Stored<LatticePeaks> auto& peaks)
+{
+    m.member("tiles", peaks.tiles, 2);
+    m.member("max_ratio", peaks.max_ratio);
+    m.member("mean_ratio", peaks.mean_ratio);
+    m.or_none("frequency", peaks.frequency);
+    m.member("peaks", peaks.peaks);
+    m.member("mean_ratio_standard_error", peaks.mean_ratio_standard_error);
+}
+
+void members(JsonMembers& m, Stored<IntegrationError> auto& error)
+{
+    m.member("integrand", error.integrand);
+    m.or_none("integral", error.integral);
+    m.member("rms_error", error.rms_error);
+    m.member("standard_error", error.standard_error);
+    m.member("relative_variance", error.relative_variance);
+    m.check([&](const StoredObject& object) { // pictures are called after it
+        const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
+        if (error.integrand.empty() || !std::ranges::all_of(error.integrand, is_letter))
+            throw object.error("integrand", "must be small letters");
+    });
+}
+
+void members(JsonMembers& m, Stored<LargestEmptyBall> auto& ball)
+{
+    m.or_none("radius", ball.radius);
+    m.member("relative_radius", ball.relative_radius);
+}
+
+void members(JsonMembers& m, Stored<VoronoiStatistics> auto& cells)
+{
+    m.member("relative_area_variance", cells.relative_area_variance);
+    m.member("neighbour_share", cells.neighbour_share);
+}
+
 namespace {
 
-// Pictures are called after it.
-std::string read_integrand(const StoredObject& integral)
+std::string error_member(const std::string& key) { return key + "_standard_error"; }
+
+void numbers(JsonMembers& m, const std::map<std::string, Estimate>& numbers)
 {
-    const auto name = integral.text("integrand");
-    const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-    if (name.empty() || !std::ranges::all_of(name, is_letter))
-        throw integral.error("integrand", "must be small letters");
-    return name;
+    for (const auto& [key, number] : numbers) {
+        if (!measure(key).is_number) throw std::logic_error(key + " is not a single number in the catalogue");
+        m.member(key, number.value);
+        m.member(error_member(key), number.standard_error);
+    }
 }
 
-std::optional<double> optional_number(const StoredObject& object, const std::string& name)
+void numbers(JsonMembers& m, std::map<std::string, Estimate>& numbers)
 {
-    if (!object.has(name)) return std::nullopt;
-    return object.number(name);
+    for (const Measure& measure : measures())
+        if (measure.is_number && m.stored().has(measure.key)) {
+            m.member(measure.key, numbers[measure.key].value);
+            m.member(error_member(measure.key), numbers[measure.key].standard_error);
+        }
+}
+
+void describe(JsonMembers& m, Stored<Measures> auto& measures)
+{
+    numbers(m, measures.numbers);
+    m.object("oscillation", measures.oscillation);
+    m.object("peak_anisotropy", measures.peak_anisotropy);
+    m.object("low_frequency_power", measures.low_frequency_power);
+    m.object("lattice_peaks", measures.lattice_peaks);
+    m.objects_if_any("integration", measures.integration);
+    m.object("largest_empty", measures.largest_empty);
+    m.object("voronoi", measures.voronoi);
 }
 
 }
 
-Measures read_measures(const StoredObject& series)
+void members(JsonMembers& m, const Measures& measures) { describe(m, measures); }
+void members(JsonMembers& m, Measures& measures) { describe(m, measures); }
+
+std::string measures_text(const Measures& measures)
 {
+    return json_text([&](JsonMembers& m) { members(m, measures); });
+}
+
+Measures read_measures(const std::string& text)
+{
+    const nlohmann::json json = parsed_json(text, "measures");
+    JsonMembers m(StoredObject(json, "measures"));
     Measures measures;
-    if (!series.has("measures")) return measures;
-    const auto object = series.object("measures");
-    measures.effective_nyquist = optional_number(object, "effective_nyquist");
-    measures.effective_nyquist_error = optional_number(object, "effective_nyquist_standard_error");
-    if (object.has("oscillation")) {
-        const auto oscillation = object.object("oscillation");
-        measures.oscillation = {oscillation.number("value"), oscillation.number("noise_floor"),
-                                optional_number(oscillation, "standard_error")};
-    }
-    if (object.has("low_frequency_power")) {
-        const auto fit = object.object("low_frequency_power");
-        measures.low_frequency_power = {fit.number("exponent"), fit.number("exponent_standard_error"),
-                                        fit.number("intercept"), fit.number("intercept_standard_error")};
-    }
-    if (object.has("lattice_peaks")) {
-        const auto peaks = object.object("lattice_peaks");
-        measures.lattice_peaks = {peaks.integer("tiles", 2), peaks.number("max_ratio"), peaks.number("mean_ratio"),
-                                  peaks.integer("peaks", 0), optional_number(peaks, "mean_ratio_standard_error")};
-    }
-    if (object.has("peak_anisotropy")) {
-        const auto peak = object.object("peak_anisotropy");
-        measures.peak_anisotropy = {peak.number("db"), peak.number("frequency"),
-                                    optional_number(peak, "standard_error_db"), peak.integer("samples", 1)};
-    }
-    if (object.has("integration"))
-        for (const auto& integral : object.objects("integration"))
-            measures.integration.push_back({read_integrand(integral), integral.number("rms_error"),
-                                            integral.number("standard_error"), integral.number("relative_variance")});
-    if (object.has("largest_empty"))
-        measures.largest_empty_radius = object.object("largest_empty").number("relative_radius");
-    if (object.has("voronoi")) {
-        const auto cells = object.object("voronoi");
-        const auto shares = cells.numbers("neighbour_share");
-        measures.voronoi = Measures::Cells{};
-        if (shares.size() != measures.voronoi->neighbour_share.size())
-            throw cells.error("neighbour_share", "must be five numbers");
-        measures.voronoi->relative_area_variance = cells.number("relative_area_variance");
-        std::ranges::copy(shares, measures.voronoi->neighbour_share.begin());
-    }
+    members(m, measures);
     return measures;
 }
 

@@ -13,6 +13,8 @@ struct MethodAxis
     std::string key;
     std::string symbol;              ///< as names and labels of series have it: "rho" for "relative_radius"
     std::vector<std::string> values; ///< as shown; at least two
+
+    bool operator==(const MethodAxis&) const = default;
 };
 
 /// A [[method]], over its axes in the order in which they vary, the last one fastest.
@@ -21,6 +23,8 @@ struct MethodGrid
     std::string sampler;
     std::string label;            ///< the user's; empty: none was given
     std::vector<MethodAxis> axes; ///< none: the method is one series
+
+    bool operator==(const MethodGrid&) const = default;
 };
 
 /// The place of a series in the grid of its method.
@@ -28,6 +32,8 @@ struct GridPlace
 {
     std::size_t method = 0;           ///< of the config, counted from 0
     std::vector<std::size_t> indices; ///< of its value on each axis
+
+    bool operator==(const GridPlace&) const = default;
 };
 
 }

@@ -60,10 +60,9 @@ double effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::si
     return crossing(radial[i], means[i - 1], dimension) / s;
 }
 
-Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension, int realizations)
+Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension)
 {
     const double s = points_per_axis(points, dimension);
-    if (realizations < 1) throw InputError("radial power: the number of realizations must be at least 1");
     if (radial.empty()) return {};
 
     auto first = std::ranges::find_if(radial, [](const RadialBin& bin) { return bin.power >= nearly_one; });
@@ -71,16 +70,14 @@ Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points
 
     Oscillation result;
     result.begin = first->frequency;
-    double squares = 0, samples = 0, noise = 0;
+    double squares = 0, samples = 0;
     for (auto bin = first; bin != radial.end() && bin->frequency <= result.begin + peaks * s / 2; ++bin) {
         const auto n = static_cast<double>(bin->samples);
         squares += n * (bin->power - 1) * (bin->power - 1);
-        noise += 2.0 / realizations; // n times the variance of a bin's mean
         samples += n;
         result.end = bin->frequency;
     }
     result.value = 10 * std::sqrt(squares / samples);
-    result.noise_floor = 10 * std::sqrt(noise / samples);
     return result;
 }
 

@@ -21,12 +21,13 @@
 // Departures from psa: it computes P from g(r) as a smooth function of f, here P is the radial mean of
 // periodograms in bins of one cycle per unit length, and C is interpolated within a bin. Spectra of this
 // laboratory end between 2.5 s and 5 s (2D), so that b is nearly always their end; a spectrum's noise adds
-// to Omega, by an amount that is reported beside it. 3D is the same with d = 3.
+// to Omega. 3D is the same with d = 3.
 #pragma once
 
 #include "analysis/spectra/radial_statistics.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace poissonlab {
@@ -39,15 +40,15 @@ double effective_nyquist_frequency(const std::vector<RadialBin>& radial, std::si
 
 struct Oscillation
 {
-    double value = 0;       ///< Omega
-    double noise_floor = 0; ///< what the noise of `realizations` periodograms alone makes of a flat spectrum
-    double begin = 0;       ///< a, in cycles per unit length
-    double end = 0;         ///< the last frequency that took part
+    double value = 0;                          ///< Omega
+    double begin = 0;                          ///< a, in cycles per unit length
+    double end = 0;                            ///< the last frequency that took part
+    std::optional<double> standard_error = {}; ///< for whoever has several realizations to set
+
+    bool operator==(const Oscillation&) const = default;
 };
 
-/// Omega. The noise floor assumes exponentially distributed power, as that of random sets is, and counts f
-/// and -f once: variance 2 P^2 / (K samples) in a bin, P = 1. Without any bin all is 0. Throws InputError for
-/// points or realizations below 1 and dimensions other than 2 and 3.
-Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension, int realizations);
+/// Omega. Without any bin all is 0. Throws InputError for points below 1 and dimensions other than 2 and 3.
+Oscillation oscillation(const std::vector<RadialBin>& radial, std::size_t points, int dimension);
 
 }

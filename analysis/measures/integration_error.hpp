@@ -49,6 +49,8 @@ struct IntegrationError
     double rms_error = 0;         ///< root of the mean of e^2
     double standard_error = 0;    ///< of rms_error, from the K sets' own means of e^2; 0 where K = 1
     double relative_variance = 0; ///< mean of N e^2 / sigma^2: 1 is the level of Monte Carlo
+
+    bool operator==(const IntegrationError&) const = default;
 };
 
 /// Averages over sets, in the order given. Shifts are a function of seed, number of the set and number of the

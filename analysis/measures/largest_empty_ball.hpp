@@ -20,6 +20,8 @@ struct LargestEmptyBall
     double radius = 0;              ///< in unit lengths
     double relative_radius = 0;     ///< radius / max_min_distance(N): 1 / sqrt 3 for the hexagonal lattice
     std::array<double, 3> centre{}; ///< in [0, 1); one of several where they tie; 2D: z is 0
+
+    bool operator==(const LargestEmptyBall&) const = default;
 };
 
 /// The largest ball that no point lies inside of. Radii are within some 1e-10 relative, whatever the position

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 namespace poissonlab {
 
@@ -29,6 +30,9 @@ struct LatticePeaks
     double mean_ratio = 0;          ///< mean of the ratios; 0 without any
     std::array<int, 3> frequency{}; ///< where the ratio is largest, the first in storage order; 2D: z is 0
     std::size_t peaks = 0;          ///< multiples that took part
+    std::optional<double> mean_ratio_standard_error = {}; ///< for whoever has several realizations to set
+
+    bool operator==(const LatticePeaks&) const = default;
 };
 
 /// `tiles` is M, tiles per unit length, at least 2: with one tile every frequency is a multiple. Throws

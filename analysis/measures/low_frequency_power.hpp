@@ -37,6 +37,8 @@ struct LowFrequencyPower
     double begin = 0; ///< the first and the last frequency that took part
     double end = 0;
     std::size_t bins = 0; ///< m
+
+    bool operator==(const LowFrequencyPower&) const = default;
 };
 
 /// Frequencies in cycles per unit length, both ends included.

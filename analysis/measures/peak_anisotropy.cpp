@@ -9,10 +9,13 @@ std::optional<PeakAnisotropy> peak_anisotropy(const std::vector<RadialBin>& radi
 {
     const RadialBin* peak = nullptr;
     for (const RadialBin& bin : radial)
-        if (bin.samples >= least_peak_samples && (!peak || bin.anisotropy_db > peak->anisotropy_db)) peak = &bin;
+        if (bin.samples >= least_peak_samples && std::isfinite(bin.anisotropy_db) &&
+            (!peak || bin.anisotropy_db > peak->anisotropy_db))
+            peak = &bin;
     if (!peak) return std::nullopt;
-    return PeakAnisotropy{peak->anisotropy_db, peak->frequency, peak->samples,
-                          anisotropy_standard_error_db(peak->samples, realizations)};
+    PeakAnisotropy result{peak->anisotropy_db, peak->frequency, peak->samples};
+    if (realizations > 1) result.standard_error_db = anisotropy_standard_error_db(peak->samples, realizations);
+    return result;
 }
 
 double anisotropy_standard_error_db(std::size_t samples, int realizations)

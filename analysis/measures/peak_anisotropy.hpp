@@ -17,9 +17,11 @@ inline constexpr std::size_t least_peak_samples = 100;
 struct PeakAnisotropy
 {
     double db = 0;
-    double frequency = 0;         ///< of the ring, in cycles per unit length
-    std::size_t samples = 0;      ///< of the ring
-    double standard_error_db = 0; ///< anisotropy_standard_error_db()
+    double frequency = 0;                         ///< of the ring, in cycles per unit length
+    std::size_t samples = 0;                      ///< of the ring
+    std::optional<double> standard_error_db = {}; ///< anisotropy_standard_error_db(), of several realizations
+
+    bool operator==(const PeakAnisotropy&) const = default;
 };
 
 /// The peak over rings one sample wide, of the mean of `realizations` K; std::nullopt if no ring has enough samples.

@@ -47,6 +47,8 @@ struct VoronoiStatistics
 {
     double relative_area_variance = 0;       ///< variance (divisor N) of the cell areas over their squared mean
     std::array<double, 5> neighbour_share{}; ///< cells with up to 4, with 5, 6, 7, and at least 8 neighbours
+
+    bool operator==(const VoronoiStatistics&) const = default;
 };
 
 /// Shares are of all cells. A diagram without cells has zeros.

@@ -26,6 +26,8 @@ struct FrequencyTest
     double chi_square = 0; ///< sum of (count - mean)^2 / mean
     /// The probability that chance makes it at least as large: chi-square with n - 1 degrees of freedom.
     double p_value = 1;
+
+    bool operator==(const FrequencyTest&) const = default;
 };
 
 /// Tests whether counts are equally frequent. With fewer than two counts, or if all are 0, p = 1 and chi-square 0.
@@ -41,11 +43,13 @@ std::vector<std::uint64_t> color_counts(const ColorField& field);
 /// are independent two by two even where they share a place).
 struct ColorAutocorrelation
 {
-    int lags = 0;                  ///< L: displacements from -L to L along each axis
-    std::vector<double> z;         ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
-    double largest = 0;            ///< of |z|
-    std::array<int, 2> largest_at; ///< where, the first in order with y >= 0
-    double bound = 0;              ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
+    int lags = 0;                    ///< L: displacements from -L to L along each axis
+    std::vector<double> z;           ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
+    double largest = 0;              ///< of |z|
+    std::array<int, 2> largest_at{}; ///< where, the first in order with y >= 0
+    double bound = 0;                ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
+
+    bool operator==(const ColorAutocorrelation&) const = default;
 };
 
 /// The autocorrelation at displacements up to `lags`. It takes fast Fourier transforms, O(C A log A) for A places;

@@ -4,6 +4,7 @@
 #include "host/config/collection.hpp"
 #include "host/run/make_experiment.hpp"
 #include "host/run/result_folder.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ void check_collection_folder(const fs::path& out)
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error))
         throw InputError("--out " + out.string() + ": is a file; a folder is needed");
-    if (fs::exists(out / "results.json", error))
+    if (fs::exists(out / file_names::results, error))
         throw InputError("--out " + out.string() +
                          ": has the results of a single run; a collection needs a folder of its own");
 }

@@ -145,6 +145,11 @@ std::string shown_value(const nlohmann::json& value)
 
 std::string StoredObject::shown(const std::string& name) const { return shown_value(at(name)); }
 
+std::string StoredObject::json(const std::string& name) const
+{
+    return at(name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 std::vector<std::string> StoredObject::names() const
 {
     std::vector<std::string> result;

@@ -46,6 +46,8 @@ public:
     /// A scalar or list as it would be typed, strings without quotes; a sampler with its parameters as
     /// "dart-throwing (relative_radius = 0.7)".
     std::string shown(const std::string& name) const;
+    /// A member of any kind as JSON.
+    std::string json(const std::string& name) const;
     std::vector<std::string> names() const;
 
     /// A text that is the name of a folder: what is made of the results goes into one that is called so.

@@ -5,6 +5,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/images/square_image_file.hpp"
 #include "results/archives.hpp"
+#include "results/file_names.hpp"
 #include "results/result_tables.hpp"
 
 #include <tbb/parallel_invoke.h>
@@ -53,14 +54,14 @@ bool AnalysisUnit::load_part(const UnitStore& store, const UnitKey& key)
 std::vector<std::string> AnalysisUnit::write_spectrum_files(UnitStore& store, const UnitKey& key,
                                                             const std::map<std::string, std::string>& metadata)
 {
-    std::vector<std::string> files = {"spectrum.exr", "radial.csv"};
+    std::vector<std::string> files = {file_names::spectrum, file_names::radial};
     const Spectrum spectrum = series_.mean_spectrum();
-    write_spectrum(store.file(key, "spectrum.exr"), spectrum, metadata);
+    write_spectrum(store.file(key, file_names::spectrum), spectrum, metadata);
     if (options_.volume) {
-        write_spectrum_volume(store.file(key, "spectrum-volume.exr"), spectrum, metadata);
-        files.emplace_back("spectrum-volume.exr");
+        write_spectrum_volume(store.file(key, file_names::spectrum_volume), spectrum, metadata);
+        files.emplace_back(file_names::spectrum_volume);
     }
-    write_whole_file(store.file(key, "radial.csv"), radial_csv(series_.radial_curve(spectrum)));
+    write_whole_file(store.file(key, file_names::radial), radial_csv(series_.radial_curve(spectrum)));
     series_.measure_spectrum(spectrum);
     return files;
 }
@@ -80,14 +81,14 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         },
         [&] { measure_first(); });
     if (const auto pairs = series_.pair_correlation(); !pairs.empty())
-        write_text("pair-correlation.csv", pair_correlation_csv(pairs));
-    if (!iterations.empty()) write_text("iterations.csv", iterations);
+        write_text(file_names::pair_correlation, pair_correlation_csv(pairs));
+    if (!iterations.empty()) write_text(file_names::iterations, iterations);
 
-    SeriesResult result = series_.result();
+    Series result = series_.result();
     if (options_.zone_plate) {
-        write_square_image(store.file(key, "zone-plate.exr"), zone_plate_.first_image(), metadata);
-        files.emplace_back("zone-plate.exr");
-        write_text("zone-plate.csv", zone_plate_.csv());
+        write_square_image(store.file(key, file_names::zone_plate), zone_plate_.first_image(), metadata);
+        files.emplace_back(file_names::zone_plate);
+        write_text(file_names::zone_plate_error, zone_plate_.csv());
         result.zone_plate = zone_plate_.result();
         result.analysis_seconds += zone_plate_.seconds();
     }

@@ -57,7 +57,7 @@ private:
 /// A stored analysis: what was measured, and the files that go to the output folder, by name.
 struct StoredAnalysis
 {
-    SeriesResult result;
+    Series result;
     std::map<std::string, std::filesystem::path> files;
 };
 

@@ -1,12 +1,12 @@
 #include "host/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
-#include "analysis/measures/packing_fraction.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
@@ -47,7 +47,7 @@ void SeriesAnalysis::start()
     if (has_spectrum()) start_spectrum();
     if (options_.distances_only) return;
     integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
-    if (result_.has_pair_correlation) start_pairs();
+    if (has_pairs_) start_pairs();
 }
 
 void SeriesAnalysis::start_pairs()
@@ -59,86 +59,94 @@ void SeriesAnalysis::start_pairs()
 
 void SeriesAnalysis::start_spectrum()
 {
-    result_.spectrum_size =
-        options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
-    if (RadialBins(result_.spectrum_size, options_.bin_width).count() < 2)
+    spectrum_size_ = options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
+    if (RadialBins(spectrum_size_, options_.bin_width).count() < 2)
         throw InputError(fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
                                      "size {}",
-                                     label_, options_.bin_width, result_.spectrum_size / 2 - 1,
-                                     dimension_ == 2 ? "annulus" : "shell", result_.spectrum_size));
-    estimate_.emplace(dimension_, result_.spectrum_size, sizes_vary_, *options_.spectrum, options_.bin_width);
+                                     label_, options_.bin_width, spectrum_size_ / 2 - 1,
+                                     dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
+    estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
 }
 
 void SeriesAnalysis::add(const PointSet& points)
 {
     const auto begin = std::chrono::steady_clock::now();
     const std::size_t n = points.size();
-    check(points.dimension, n, begin_.realization + result_.points.size());
-    const bool is_first = result_.points.empty();
-    result_.points.push_back(n);
-    if (is_first) {
+    check(points.dimension, n, begin_.realization + sets_.size());
+    if (sets_.empty()) {
         dimension_ = points.dimension;
         if (begin_.points == 0) begin_.points = n;
-        result_.has_pair_correlation = n > 1 && begin_.points > 1 && !options_.distances_only;
+        has_pairs_ = n > 1 && begin_.points > 1 && !options_.distances_only;
         if (begin_.realization == 0 && !options_.distances_only) first_ = points;
         start();
     }
+    SetMeasures set{n};
+    set.min_distance = min_toroidal_distance(points);
+    set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
+    set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
     if (estimate_) {
         estimate_->add(points);
         if (options_.tiles > 0)
-            peak_ratios_.push_back(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles).mean_ratio);
+            set.mean_lattice_peak = lattice_peaks(estimate_->last_periodogram(), n, options_.tiles).mean_ratio;
     }
+    sets_.push_back(set);
     if (integration_) integration_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
-    const double distance = min_toroidal_distance(points);
-    result_.min_distance.push_back(distance);
-    result_.relative_radius.push_back(relative_radius(distance, n, points.dimension));
-    result_.covered_fraction.push_back(covered_fraction(distance, n, points.dimension));
-    if (integration_) result_.measures.integration = integration_->mean();
-    result_.analysis_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
 void SeriesAnalysis::leave_out_pairs()
 {
     pairs_.reset();
-    result_.has_pair_correlation = false;
+    has_pairs_ = false;
 }
 
 void SeriesAnalysis::append(const SeriesAnalysis& next)
 {
-    const SeriesResult& more = next.result_;
-    for (std::size_t i = 0; i < more.points.size(); ++i)
-        check(next.dimension_, more.points[i], next.begin_.realization + i);
-    const auto append_to = [](auto& values, const auto& others) {
-        values.insert(values.end(), others.begin(), others.end());
-    };
-    append_to(result_.points, more.points);
-    append_to(result_.min_distance, more.min_distance);
-    append_to(result_.relative_radius, more.relative_radius);
-    append_to(result_.covered_fraction, more.covered_fraction);
-    append_to(peak_ratios_, next.peak_ratios_);
+    for (std::size_t i = 0; i < next.sets_.size(); ++i)
+        check(next.dimension_, next.sets_[i].points, next.begin_.realization + i);
+    sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
     if (estimate_) estimate_->append(next.estimate_.value());
     if (!next.pairs_) leave_out_pairs();
     if (pairs_) pairs_->append(*next.pairs_);
-    if (integration_) {
-        integration_->append(next.integration_.value());
-        result_.measures.integration = integration_->mean();
-    }
-    result_.analysis_seconds += more.analysis_seconds;
+    if (integration_) integration_->append(next.integration_.value());
+    seconds_ += next.seconds_;
+}
+
+std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
+{
+    std::vector<double> each;
+    for (const SetMeasures& set : sets_) each.push_back(set.*member);
+    return statistic_of(each);
+}
+
+Series SeriesAnalysis::result() const
+{
+    Series series;
+    std::vector<std::size_t> sizes;
+    for (const SetMeasures& set : sets_) sizes.push_back(set.points);
+    series.set_sizes(sizes);
+    series.min_distance = statistic(&SetMeasures::min_distance);
+    series.relative_radius = statistic(&SetMeasures::relative_radius);
+    series.covered_fraction = statistic(&SetMeasures::covered_fraction);
+    series.measures = measures_;
+    if (integration_) series.measures.integration = integration_->mean();
+    series.spectrum_size = spectrum_size_;
+    if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
+    series.analysis_seconds = seconds_;
+    return series;
 }
 
 void SeriesAnalysis::measure_first()
 {
     const PointSet first = std::exchange(first_, {});
     if (first.size() == 0) return;
-    SeriesMeasures& measures = result_.measures;
-    if (first.size() > 1) measures.packing_fraction = packing_fraction(first);
     if (first.size() > most_points_triangulated) return; // not of millions of points
-    tbb::parallel_invoke([&] { measures.largest_empty = largest_empty_ball(first); },
+    tbb::parallel_invoke([&] { measures_.largest_empty = largest_empty_ball(first); },
                          [&] {
-                             if (first.dimension == 2) measures.voronoi = voronoi_statistics(voronoi_diagram(first));
+                             if (first.dimension == 2) measures_.voronoi = voronoi_statistics(voronoi_diagram(first));
                          });
 }
 
@@ -146,34 +154,34 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
 {
     // Measures are defined on bins one sample wide, whatever the curve has.
     const std::vector<RadialBin> radial = radial_statistics(mean);
-    const std::size_t n = result_.points.front();
-    SeriesMeasures& measures = result_.measures;
-    measures.effective_nyquist = effective_nyquist_frequency(radial, n, mean.dimension);
-    measures.oscillation = oscillation(radial, n, mean.dimension, static_cast<int>(result_.points.size()));
-    measures.peak_anisotropy = peak_anisotropy(radial, static_cast<int>(result_.points.size()));
-    measures.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
-    if (options_.tiles > 0) measures.lattice_peaks = lattice_peaks(mean, options_.tiles);
-    if (result_.points.size() > 1) measure_errors(radial, mean.dimension);
+    const std::size_t n = sets_.front().points;
+    const int realizations = static_cast<int>(sets_.size());
+    measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
+    measures_.oscillation = oscillation(radial, n, mean.dimension);
+    measures_.peak_anisotropy = peak_anisotropy(radial, realizations);
+    measures_.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
+    if (options_.tiles > 0) measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
+    if (realizations > 1) measure_errors(radial, mean.dimension);
 }
 
 /// Standard errors from how much the measures depend on single realizations.
 void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension)
 {
-    const std::size_t n = result_.points.front();
-    const int others = static_cast<int>(result_.points.size()) - 1;
-    const auto with_power = [&](const std::vector<double>& power) -> const std::vector<RadialBin>& {
-        for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
-        return radial;
+    const std::size_t n = sets_.front().points;
+    const auto error_of = [&](const auto& measure) {
+        return jackknife_error(estimate_.value().radial_curves(), [&](const std::vector<double>& power) {
+            for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
+            return measure(radial);
+        });
     };
-    const auto& curves = estimate_.value().radial_curves();
-    SeriesMeasures& measures = result_.measures;
-    measures.effective_nyquist_error = jackknife_error(curves, [&](const std::vector<double>& power) {
-        return effective_nyquist_frequency(with_power(power), n, dimension);
-    });
-    measures.oscillation_error = jackknife_error(curves, [&](const std::vector<double>& power) {
-        return oscillation(with_power(power), n, dimension, others).value;
-    });
-    if (!peak_ratios_.empty()) measures.lattice_peaks_error = standard_error_of_mean(peak_ratios_);
+    measures_.numbers["effective_nyquist"].standard_error =
+        error_of([&](const std::vector<RadialBin>& curve) { return effective_nyquist_frequency(curve, n, dimension); });
+    measures_.oscillation->standard_error =
+        error_of([&](const std::vector<RadialBin>& curve) { return oscillation(curve, n, dimension).value; });
+    if (!measures_.lattice_peaks) return;
+    std::vector<double> ratios;
+    for (const SetMeasures& set : sets_) ratios.push_back(set.mean_lattice_peak);
+    measures_.lattice_peaks->mean_ratio_standard_error = standard_error_of_mean(ratios);
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const

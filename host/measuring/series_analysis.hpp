@@ -6,7 +6,7 @@
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "host/config/analysis_options.hpp"
-#include "results/series_result.hpp"
+#include "results/series.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace poissonlab {
 /// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
 ///
 /// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
-/// packing, the largest empty ball and Voronoi cells.
+/// the largest empty circle and Voronoi cells.
 class SeriesAnalysis
 {
 public:
@@ -67,14 +67,14 @@ public:
     /// other functions do, and may run beside them once all sets were added.
     void measure_first();
 
-    /// Sizes, distances and seconds so far, and the spectrum's size.
-    const SeriesResult& result() const { return result_; }
+    /// Sizes, distances, measures and seconds so far.
+    Series result() const;
 
     /// Cereal stores everything but the first set, and reads it into an analysis that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(begin_.points, dimension_, result_, peak_ratios_);
+        archive(begin_.points, dimension_, sets_, seconds_, has_pairs_, measures_);
         if (dimension_ > 0 && !has_started_) start();
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);
@@ -82,6 +82,23 @@ public:
     }
 
 private:
+    /// What is measured on one set.
+    struct SetMeasures
+    {
+        std::size_t points = 0;
+        double min_distance = 0; ///< unit lengths; infinite for a set of one point
+        double relative_radius = 0;
+        double covered_fraction = 0;
+        double mean_lattice_peak = 0; ///< of tiled sets
+
+        template <class Archive>
+        void serialize(Archive& archive)
+        {
+            archive(points, min_distance, relative_radius, covered_fraction, mean_lattice_peak);
+        }
+    };
+
+    std::optional<Statistic> statistic(double SetMeasures::*member) const;
     void check(int dimension, std::size_t points, std::size_t realization) const;
     void start();
     void start_spectrum();
@@ -94,11 +111,14 @@ private:
     AnalysisOptions options_;
     Begin begin_;
     bool has_started_ = false;
-    SeriesResult result_;
-    int dimension_ = 0; ///< of the first set; 0: there is none
+    std::vector<SetMeasures> sets_;
+    Measures measures_;      ///< as far as they are known
+    double seconds_ = 0;     ///< that all of this took
+    int spectrum_size_ = 0;  ///< 0: no spectrum
+    bool has_pairs_ = false; ///< sets of one point have none
+    int dimension_ = 0;      ///< of the first set; 0: there is none
     std::optional<SpectrumEstimate> estimate_;
-    std::vector<double> peak_ratios_; ///< mean lattice peak of each realization
-    PointSet first_;                  ///< for measures of the first set alone
+    PointSet first_; ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<IntegrationErrorEstimate> integration_;
 };

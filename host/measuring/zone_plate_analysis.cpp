@@ -1,6 +1,7 @@
 #include "host/measuring/zone_plate_analysis.hpp"
 
 #include "analysis/zone_plate/zone_plate.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 
@@ -14,12 +15,9 @@ void ZonePlateAnalysis::add(const PointSet& points)
     const auto begin = std::chrono::steady_clock::now();
     SquareImage image = zone_plate_image(points);
     const PlateError error = error_.add(image);
-    result_.rms_error.push_back(error.whole);
-    result_.resolved_rms_error.push_back(error.resolved);
-    if (first_.size == 0) {
-        result_.size = image.size;
-        first_ = std::move(image);
-    }
+    rms_errors_.push_back(error.whole);
+    resolved_rms_errors_.push_back(error.resolved);
+    if (first_.size == 0) first_ = std::move(image);
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
@@ -29,13 +27,16 @@ void ZonePlateAnalysis::append(const ZonePlateAnalysis& other)
         values.insert(values.end(), more.begin(), more.end());
     };
     error_.append(other.error_);
-    append_to(result_.rms_error, other.result_.rms_error);
-    append_to(result_.resolved_rms_error, other.result_.resolved_rms_error);
-    if (first_.size == 0) {
-        result_.size = other.result_.size;
-        first_ = other.first_;
-    }
+    append_to(rms_errors_, other.rms_errors_);
+    append_to(resolved_rms_errors_, other.resolved_rms_errors_);
+    if (first_.size == 0) first_ = other.first_;
     seconds_ += other.seconds_;
+}
+
+ZonePlateResult ZonePlateAnalysis::result() const
+{
+    return {first_.size, file_names::zone_plate, file_names::zone_plate_error,
+            statistic_of(rms_errors_).value_or(Statistic{}), statistic_of(resolved_rms_errors_)};
 }
 
 std::string ZonePlateAnalysis::csv() const

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "analysis/zone_plate/zone_plate_error.hpp"
-#include "results/series_result.hpp"
+#include "results/series.hpp"
 
 #include <string>
 #include <vector>
@@ -26,20 +26,21 @@ public:
     /// The text of zone-plate.csv: distance,frequency,rms_error,pixels; numbers in their shortest exact form.
     std::string csv() const;
 
-    const ZonePlateResult& result() const { return result_; }
+    ZonePlateResult result() const;
     double seconds() const { return seconds_; }
 
     /// Cereal stores all members.
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(first_, error_, result_, seconds_);
+        archive(first_, error_, rms_errors_, resolved_rms_errors_, seconds_);
     }
 
 private:
     SquareImage first_;
     ZonePlateError error_;
-    ZonePlateResult result_;
+    std::vector<double> rms_errors_; ///< of each realization
+    std::vector<double> resolved_rms_errors_;
     double seconds_ = 0;
 };
 

@@ -3,7 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/config/plan.hpp"
-#include "results/collection_file.hpp"
+#include "results/file_names.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -35,7 +35,7 @@ std::vector<std::string> series_in(const fs::path& folder)
 {
     std::vector<std::string> names;
     try {
-        const auto json = nlohmann::json::parse(read_whole_file(folder / "results.json"));
+        const auto json = nlohmann::json::parse(read_whole_file(folder / file_names::results));
         if (json.at("format") != "poissonlab-results") return {};
         for (const char* member : {"series", "tilings", "constructions"})
             for (const auto& series : json.value(member, nlohmann::json::array())) {
@@ -57,8 +57,8 @@ bool looks_like_series(const fs::path& folder)
 {
     std::error_code error;
     return fs::is_directory(folder, error) &&
-           (fs::is_empty(folder, error) || fs::exists(folder / "realization-000.dat", error) ||
-            fs::exists(folder / "tiles.txt", error) || fs::exists(folder / "construction.json", error));
+           (fs::is_empty(folder, error) || fs::exists(folder / file_names::realization(0), error) ||
+            fs::exists(folder / file_names::tiles, error) || fs::exists(folder / file_names::construction, error));
 }
 
 }
@@ -68,7 +68,7 @@ void ResultFolder::check(const fs::path& out, const std::vector<std::string>& se
     std::error_code error;
     if (fs::exists(out, error) && !fs::is_directory(out, error))
         throw InputError("--out " + out.string() + ": is a file; a folder is needed");
-    if (fs::exists(out / collection_file_name, error))
+    if (fs::exists(out / file_names::collection, error))
         throw InputError("--out " + out.string() + ": is the folder of a collection; choose another folder");
     const std::vector<std::string> previous = series_in(out);
     for (const std::string& name : series) {
@@ -128,7 +128,7 @@ void ResultFolder::add(const std::string& series, const std::map<std::string, fs
 
 void ResultFolder::publish(const std::string& results_json)
 {
-    write_whole_file(staging_ / "results.json", results_json);
+    write_whole_file(staging_ / file_names::results, results_json);
     const fs::path old = staging_ / ".previous";
     std::error_code error;
     fs::create_directory(old, error);
@@ -136,13 +136,13 @@ void ResultFolder::publish(const std::string& results_json)
 
     // The rest only renames. results.json goes first and comes last, so that a folder with a results.json is complete
     // at any moment.
-    std::vector<std::string> leaving = {"results.json", "index.html"};
+    std::vector<std::string> leaving = {file_names::results, "index.html"};
     leaving.insert(leaving.end(), previous_.begin(), previous_.end());
     leaving.insert(leaving.end(), series_.begin(), series_.end());
     for (const std::string& name : leaving)
         if (fs::exists(fs::symlink_status(out_ / name, error))) move(out_ / name, old / name);
     for (const std::string& name : series_) move(staging_ / name, out_ / name);
-    move(staging_ / "results.json", out_ / "results.json");
+    move(staging_ / file_names::results, out_ / file_names::results);
     remove_staging();
 }
 

@@ -1,7 +1,7 @@
 #include "host/run/run_work.hpp"
 
+#include "host/run/make_run.hpp"
 #include "host/run/result_folder.hpp"
-#include "host/run/results_json.hpp"
 #include "host/run/runner.hpp"
 
 #include <algorithm>
@@ -241,30 +241,28 @@ void RunWork::publish(const std::filesystem::path& out, int processes)
 {
     ResultFolder folder(out, folder_names(experiment_));
     bool used_device = false;
-    std::vector<SeriesResult> results;
+    ExperimentResults results;
     for (SeriesWork& series : series_) {
         series.time_more(); // machines that took part may have other devices or threads
         folder.add(series.task().name, series.files());
-        results.push_back(series.result());
+        results.series.push_back(series.result());
         used_device = used_device || series.used_device();
     }
-    std::vector<std::optional<TilingStatistics>> statistics;
     for (const TilingTask& task : experiment_.tilings) {
         const TilingUnit stored = there(pictures_.tiling(task), task.config.label);
         folder.add(task.name, stored.files);
-        statistics.push_back(stored.statistics);
+        results.statistics.push_back(stored.statistics);
     }
-    std::vector<SceneSummary> scenes;
     for (const ConstructionTask& task : experiment_.constructions) {
         const ConstructionUnit stored = there(pictures_.construction(task), task.config.label);
         folder.add(task.name, stored.files);
-        scenes.push_back(stored.summary);
+        results.scenes.push_back(stored.summary);
         used_device = used_device || stored.on_device;
     }
     const auto& machine_of = experiment_.workplace->machine;
-    Machine machine = machine_of ? machine_of(used_device) : Machine{};
-    if (processes > 1) machine.processes = processes;
-    folder.publish(results_json(experiment_, results, machine, statistics, scenes));
+    if (machine_of) results.machine = machine_of(used_device);
+    if (processes > 1) results.machine.processes = processes;
+    folder.publish(run_json(make_run(experiment_, results)));
     for (SeriesWork& series : series_) series.remove_parts();
 }
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <optional>
 #include <set>
@@ -19,18 +18,17 @@ namespace poissonlab {
 namespace {
 
 /// One line for the log: "random: 10 realizations of 16384 points, relative radius 0.012 to 0.034".
-std::string summary(const SeriesTask& task, const SeriesResult& result)
+std::string summary(const SeriesTask& task, const Series& result)
 {
-    const auto [fewest, most] = std::ranges::minmax_element(result.points);
-    const auto [smallest, largest] = std::ranges::minmax_element(result.relative_radius);
-    const auto count = result.points.size();
-    std::string line = fmt::format("{}: {} realization{} of {}", task.label, count, count == 1 ? "" : "s", *fewest);
-    if (*most != *fewest) line += fmt::format(" to {}", *most);
-    line += *most == 1 ? " point" : " points";
-    if (std::isfinite(*largest)) {
-        line += fmt::format(", relative radius {:.3f}", *smallest);
-        if (fmt::format("{:.3f}", *smallest) != fmt::format("{:.3f}", *largest))
-            line += fmt::format(" to {:.3f}", *largest);
+    const auto [fewest, most] =
+        result.points_each.empty() ? std::ranges::minmax({result.points}) : std::ranges::minmax(result.points_each);
+    std::string line = fmt::format("{}: {} realization{} of {}", task.label, result.realizations,
+                                   result.realizations == 1 ? "" : "s", fewest);
+    if (most != fewest) line += fmt::format(" to {}", most);
+    line += most == 1 ? " point" : " points";
+    if (const auto& radius = result.relative_radius) {
+        const std::string smallest = fmt::format("{:.3f}", radius->min), largest = fmt::format("{:.3f}", radius->max);
+        line += ", relative radius " + smallest + (smallest == largest ? "" : " to " + largest);
     }
     return line;
 }

@@ -8,7 +8,8 @@
 namespace poissonlab {
 namespace {
 
-constexpr double least_expected = 10; // of a cell of a chi-square test
+constexpr double least_expected = 10;           // of a cell of a chi-square test
+constexpr std::uint64_t statistics_size = 1024; // tiles along each axis
 constexpr std::uint64_t statistics_samples = statistics_size * statistics_size / 4;
 
 /// Colours where tiles meet, and how many tiles there are of each.
@@ -82,6 +83,7 @@ TilingStatistics tiling_statistics(const TilingConfig& config)
 {
     const Survey survey = survey_of(config);
     TilingStatistics statistics;
+    statistics.size = statistics_size;
     statistics.samples = statistics_samples;
     if (!survey.tiles.empty()) statistics.tiles = test_frequencies(survey.tiles);
     for (std::size_t f = 0; f < survey.fields.size(); ++f) {
@@ -90,7 +92,10 @@ TilingStatistics tiling_statistics(const TilingConfig& config)
         statistics.colors.push_back({survey.fields.size() == 1 ? "corners"
                                      : f == 0                  ? "horizontal edges"
                                                                : "vertical edges",
-                                     counts, test_frequencies(counts), color_autocorrelation(field, statistics_lags)});
+                                     counts,
+                                     test_frequencies(counts),
+                                     {},
+                                     color_autocorrelation(field, statistics_lags)});
     }
     return statistics;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/config/tiling_table.hpp"
-#include "results/pictures/tiling_statistics.hpp"
+#include "results/pictures/tiling_result.hpp"
 
 #include <optional>
 #include <string>

@@ -7,8 +7,8 @@
 #include "host/sampling/sampler.hpp"
 #include "host/scenes/construction_run.hpp"
 #include "host/store/unit_key.hpp"
+#include "results/machine.hpp"
 #include "results/method_grid.hpp"
-#include "results/series_result.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -5,6 +5,7 @@
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "host/crew/thread_limit.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 
@@ -53,7 +54,7 @@ UnitKey identity_of(const std::vector<PointSet>& sets, const std::vector<std::st
 std::string series_folder_name(const std::string& label)
 {
     const std::string name = safe_name(label).substr(0, 100);
-    const bool is_taken = name == "site" || name == "results.json" || name.ends_with(".html");
+    const bool is_taken = name == "site" || name == file_names::results || name.ends_with(".html");
     return is_taken ? "points-" + name : name;
 }
 

@@ -4,6 +4,7 @@
 #include "base/images/square_image_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/scenes/construction_run.hpp"
+#include "results/file_names.hpp"
 #include "results/pictures/archive.hpp"
 #include "version.hpp"
 
@@ -83,8 +84,8 @@ void PictureWork::make_tiling(const TilingTask& task)
     if (tiling(task)) return;
     stop_if_interrupted();
     const UnitKey key = key_of(task);
-    std::vector<std::string> files = {"tiles.txt"};
-    write_whole_file(store_.file(key, "tiles.txt"), tiles_text(task.config));
+    std::vector<std::string> files = {file_names::tiles};
+    write_whole_file(store_.file(key, file_names::tiles), tiles_text(task.config));
     std::optional<TilingStatistics> statistics;
     if (has_statistics(task.config)) {
         statistics = tiling_statistics(task.config);
@@ -135,8 +136,8 @@ void PictureWork::make_constructions()
     const bool on_device = workplace.is_device_open && workplace.is_device_open();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const UnitKey key = key_of(*missing[i]);
-        write_whole_file(store_.file(key, "construction.json"), scene_json(scenes[i]));
-        store_.store(key, to_bytes(std::tuple(summary_of(scenes[i]), on_device)), {"construction.json"});
+        write_whole_file(store_.file(key, file_names::construction), scene_json(scenes[i]));
+        store_.store(key, to_bytes(std::tuple(summary_of(scenes[i]), on_device)), {file_names::construction});
     }
 }
 

@@ -3,7 +3,7 @@
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/measuring/analysis_unit.hpp"
-#include "results/iteration_records.hpp"
+#include "results/file_names.hpp"
 #include "results/records/archive.hpp"
 #include "version.hpp"
 
@@ -203,11 +203,10 @@ void SeriesWork::analyse_all(const WorkListener& listener)
 {
     std::optional<AnalysisUnit> whole = whole_analysis(listener);
     if (!whole) return;
-    std::vector<std::vector<IterationRecord>> iterations;
+    IterationRecords iterations;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) iterations.push_back(record(k).iterations);
-    const bool has_iterations = !realizations_that_got_there(iterations).empty();
     whole->store_analysis(store_, units_.analysis_key(), image_metadata(),
-                          has_iterations ? iterations_csv(iterations) : "");
+                          iterations_of(iterations) ? iterations_csv(iterations) : "");
 }
 
 void SeriesWork::remove_parts()
@@ -275,18 +274,20 @@ StoredAnalysis SeriesWork::finished_analysis() const
     return *std::move(analysis);
 }
 
-SeriesResult SeriesWork::result() const
+Series SeriesWork::result() const
 {
-    SeriesResult result = finished_analysis().result;
+    Series result = finished_analysis().result;
+    IterationRecords iterations;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
         const SampleRecord sample = record(k);
-        result.iterations.push_back(sample.iterations);
+        iterations.push_back(sample.iterations);
         result.build_seconds += sample.build_seconds;
         result.preparation_seconds += sample.preparation_seconds;
         if (k == 0) result.tile_set = sample.tile_set;
-        if (has_points_to_keep(k)) result.point_files.push_back(fmt::format("{}/realization-{:03}.dat", task_.name, k));
+        if (has_points_to_keep(k)) result.point_files.push_back(file_names::realization(k));
     }
-    if (realizations_that_got_there(result.iterations).empty()) result.iterations.clear();
+    result.iterations = iterations_of(iterations);
+    if (result.iterations) result.iterations->file = file_names::iterations;
     if (task_.is_timed) result.sample_seconds = seconds_so_far();
     return result;
 }
@@ -298,7 +299,7 @@ std::map<std::string, std::filesystem::path> SeriesWork::files() const
         if (!has_points_to_keep(k)) continue;
         const auto points = stored_points(store_, units_.sample_key(k));
         if (!points) throw is_gone(fmt::format("realization {} of {}", k, task_.label));
-        files[fmt::format("realization-{:03}.dat", k)] = *points;
+        files[file_names::realization(k)] = *points;
     }
     return files;
 }

@@ -7,6 +7,7 @@
 #include "host/series/series_units.hpp"
 #include "host/series/work_listener.hpp"
 #include "host/store/unit_store.hpp"
+#include "results/series.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -59,8 +60,8 @@ public:
     /// Removes the stored parts of an analysis that is whole.
     void remove_parts();
 
-    /// Everything about a finished series.
-    SeriesResult result() const;
+    /// Everything about a finished series but its name and files' folder.
+    Series result() const;
 
     /// Files of a finished series for the output folder: where they are, by their names there.
     std::map<std::string, std::filesystem::path> files() const;

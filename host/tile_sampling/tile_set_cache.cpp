@@ -82,10 +82,11 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
 {
     std::vector<RegionPoints> points;
     if (set.parameters.kind == PoissonTileKind::frame) return points;
+    const std::vector<const char*> names = set.parameters.dimension == 2
+                                               ? std::vector{"corners", "edges", "interior"}
+                                               : std::vector{"corners", "edges", "faces", "interior"};
     const auto counts = region_counts(set);
-    for (int cell = 0; cell <= set.parameters.dimension; ++cell)
-        points.push_back(
-            {counts[static_cast<std::size_t>(cell)].mean, counts[static_cast<std::size_t>(cell)].expected});
+    for (std::size_t i = 0; i < names.size(); ++i) points.push_back({names[i], counts[i].mean, counts[i].expected});
     return points;
 }
 

@@ -32,7 +32,7 @@ namespace {
 // "device, 2 threads"
 std::string machine_words(const Run& run)
 {
-    const auto device = run.machine_member("device"), threads = run.machine_member("threads");
+    const auto device = run.machine.text("device"), threads = run.machine.text("threads");
     std::string text = device;
     if (!threads.empty()) text += (text.empty() ? "" : ", ") + threads + (threads == "1" ? " thread" : " threads");
     return text;

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "analysis/statistics/welch.hpp"
-
-#include "results/better.hpp"
+#include "results/measures.hpp"
 
 #include <optional>
 #include <span>

@@ -48,8 +48,8 @@ void add_remarks(const std::string& name, const Run& before, const Run& after, s
         if (std::ranges::find(remarks, remark) == remarks.end()) remarks.push_back(remark);
     };
     add("version", before.version, after.version);
-    add("device", before.machine_member("device"), after.machine_member("device"));
-    add("threads", before.machine_member("threads"), after.machine_member("threads"));
+    add("device", before.machine.text("device"), after.machine.text("device"));
+    add("threads", before.machine.text("threads"), after.machine.text("threads"));
     add("engine", before.engine, after.engine);
     add("seed", before.seed, after.seed);
     // The seed has been said.

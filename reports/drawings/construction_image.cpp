@@ -15,24 +15,24 @@ constexpr double margin = 14;
 constexpr double gap = 26;         // more than two disks at the borders of panels
 constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
 
-DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
+DrawingPoint panel_size(const Scene& scene, const ScenePanel& panel)
 {
     return scene.dimension == 2 ? plane_panel_size(panel) : space_panel_size(panel);
 }
 
-bool has_labels(const StoredScene& scene)
+bool has_labels(const Scene& scene)
 {
     return scene.panels.size() > 1 &&
-           std::ranges::any_of(scene.panels, [](const StoredPanel& panel) { return !panel.caption.empty(); });
+           std::ranges::any_of(scene.panels, [](const ScenePanel& panel) { return !panel.caption.empty(); });
 }
 
 }
 
-std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& size)
+std::vector<PanelPlace> panel_places(const Scene& scene, DrawingPoint& size)
 {
     const std::size_t columns = std::min(scene.columns, scene.panels.size());
     double widest = 0, highest = 0;
-    for (const StoredPanel& panel : scene.panels) {
+    for (const ScenePanel& panel : scene.panels) {
         widest = std::max(widest, panel_size(scene, panel)[0]);
         highest = std::max(highest, panel_size(scene, panel)[1]);
     }
@@ -60,13 +60,13 @@ std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& siz
     return places;
 }
 
-Drawing draw_construction(const StoredScene& scene)
+Drawing draw_construction(const Scene& scene)
 {
     DrawingPoint size{};
     const std::vector<PanelPlace> places = panel_places(scene, size);
     Drawing drawing{size[0], size[1], {}};
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const StoredPanel& panel = scene.panels[i];
+        const ScenePanel& panel = scene.panels[i];
         const auto [origin, scale, label] = places[i];
         if (scene.dimension == 2)
             add_plane_panel(drawing.shapes, scene, panel, origin, scale);

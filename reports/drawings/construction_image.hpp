@@ -2,11 +2,11 @@
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
-#include "results/pictures/stored_constructions.hpp"
+#include "results/pictures/construction_result.hpp"
 
 namespace poissonlab {
 
-Drawing draw_construction(const StoredScene& scene);
+Drawing draw_construction(const Scene& scene);
 
 /// The place of a panel in a picture: that of its window's upper left corner, and units of the drawing a unit
 /// of tiles.
@@ -18,6 +18,6 @@ struct PanelPlace
 };
 
 /// The places of all panels; `size` is set to the size of the drawing.
-std::vector<PanelPlace> panel_places(const StoredScene& scene, DrawingPoint& size);
+std::vector<PanelPlace> panel_places(const Scene& scene, DrawingPoint& size);
 
 }

@@ -19,15 +19,15 @@ const std::string disk_outline = "#8c8c8c";
 class PlanePanel
 {
 public:
-    PlanePanel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
-               const DrawingPoint& origin, double scale)
+    PlanePanel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel, const DrawingPoint& origin,
+               double scale)
         : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), scale_(scale)
     {}
 
     void add_regions()
     {
         std::vector<Shape> fills, outlines;
-        for (const StoredPiece& piece : panel_.pieces) {
+        for (const ScenePiece& piece : panel_.pieces) {
             const RegionShape region = shown_region(scene_, panel_, piece);
             if (region.faces.empty()) continue;
             for (const ColoredPart& part : colored_parts(piece, 2)) {
@@ -50,7 +50,7 @@ public:
     void add_corner_circles()
     {
         if (panel_.modified || panel_.has_points()) return;
-        for (const StoredPiece& piece : panel_.pieces) {
+        for (const ScenePiece& piece : panel_.pieces) {
             if (piece.axes != 0) continue;
             const ShapeVector middle{double(piece.base[0]) * tile_units, double(piece.base[1]) * tile_units, 0};
             for (std::size_t i = 0; i < arc_points; ++i) {
@@ -63,7 +63,7 @@ public:
 
     void add_tiles()
     {
-        for (const ShapeVector& tile : panel_.tiles) {
+        for (const ShapeVector& tile : shape_vectors(panel_.tiles)) {
             const auto corner = [&](double x, double y) {
                 return at({(tile[0] + x) * tile_units, (tile[1] + y) * tile_units, 0});
             };
@@ -75,7 +75,7 @@ public:
     void add_frame()
     {
         if (!panel_.tiles.empty() || panel_.caption.empty()) return;
-        const auto low = panel_.window.low, high = panel_.window.high();
+        const auto low = panel_.window.low_corner(), high = panel_.window.high_corner();
         shapes_.push_back(
             {{at(low), at({high[0], low[1], 0}), at(high), at({low[0], high[1], 0})}, {}, "#b0b0b0", 0.8});
     }
@@ -89,19 +89,19 @@ public:
         const bool has_disks = !panel_.pieces.empty() || !panel_.tiles.empty();
         if (has_disks)
             for (const auto& points : panel_.points)
-                for (const ShapeVector& point : points)
+                for (const ShapeVector& point : shape_vectors(points))
                     shapes_.push_back({circle(point, radius, disk_points), {}, disk_outline, 0.5});
         const double dot = std::clamp(0.3 * radius, 1.0, 3.5);
         for (std::size_t kind = 0; kind < panel_.points.size(); ++kind)
-            for (const ShapeVector& point : panel_.points[kind])
+            for (const ShapeVector& point : shape_vectors(panel_.points[kind]))
                 shapes_.push_back({circle(point, dot, dot_points), point_color(kind).fill, {}});
     }
 
 private:
     DrawingPoint at(const ShapeVector& place) const
     {
-        return {origin_[0] + (place[0] - panel_.window.low[0]) * scale_,
-                origin_[1] + (panel_.window.high()[1] - place[1]) * scale_};
+        return {origin_[0] + (place[0] - panel_.window.low_corner()[0]) * scale_,
+                origin_[1] + (panel_.window.high_corner()[1] - place[1]) * scale_};
     }
 
     std::vector<DrawingPoint> outline(const ShapeFace& face) const
@@ -126,22 +126,26 @@ private:
 
     bool is_in_part(const ShapeVector& place) const
     {
-        const auto low = panel_.part.low, high = panel_.part.high();
+        const auto low = panel_.part.low_corner(), high = panel_.part.high_corner();
         return place[0] >= low[0] - 1 && place[0] <= high[0] + 1 && place[1] >= low[1] - 1 && place[1] <= high[1] + 1;
     }
 
     std::vector<Shape>& shapes_;
-    const StoredScene& scene_;
-    const StoredPanel& panel_;
+    const Scene& scene_;
+    const ScenePanel& panel_;
     DrawingPoint origin_;
     double scale_;
 };
 
 }
 
-DrawingPoint plane_panel_size(const StoredPanel& panel) { return {panel.window.size[0], panel.window.size[1]}; }
+DrawingPoint plane_panel_size(const ScenePanel& panel)
+{
+    const ShapeVector size = shape_vector(panel.window.size);
+    return {size[0], size[1]};
+}
 
-void add_plane_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
+void add_plane_panel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel,
                      const DrawingPoint& origin, double scale)
 {
     PlanePanel plane(shapes, scene, panel, origin, scale);

@@ -15,7 +15,7 @@ constexpr double own_color = 0.55;
 constexpr double shared_color = 0.72;
 constexpr double interior_color = 0.82;
 
-std::string pale(const StoredPiece& piece, std::uint32_t color, int dimension)
+std::string pale(const ScenePiece& piece, std::uint32_t color, int dimension)
 {
     const double share = piece.axes == all_axes(dimension) ? interior_color
                          : piece.colors.size() > 1         ? shared_color
@@ -25,7 +25,7 @@ std::string pale(const StoredPiece& piece, std::uint32_t color, int dimension)
 
 /// Of a corner in the colours of the edges that leave it north, east, south and west: a wedge on each one's
 /// side.
-std::vector<ColoredPart> wedges(const StoredPiece& piece)
+std::vector<ColoredPart> wedges(const ScenePiece& piece)
 {
     constexpr std::array<std::array<double, 2>, 4> ways{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
     const double x = double(piece.base[0]) * tile_units, y = double(piece.base[1]) * tile_units;
@@ -43,7 +43,7 @@ std::vector<ColoredPart> wedges(const StoredPiece& piece)
 
 }
 
-std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
+std::vector<ColoredPart> colored_parts(const ScenePiece& piece, int dimension)
 {
     if (piece.colors.empty()) return {{{}, piece.axes == all_axes(dimension) ? white : no_color}};
     if (piece.colors.size() == 1) return {{{}, pale(piece, piece.colors.front(), dimension)}};
@@ -65,7 +65,7 @@ std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension)
     return parts;
 }
 
-std::string wire_color(const StoredPiece& piece)
+std::string wire_color(const ScenePiece& piece)
 {
     const bool one = !piece.colors.empty() &&
                      std::ranges::all_of(piece.colors, [&](std::uint32_t c) { return c == piece.colors.front(); });
@@ -79,16 +79,16 @@ const PointColor& point_color(std::size_t point_class)
     return colors.at(point_class);
 }
 
-TileRegions regions_of(const StoredScene& scene, const StoredPanel& panel)
+TileRegions regions_of(const Scene& scene, const ScenePanel& panel)
 {
     return panel.modified ? modified_regions(scene.dimension, scene.width)
                           : unmodified_regions(scene.dimension, scene.width);
 }
 
-RegionShape shown_region(const StoredScene& scene, const StoredPanel& panel, const StoredPiece& piece)
+RegionShape shown_region(const Scene& scene, const ScenePanel& panel, const ScenePiece& piece)
 {
     return clipped_to_box(region_shape(regions_of(scene, panel), piece.axes, piece.base), scene.dimension,
-                          panel.part.low, panel.part.high());
+                          panel.part.low_corner(), panel.part.high_corner());
 }
 
 }

@@ -4,7 +4,7 @@
 // of corners or edges, here pale, so that points show; regions between two corners are half and half.
 #pragma once
 
-#include "results/pictures/stored_constructions.hpp"
+#include "results/pictures/construction_result.hpp"
 
 #include <string>
 #include <vector>
@@ -19,10 +19,10 @@ struct ColoredPart
 };
 
 /// All parts of a piece's region.
-std::vector<ColoredPart> colored_parts(const StoredPiece& piece, int dimension);
+std::vector<ColoredPart> colored_parts(const ScenePiece& piece, int dimension);
 
 /// Of the lines around a piece's region: its colour, dark; grey where it has several.
-std::string wire_color(const StoredPiece& piece);
+std::string wire_color(const ScenePiece& piece);
 
 /// The colour of points, and what it is called.
 struct PointColor
@@ -34,9 +34,9 @@ struct PointColor
 const PointColor& point_color(std::size_t point_class);
 
 /// The regions of a panel.
-TileRegions regions_of(const StoredScene& scene, const StoredPanel& panel);
+TileRegions regions_of(const Scene& scene, const ScenePanel& panel);
 
 /// A piece's region, as far as the panel shows it.
-RegionShape shown_region(const StoredScene& scene, const StoredPanel& panel, const StoredPiece& piece);
+RegionShape shown_region(const Scene& scene, const ScenePanel& panel, const ScenePiece& piece);
 
 }

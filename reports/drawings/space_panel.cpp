@@ -21,11 +21,11 @@ const std::string body_outline = "#505050";
 const std::string cube_outline = "#a0a0a0";
 
 /// The upper left and lower right corner of a projected window.
-std::array<DrawingPoint, 2> extent(const StoredPanel& panel)
+std::array<DrawingPoint, 2> extent(const ScenePanel& panel)
 {
     std::array<DrawingPoint, 2> ends{};
     for (unsigned upper = 0; upper < 8; ++upper) {
-        ShapeVector corner = panel.window.low;
+        ShapeVector corner = panel.window.low_corner();
         for (std::size_t k = 0; k < 3; ++k)
             if (upper >> k & 1) corner[k] += panel.window.size[k];
         const DrawingPoint place = projected(corner);
@@ -68,11 +68,11 @@ std::vector<Edge> edges_of(const RegionShape& body)
 class SpacePanel
 {
 public:
-    SpacePanel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
-               const DrawingPoint& origin, double scale)
+    SpacePanel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel, const DrawingPoint& origin,
+               double scale)
         : shapes_(shapes), scene_(scene), panel_(panel), origin_(origin), corner_(extent(panel)[0]), scale_(scale)
     {
-        for (const StoredPiece& piece : panel.pieces) {
+        for (const ScenePiece& piece : panel.pieces) {
             RegionShape body = shown_region(scene, panel, piece);
             if (body.faces.empty()) continue;
             bodies_.push_back(std::move(body));
@@ -83,7 +83,7 @@ public:
     /// The edges of the panel's tiles on the side that the viewer sees, or on the other one.
     void add_cubes(bool in_sight)
     {
-        for (const ShapeVector& tile : panel_.tiles) {
+        for (const ShapeVector& tile : shape_vectors(panel_.tiles)) {
             ShapeVector low{}, high{};
             for (std::size_t k = 0; k < 3; ++k) {
                 low[k] = tile[k] * tile_units;
@@ -137,7 +137,8 @@ public:
         };
         std::vector<Sphere> spheres;
         for (std::size_t kind = 0; kind < panel_.points.size(); ++kind)
-            for (const ShapeVector& point : panel_.points[kind]) spheres.push_back({nearness(point), point, kind});
+            for (const ShapeVector& point : shape_vectors(panel_.points[kind]))
+                spheres.push_back({nearness(point), point, kind});
         if (spheres.empty()) return;
         std::ranges::stable_sort(spheres, {}, &Sphere::near);
         const auto [farthest, nearest] = ends_of_sight();
@@ -187,7 +188,7 @@ private:
     {
         std::array<double, 2> ends{};
         for (unsigned upper = 0; upper < 8; ++upper) {
-            ShapeVector corner = panel_.window.low;
+            ShapeVector corner = panel_.window.low_corner();
             for (std::size_t k = 0; k < 3; ++k)
                 if (upper >> k & 1) corner[k] += panel_.window.size[k];
             const double near = nearness(corner);
@@ -198,24 +199,24 @@ private:
     }
 
     std::vector<Shape>& shapes_;
-    const StoredScene& scene_;
-    const StoredPanel& panel_;
+    const Scene& scene_;
+    const ScenePanel& panel_;
     DrawingPoint origin_;
     DrawingPoint corner_;
     double scale_;
     std::vector<RegionShape> bodies_;
-    std::vector<const StoredPiece*> pieces_;
+    std::vector<const ScenePiece*> pieces_;
 };
 
 }
 
-DrawingPoint space_panel_size(const StoredPanel& panel)
+DrawingPoint space_panel_size(const ScenePanel& panel)
 {
     const auto [low, high] = extent(panel);
     return {high[0] - low[0], high[1] - low[1]};
 }
 
-void add_space_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
+void add_space_panel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel,
                      const DrawingPoint& origin, double scale)
 {
     SpacePanel space(shapes, scene, panel, origin, scale);

@@ -4,16 +4,16 @@
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
-#include "results/pictures/stored_constructions.hpp"
+#include "results/pictures/construction_result.hpp"
 
 namespace poissonlab {
 
 /// Width and height of a panel's projected window, units of tiles.
-DrawingPoint space_panel_size(const StoredPanel& panel);
+DrawingPoint space_panel_size(const ScenePanel& panel);
 
 /// Appends what the panel shows, with its projected window's upper left corner at `origin`. `scale`: units of
 /// the drawing a unit of tiles.
-void add_space_panel(std::vector<Shape>& shapes, const StoredScene& scene, const StoredPanel& panel,
+void add_space_panel(std::vector<Shape>& shapes, const Scene& scene, const ScenePanel& panel,
                      const DrawingPoint& origin, double scale);
 
 }

@@ -13,7 +13,7 @@ struct ReportConstruction
 {
     const Run* run = nullptr; ///< the runs outlive this
     const ConstructionResult* stored = nullptr;
-    StoredScene scene;
+    Scene scene;
     std::filesystem::path pictures; ///< folder of its picture
 };
 

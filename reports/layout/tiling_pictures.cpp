@@ -55,13 +55,13 @@ Drawing drawing_of(const TilingResult& tiling, const std::vector<TileIndex>& til
     return regions ? draw_tile_regions(grid, tiling.regions) : draw_tiles(grid);
 }
 
-void draw_autocorrelation(const ReportTiling& tiling, const StoredColors& colors)
+void draw_autocorrelation(const ReportTiling& tiling, const ColorStatistics& colors)
 {
     const auto file = tiling.run->folder / colors.autocorrelation_file;
     const SquareImage z = read_square_image(file);
-    if (z.size != 2 * colors.lags + 1)
+    if (z.size != 2 * colors.autocorrelation.lags + 1)
         throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(),
-                                     2 * colors.lags + 1, 2 * colors.lags + 1));
+                                     2 * colors.autocorrelation.lags + 1, 2 * colors.autocorrelation.lags + 1));
     GreyImage image(z.size, z.size, 0);
     for (int row = 0; row < z.size; ++row)
         for (int column = 0; column < z.size; ++column) {
@@ -73,7 +73,7 @@ void draw_autocorrelation(const ReportTiling& tiling, const StoredColors& colors
 
 }
 
-std::string autocorrelation_picture(const StoredColors& colors)
+std::string autocorrelation_picture(const ColorStatistics& colors)
 {
     return std::filesystem::path(colors.autocorrelation_file).stem().string() + ".png";
 }
@@ -83,7 +83,7 @@ void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store)
     const Drawing drawing = drawing_of(*tiling.stored, read_tiles(tiling.run->folder, *tiling.stored));
     write_drawing(tiling.pictures / "tiles", drawing, pixels_a_unit * drawing.width, store);
     if (!tiling.stored->statistics) return;
-    for (const StoredColors& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
+    for (const ColorStatistics& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
 }
 
 }

@@ -23,8 +23,8 @@ const std::array<const char*, stored_point_classes.size()> class_meanings{
 std::string legend(const ReportConstruction& construction)
 {
     std::string text;
-    for (std::size_t kind = construction.stored->points.size(); kind-- > 0;) {
-        if (construction.stored->points[kind] == 0) continue;
+    for (std::size_t kind = construction.stored->scene.points.size(); kind-- > 0;) {
+        if (construction.stored->scene.points[kind] == 0) continue;
         std::string color = point_color(kind).name;
         color[0] = static_cast<char>(color[0] - 'a' + 'A');
         text += fmt::format(" {}: {}.", color, class_meanings[kind]);
@@ -32,16 +32,16 @@ std::string legend(const ReportConstruction& construction)
     return text;
 }
 
-bool shows_disks(const StoredScene& scene)
+bool shows_disks(const Scene& scene)
 {
-    return std::ranges::any_of(scene.panels, [](const StoredPanel& panel) {
+    return std::ranges::any_of(scene.panels, [](const ScenePanel& panel) {
         return panel.has_points() && !(panel.pieces.empty() && panel.tiles.empty());
     });
 }
 
 std::string caption_of(const ReportConstruction& construction)
 {
-    const StoredScene& scene = construction.scene;
+    const Scene& scene = construction.scene;
     std::string text;
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {
         if (scene.panels[i].caption.empty()) continue;

@@ -13,7 +13,7 @@ namespace poissonlab {
 
 namespace {
 
-const MethodGrid& method_of(const ReportSeries& series) { return series.run->methods[*series.stored->method]; }
+const MethodGrid& method_of(const ReportSeries& series) { return series.run->methods[series.stored->place->method]; }
 
 // Two axes are the rows and the columns of a table, one alone its columns; every combination of values of further axes
 // has a table of its own.
@@ -22,7 +22,8 @@ bool has_rows(const MethodGrid& method) { return method.axes.size() > 1; }
 // The places of a table's series on the axes that are no borders of it.
 std::vector<std::size_t> table_of(const Series& series)
 {
-    return {series.place.begin() + std::min<std::ptrdiff_t>(2, std::ssize(series.place)), series.place.end()};
+    return {series.place->indices.begin() + std::min<std::ptrdiff_t>(2, std::ssize(series.place->indices)),
+            series.place->indices.end()};
 }
 
 std::string heading(const MethodAxis& axis, std::size_t index) { return axis.symbol + " = " + axis.values[index]; }
@@ -149,16 +150,16 @@ PageData table_data(const MethodGrid& method, const std::vector<std::size_t>& ta
 
 }
 
-bool is_in_matrix(const ReportSeries& series) { return series.stored->method && !series.stored->place.empty(); }
+bool is_in_matrix(const ReportSeries& series) { return series.stored->place && !series.stored->place->indices.empty(); }
 
 PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder)
 {
     std::map<std::pair<std::size_t, std::vector<std::size_t>>, Cells> tables; // by method and further places
     for (const auto& series : run.series) {
         if (!is_in_matrix(series)) continue;
-        const auto& place = series.stored->place;
+        const auto& place = series.stored->place->indices;
         const auto cell = place.size() == 1 ? std::pair(std::size_t{0}, place[0]) : std::pair(place[0], place[1]);
-        tables[{*series.stored->method, table_of(*series.stored)}][cell] = &series;
+        tables[{series.stored->place->method, table_of(*series.stored)}][cell] = &series;
     }
     PageData list{PageData::type::list};
     for (const auto& [key, cells] : tables)

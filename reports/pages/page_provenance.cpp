@@ -24,7 +24,7 @@ void set_provenance(PageData& data, const Run& run)
     add("Program", "poissonlab " + run.version);
     add("Seed", run.seed);
     add("Engine", engine_words(run.engine));
-    for (const auto& [name, value] : run.machine) {
+    for (const auto& [name, value] : run.machine.used()) {
         auto words = name;
         std::ranges::replace(words, '_', ' ');
         words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));

@@ -1,7 +1,7 @@
 // The ranking of all series: a table that sorts, and what its columns mean.
 #include "reports/pages/page_parts.hpp"
-#include "reports/pages/ranking_columns.hpp"
 #include "reports/pages/relative_link.hpp"
+#include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -33,10 +33,10 @@ BetterWords words_of(Better better)
 // say where they were.
 std::string machine_of(const Run& run)
 {
-    std::string text = run.machine_member("device");
+    std::string text = run.machine.text("device");
     if (text.empty()) return text;
     for (const char* name : {"driver", "threads"})
-        if (const auto value = run.machine_member(name); !value.empty())
+        if (const auto value = run.machine.text(name); !value.empty())
             text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value);
     return text;
 }
@@ -80,7 +80,7 @@ struct Provenances
 };
 
 PageData column_data(const std::string& key, const std::string& title, const std::string& unit, Better better,
-                     bool is_text)
+                     bool is_text, bool is_detail = false)
 {
     PageData data;
     data.set("key", key);
@@ -89,6 +89,7 @@ PageData column_data(const std::string& key, const std::string& title, const std
     data.set("better", words_of(better).name);
     data.set("arrow", is_text ? std::string() : words_of(better).arrow);
     data.set("is_text", is_text);
+    data.set("is_detail", is_detail);
     return data;
 }
 
@@ -97,6 +98,7 @@ PageData text_cell(const std::string& key, const std::string& text, const std::s
     PageData data;
     data.set("key", key);
     data.set("is_text", true);
+    data.set("is_detail", false);
     data.set("exact", false);
     data.set("shown", optional_text(text));
     data.set("text_link", optional_text(link));
@@ -105,33 +107,45 @@ PageData text_cell(const std::string& key, const std::string& text, const std::s
     return data;
 }
 
-PageData number_cell(const RankingColumn& column, const ReportSeries& series, const std::string& machine)
+PageData number_cell(const Measure& measure, const ReportSeries& series, const std::string& machine)
 {
-    const auto cell = column.cell(series).value_or(RankingCell{});
+    const auto value = measure.get(*series.stored);
+    const MeasureWords words = value ? words_of(measure, *value) : MeasureWords{};
     PageData data;
-    data.set("key", column.key);
+    data.set("key", measure.key);
     data.set("is_text", false);
-    data.set("shown", optional_text(cell.shown));
-    data.set("exact", optional_text(cell.shown.empty() ? "" : format_exact(cell.value)));
-    data.set("error", optional_text(cell.spread));
-    data.set("machine", optional_text(column.is_time && !cell.shown.empty() ? machine : ""));
+    data.set("is_detail", measure.is_detail);
+    data.set("shown", optional_text(words.shown));
+    data.set("exact", optional_text(value ? format_exact(value->value) : ""));
+    data.set("error", optional_text(words.spread));
+    data.set("machine", optional_text(value && measure.kind == MeasureKind::time ? machine : ""));
     return data;
 }
 
-PageData columns_data(const Site& site, const std::vector<const RankingColumn*>& columns, const Provenances& from)
+/// The measures that at least one of the series has.
+std::vector<const Measure*> columns_of(const std::vector<const ReportSeries*>& series)
+{
+    std::vector<const Measure*> columns;
+    for (const Measure& measure : measures())
+        if (std::ranges::any_of(series, [&](const auto* entry) { return measure.get(*entry->stored).has_value(); }))
+            columns.push_back(&measure);
+    return columns;
+}
+
+PageData columns_data(const Site& site, const std::vector<const Measure*>& columns, const Provenances& from)
 {
     PageData list{PageData::type::list};
     list << column_data("series", "Series", "", Better::neither, true);
     if (site.has_several_runs()) list << column_data("run", "Run", "", Better::neither, true);
     for (const auto* column : columns)
-        list << column_data(column->key, column->title, column->unit, column->better, false);
+        list << column_data(column->key, column->title(), column->unit, column->better, false, column->is_detail);
     if (from.machines.any()) list << column_data("device", "Machine", "", Better::neither, true);
     if (from.versions.any()) list << column_data("version", "Version", "", Better::neither, true);
     return list;
 }
 
-PageData row_data(const Site& site, const ReportRun& run, std::size_t index,
-                  const std::vector<const RankingColumn*>& columns, const Provenances& from)
+PageData row_data(const Site& site, const ReportRun& run, std::size_t index, const std::vector<const Measure*>& columns,
+                  const Provenances& from)
 {
     const ReportSeries& series = run.series[index];
     auto row = series_identity(series, index);
@@ -163,14 +177,18 @@ PageData notices(const Provenances& from)
     return list;
 }
 
-PageData notes(const std::vector<const RankingColumn*>& columns)
+/// What columns mean; neighbours with one meaning share a note.
+PageData notes(const std::vector<const Measure*>& columns)
 {
     PageData list{PageData::type::list};
-    for (const auto* column : columns) {
-        if (column->meaning.empty()) continue;
+    for (std::size_t i = 0; i < columns.size();) {
+        const std::string& meaning = columns[i]->meaning;
+        std::string names = columns[i]->title();
+        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i) names += "; " + columns[i]->title();
+        if (meaning.empty()) continue;
         PageData note;
-        note.set("name", column->title);
-        note.set("text", column->meaning);
+        note.set("name", names);
+        note.set("text", meaning);
         list << note;
     }
     return list;
@@ -189,6 +207,7 @@ void set_ranking(PageData& page, const Site& site)
         for (std::size_t i = 0; i < run.series.size(); ++i) rows << row_data(site, run, i, columns, from);
     page.set("columns", columns_data(site, columns, from));
     page.set("rows", rows);
+    page.set("has_details", std::ranges::any_of(columns, &Measure::is_detail));
     page.set("is_long", series.size() > long_ranking);
     page.set("notices", notices(from));
     page.set("notes", notes(columns));

@@ -42,11 +42,10 @@ std::string picture_caption(const TilingResult& stored)
                        stored.kind == TileKind::cube ? "spheres" : "disks", format_significant(stored.regions, 3));
 }
 
-std::string period_text(const std::vector<double>& period, const char* never)
+std::string period_text(const std::vector<std::size_t>& period, const char* never)
 {
     std::vector<std::string> texts;
-    for (const double p : period)
-        texts.push_back(p > 0 ? format_count(static_cast<std::uint64_t>(p)) : std::string(never));
+    for (const std::size_t p : period) texts.push_back(p > 0 ? format_count(p) : std::string(never));
     return fmt::format("{}", fmt::join(texts, " × "));
 }
 
@@ -63,7 +62,7 @@ PageData facts_of(const TilingResult& stored)
     if (!stored.hash.empty())
         facts << PageData(fmt::format("hash {}, repeats after {} tiles", stored.hash,
                                       period_text(stored.hash_period, "infinitely many")));
-    if (std::ranges::any_of(stored.period, [](double p) { return p > 0; }))
+    if (std::ranges::any_of(stored.period, [](std::size_t p) { return p > 0; }))
         facts << PageData("closes after " + period_text(stored.period, "–") + " tiles");
     return facts;
 }
@@ -91,16 +90,16 @@ PageData measures_of(const TilingResult& stored)
                         "come too often",
                         format_significant(statistics.tiles->chi_square, 4), format_count(stored.tiles),
                         format_count(statistics.samples)));
-    for (const StoredColors& colors : statistics.colors) {
+    for (const ColorStatistics& colors : statistics.colors) {
         list << measure(fmt::format("Frequencies of colours, {}", colors.name), p_text(colors.frequencies.p_value),
                         fmt::format("chi-square {} for {} colours",
-                                    format_significant(colors.frequencies.chi_square, 3), colors.count));
-        const bool repeats = colors.largest > colors.bound;
+                                    format_significant(colors.frequencies.chi_square, 3), colors.counts.size()));
+        const bool repeats = colors.autocorrelation.largest > colors.autocorrelation.bound;
         list << measure(fmt::format("Largest correlation, {}", colors.name),
-                        fmt::format("{} standard deviations", format_significant(colors.largest, 3)),
+                        fmt::format("{} standard deviations", format_significant(colors.autocorrelation.largest, 3)),
                         fmt::format("at ({}, {}); chance passes {} once in a hundred tilings: {}",
-                                    format_exact(colors.largest_at[0]), format_exact(colors.largest_at[1]),
-                                    format_fixed(colors.bound, 2),
+                                    colors.autocorrelation.largest_at[0], colors.autocorrelation.largest_at[1],
+                                    format_fixed(colors.autocorrelation.bound, 2),
                                     repeats ? "these colours repeat" : "no trace of repetition"));
     }
     return list;
@@ -119,13 +118,13 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
                                        stored.set.empty() ? "Tiling" : "Tile set", picture_caption(stored)));
     PageData pictures{PageData::type::list};
     if (stored.statistics)
-        for (const StoredColors& colors : stored.statistics->colors) {
+        for (const ColorStatistics& colors : stored.statistics->colors) {
             const auto name = autocorrelation_picture(colors);
             pictures << tiling_picture(
                 tiling, page_folder, name, name, "Autocorrelation of " + colors.name,
                 fmt::format("Displacements up to {0} along each axis, over {1} × {1} tiles; black −{2}, white {2} "
                             "standard deviations.",
-                            colors.lags, format_count(stored.statistics->size), format_exact(shown_z)));
+                            colors.autocorrelation.lags, format_count(stored.statistics->size), format_exact(shown_z)));
         }
     data.set("autocorrelations", pictures);
     data.set("measures", measures_of(stored));

@@ -59,7 +59,7 @@ std::vector<RegionCurve> region_curves(const std::vector<const Series*>& series)
     std::map<std::string, std::size_t> places; // by label
     for (const Series* entry : series) {
         if (!entry->tile_set) continue;
-        for (const StoredRegion& region : entry->tile_set->regions) {
+        for (const RegionPoints& region : entry->tile_set->regions) {
             if (region.name == "interior") continue;
             const std::string label = label_of(region.name, method_of(*entry), methods);
             const std::size_t place = places.try_emplace(label, curves.size()).first->second;

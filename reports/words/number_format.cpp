@@ -85,11 +85,4 @@ std::string format_seconds(double seconds)
 
 std::string format_exact(double value) { return fmt::format("{}", value); }
 
-double median(std::vector<double> values)
-{
-    std::ranges::sort(values);
-    const auto middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace poissonlab {
 
@@ -25,8 +24,5 @@ std::string format_seconds(double seconds);
 
 /// The shortest decimal that reads back as the same double.
 std::string format_exact(double value);
-
-/// The median; the mean of the middle two for an even number of values. `values` must not be empty.
-double median(std::vector<double> values);
 
 }

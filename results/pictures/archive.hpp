@@ -2,7 +2,7 @@
 #pragma once
 
 #include "results/pictures/construction_scene.hpp"
-#include "results/pictures/tiling_statistics.hpp"
+#include "results/pictures/tiling_result.hpp"
 #include "results/records/archive.hpp"
 
 namespace poissonlab {
@@ -29,7 +29,7 @@ void serialize(Archive& archive, ColorStatistics& colors)
 template <class Archive>
 void serialize(Archive& archive, TilingStatistics& statistics)
 {
-    archive(statistics.samples, statistics.tiles, statistics.colors);
+    archive(statistics.size, statistics.samples, statistics.tiles, statistics.colors);
 }
 
 template <class Archive>

@@ -32,7 +32,7 @@ void serialize(Archive& archive, TileSetBuild& build)
 template <class Archive>
 void serialize(Archive& archive, RegionPoints& points)
 {
-    archive(points.mean, points.expected);
+    archive(points.name, points.points, points.expected);
 }
 
 template <class Archive>

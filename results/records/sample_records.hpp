@@ -21,23 +21,30 @@ struct TileSetBuild
     double seconds = 0; ///< with the proof of its minimum distance, without building kernels
     std::string device; ///< OpenCL; empty: the reference engine
     int threads = 0;    ///< of the host
+
+    bool operator==(const TileSetBuild&) const = default;
 };
 
 /// The points of a tile in the regions of its corners, edges, faces or in its interior, on average over the tile set.
 struct RegionPoints
 {
-    double mean = 0;
+    std::string name; ///< "corners", "edges", "faces" or "interior"
+    double points = 0;
     double expected = 0; ///< of as many points spread evenly: by area (volume)
+
+    bool operator==(const RegionPoints&) const = default;
 };
 
 /// The tile set that a tiling method takes its points from.
 struct TileSetRecord
 {
-    std::uint32_t tiles = 0;
-    std::uint32_t points_per_tile = 0;
+    std::uint64_t tiles = 0;
+    std::uint64_t points_per_tile = 0;
     bool cached = false;               ///< read from the cache, not built this time
     std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
     std::vector<RegionPoints> regions; ///< of corners first, the interior last; empty for templates
+
+    bool operator==(const TileSetRecord&) const = default;
 };
 
 }

@@ -27,11 +27,11 @@ TEST(ZonePlateAnalysis, KeepsTheFirstPictureAndAllErrors)
     analysis.add(first);
     analysis.add(second);
     EXPECT_EQ(analysis.first_image().pixels, zone_plate_image(first).pixels);
-    const auto& result = analysis.result();
+    const ZonePlateResult result = analysis.result();
     EXPECT_EQ(result.size, 40);
-    EXPECT_THAT(result.rms_error, testing::ElementsAre(ZonePlateError().add(zone_plate_image(first)).whole,
-                                                       ZonePlateError().add(zone_plate_image(second)).whole));
-    EXPECT_THAT(result.resolved_rms_error,
+    EXPECT_THAT(result.rms_error.each, testing::ElementsAre(ZonePlateError().add(zone_plate_image(first)).whole,
+                                                            ZonePlateError().add(zone_plate_image(second)).whole));
+    EXPECT_THAT(result.resolved_rms_error->each,
                 testing::ElementsAre(ZonePlateError().add(zone_plate_image(first)).resolved,
                                      ZonePlateError().add(zone_plate_image(second)).resolved));
     EXPECT_GT(analysis.seconds(), 0);
@@ -43,7 +43,7 @@ TEST(ZonePlateAnalysis, CurveIsACsvOfExactNumbers)
     const PointSet point{2, {0.5, 0.5}};
     analysis.add(point); // one pixel, 24 sqrt 2 = 33.94 from the origin
     EXPECT_EQ(analysis.csv(), fmt::format("distance,frequency,rms_error,pixels\n33.75,{},{},1\n",
-                                          plate_frequency(33.75, 1), analysis.result().rms_error[0]));
+                                          plate_frequency(33.75, 1), analysis.result().rms_error.mean));
 }
 
 class ZonePlateRun : public testing::Test

@@ -1,11 +1,12 @@
 // collection.json: the output folders of a collection.
 #include "results/collection_file.hpp"
+#include "results/file_names.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
 {
     using namespace poissonlab;
-    const auto file = fuzz::write_input(collection_file_name, {reinterpret_cast<const char*>(data), size});
+    const auto file = fuzz::write_input(file_names::collection, {reinterpret_cast<const char*>(data), size});
     std::optional<CollectionFile> collection;
     if (!fuzz::accepts(file.native(), [&] { collection = read_collection_file(fuzz::input_folder()); })) return 0;
     fuzz::require(collection && !collection->runs.empty(), "a collection without runs");

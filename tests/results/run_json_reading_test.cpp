@@ -45,8 +45,8 @@ TEST(StoredResults, ReadsWhatWasWritten)
     const auto run = read_run(folder.path());
     EXPECT_EQ(run.title, "Grids <script>alert(1)</script> & co");
     EXPECT_EQ(run.seed, "18446744073709551615");
-    EXPECT_EQ(run.machine_member("device"), "Test <device>");
-    EXPECT_EQ(run.machine_member("platform"), "");
+    EXPECT_EQ(run.machine.text("device"), "Test <device>");
+    EXPECT_EQ(run.machine.text("platform"), "");
     ASSERT_EQ(run.series.size(), 3);
     EXPECT_EQ(run.series[0].points, 256);
     EXPECT_TRUE(run.series[0].is_estimate);

@@ -116,7 +116,7 @@ TEST(BlueNoiseMeasures, OfTheJitteredGridAreThoseOfItsKnownSpectrum)
     // samples as 2 pi 33 in a ring deviate from its area by some percent of one of 33 rings.
     EXPECT_NEAR(effective_nyquist_frequency(radial, n * n, 2), f / n, 2e-3 * f / n);
 
-    const Oscillation measured = oscillation(radial, n * n, 2, 1);
+    const Oscillation measured = oscillation(radial, n * n, 2);
     EXPECT_EQ(measured.end, size / 2 - 1);
     EXPECT_GE(jittered_power(measured.begin + 0.5, n), 0.98);
     EXPECT_LT(jittered_power(measured.begin - 1.5, n), 0.98);
@@ -133,15 +133,28 @@ TEST(Oscillation, IsTheRootMeanSquareDeviationFromOne)
 {
     // 0 up to f = 9, then alternately 1.5 and 0.5: ten times one half.
     const auto radial = radial_of(100, 2, [](double f) { return f < 10 ? 0 : std::fmod(f, 2) == 0 ? 1.5 : 0.5; });
-    const Oscillation o = oscillation(radial, 100, 2, 1);
+    const Oscillation o = oscillation(radial, 100, 2);
     EXPECT_EQ(o.begin, 10);
     EXPECT_EQ(o.end, 60); // 10 + 5 sqrt 100
     EXPECT_NEAR(o.value, 5, 1e-12);
     const auto step = radial_of(100, 3, [](double f) { return f < 10 ? 0.0 : 1.0; });
-    EXPECT_EQ(oscillation(step, 1000, 3, 1).value, 0);
+    EXPECT_EQ(oscillation(step, 1000, 3).value, 0);
     // Never up to 0.98: from the largest power on.
     const auto low = radial_of(10, 2, [](double f) { return f == 7 ? 0.5 : 0.25; });
-    EXPECT_EQ(oscillation(low, 100, 2, 1).begin, 7);
+    EXPECT_EQ(oscillation(low, 100, 2).begin, 7);
+}
+
+/// What the noise of K periodograms makes of a flat spectrum: power is exponentially distributed, and f and -f have the
+/// same, so that the mean over the n samples of a bin has the variance 2 / (K n).
+double squared_noise_floor(const std::vector<RadialBin>& radial, const Oscillation& measured, int realizations)
+{
+    double noise = 0, samples = 0;
+    for (const RadialBin& bin : radial) {
+        if (bin.frequency < measured.begin || bin.frequency > measured.end) continue;
+        noise += 2.0 / realizations;
+        samples += static_cast<double>(bin.samples);
+    }
+    return 100 * noise / samples;
 }
 
 TEST(Oscillation, OfWhiteNoiseIsItsNoiseFloor)
@@ -151,8 +164,9 @@ TEST(Oscillation, OfWhiteNoiseIsItsNoiseFloor)
     for (int i = 0; i < 40; ++i) {
         SpectrumEstimate estimate(2, 64);
         for (int k = 0; k < 3; ++k) estimate.add(random_points(300, 2, random));
-        const Oscillation o = oscillation(radial_statistics(estimate.mean()), 300, 2, 3);
-        ratios.push_back(o.value * o.value / (o.noise_floor * o.noise_floor));
+        const auto radial = radial_statistics(estimate.mean());
+        const Oscillation o = oscillation(radial, 300, 2);
+        ratios.push_back(o.value * o.value / squared_noise_floor(radial, o, 3));
     }
     // f and -f weigh the same, so means of squares compare; a first bin of at least 0.98 is as good as
     // chosen, which changes one bin of 30.
@@ -165,10 +179,9 @@ TEST(BlueNoiseMeasures, RejectWhatHasNoMeaning)
     const auto radial = radial_of(10, 2, [](double) { return 1.0; });
     EXPECT_THROW(effective_nyquist_frequency(radial, 0, 2), InputError);
     EXPECT_THROW(effective_nyquist_frequency(radial, 10, 4), InputError);
-    EXPECT_THROW(oscillation(radial, 0, 2, 1), InputError);
-    EXPECT_THROW(oscillation(radial, 10, 1, 1), InputError);
-    EXPECT_THROW(oscillation(radial, 10, 2, 0), InputError);
-    EXPECT_EQ(oscillation({}, 10, 2, 1).value, 0);
+    EXPECT_THROW(oscillation(radial, 0, 2), InputError);
+    EXPECT_THROW(oscillation(radial, 10, 1), InputError);
+    EXPECT_EQ(oscillation({}, 10, 2).value, 0);
 }
 
 }

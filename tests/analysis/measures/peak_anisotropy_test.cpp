@@ -20,6 +20,7 @@ TEST(PeakAnisotropy, IsTheLargestOfRingsWithEnoughSamples)
     EXPECT_EQ(peak->frequency, 17) << "the first of several";
     EXPECT_EQ(peak->samples, 108U);
     EXPECT_EQ(peak->standard_error_db, anisotropy_standard_error_db(108, 10));
+    EXPECT_FALSE(peak_anisotropy(radial, 1)->standard_error_db);
     EXPECT_FALSE(peak_anisotropy({radial[0]}, 10));
     EXPECT_FALSE(peak_anisotropy({}, 10));
 }

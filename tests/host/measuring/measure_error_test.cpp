@@ -14,11 +14,11 @@ constexpr int series_count = 200;
 constexpr int realizations = 8;
 
 /// The measures of many series of one method that differ in their seed.
-std::vector<SeriesMeasures> measures_of(const std::string& method, const Parameters& parameters)
+std::vector<Measures> measures_of(const std::string& method, const Parameters& parameters)
 {
     AnalysisOptions options;
     options.tiles = 8;
-    std::vector<SeriesMeasures> result;
+    std::vector<Measures> result;
     for (std::uint64_t seed = 1; seed <= series_count; ++seed) {
         const auto sampler = find_sampler(method)->create(parameters, {256, 2, seed}, Engine::reference, {});
         SeriesAnalysis analysis("s", false, options);
@@ -29,13 +29,13 @@ std::vector<SeriesMeasures> measures_of(const std::string& method, const Paramet
     return result;
 }
 
-using Value = std::function<double(const SeriesMeasures&)>;
+using Value = std::function<double(const Measures&)>;
 
 /// The mean of the claimed variances over the variance of the values.
-double claimed_over_true(const std::vector<SeriesMeasures>& series, const Value& value, const Value& error)
+double claimed_over_true(const std::vector<Measures>& series, const Value& value, const Value& error)
 {
     double claimed = 0, sum = 0, squares = 0;
-    for (const SeriesMeasures& measures : series) {
+    for (const Measures& measures : series) {
         claimed += error(measures) * error(measures) / series_count;
         sum += value(measures) / series_count;
         squares += value(measures) * value(measures) / series_count;
@@ -43,12 +43,12 @@ double claimed_over_true(const std::vector<SeriesMeasures>& series, const Value&
     return claimed / ((squares - sum * sum) * series_count / (series_count - 1.0));
 }
 
-double nyquist(const SeriesMeasures& m) { return *m.effective_nyquist; }
-double nyquist_error(const SeriesMeasures& m) { return *m.effective_nyquist_error; }
-double flatness(const SeriesMeasures& m) { return m.oscillation->value; }
-double flatness_error(const SeriesMeasures& m) { return *m.oscillation_error; }
-double ratio(const SeriesMeasures& m) { return m.lattice_peaks->mean_ratio; }
-double ratio_error(const SeriesMeasures& m) { return *m.lattice_peaks_error; }
+double nyquist(const Measures& m) { return m.numbers.at("effective_nyquist").value; }
+double nyquist_error(const Measures& m) { return *m.numbers.at("effective_nyquist").standard_error; }
+double flatness(const Measures& m) { return m.oscillation->value; }
+double flatness_error(const Measures& m) { return *m.oscillation->standard_error; }
+double ratio(const Measures& m) { return m.lattice_peaks->mean_ratio; }
+double ratio_error(const Measures& m) { return *m.lattice_peaks->mean_ratio_standard_error; }
 
 // The variance of 200 values has the relative standard error sqrt(2 / 199), the mean of 200 claims, each of 8
 // realizations, sqrt(2 / (7 * 200)): together 0.107. Four of these.
@@ -75,7 +75,7 @@ TEST(MeasureErrors, AgreeWithTheSpreadOfRandomSets)
     EXPECT_NEAR(claimed_over_true(series, ratio, ratio_error), 1.07, tolerance);
     // The spectrum is flat but for noise: twice the variance, as jackknife.hpp says, (K / (K - 1)) a little more.
     EXPECT_NEAR(claimed_over_true(series, flatness, flatness_error), 2 * 8.0 / 7, 2 * 8.0 / 7 * tolerance);
-    for (const SeriesMeasures& measures : series) EXPECT_EQ(*measures.effective_nyquist_error, 0) << "0 for each";
+    for (const Measures& measures : series) EXPECT_EQ(nyquist_error(measures), 0) << "0 for each";
 }
 
 TEST(MeasureErrors, NeedTwoRealizations)
@@ -85,12 +85,12 @@ TEST(MeasureErrors, NeedTwoRealizations)
     SeriesAnalysis analysis("s", false, options);
     analysis.add(find_sampler("random")->create({}, {64, 2, 1}, Engine::reference, {})->sample(0));
     analysis.measure_spectrum(analysis.mean_spectrum());
-    const SeriesMeasures& measures = analysis.result().measures;
-    EXPECT_TRUE(measures.effective_nyquist);
-    EXPECT_FALSE(measures.effective_nyquist_error);
-    EXPECT_FALSE(measures.oscillation_error);
-    EXPECT_TRUE(measures.lattice_peaks);
-    EXPECT_FALSE(measures.lattice_peaks_error);
+    const Measures measures = analysis.result().measures;
+    EXPECT_FALSE(measures.numbers.at("effective_nyquist").standard_error);
+    EXPECT_FALSE(measures.oscillation->standard_error);
+    EXPECT_FALSE(measures.peak_anisotropy && measures.peak_anisotropy->standard_error_db);
+    ASSERT_TRUE(measures.lattice_peaks);
+    EXPECT_FALSE(measures.lattice_peaks->mean_ratio_standard_error);
 }
 
 }

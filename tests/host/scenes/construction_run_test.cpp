@@ -1,5 +1,5 @@
 // Runs of constructions: what is stored is what reports read, and how many points of each class there are.
-#include "results/pictures/stored_constructions.hpp"
+#include "results/pictures/construction_result.hpp"
 #include "tests/support/picture.hpp"
 #include "tests/support/program.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
@@ -38,12 +38,12 @@ protected:
 
     static std::string table(const std::string& lines) { return "[[construction]]\n" + lines; }
 
-    StoredScene scene(const json& root, std::size_t number) const
+    Scene scene(const json& root, std::size_t number) const
     {
         return read_scene(out_ / root["constructions"][number]["file"].get<std::string>());
     }
 
-    static std::size_t count(const StoredPanel& panel, StoredPointClass kind)
+    static std::size_t count(const ScenePanel& panel, PointClass kind)
     {
         return panel.points[static_cast<std::size_t>(kind)].size();
     }
@@ -55,23 +55,22 @@ protected:
 TEST_F(ConstructionRun, StagesOfAPieceKeepTheirPoints)
 {
     const json root = results(table(plane + "show = \"edge\"\nalong = \"y\"\nvariant = 2\n"));
-    const StoredScene stages = scene(root, 0);
+    const Scene stages = scene(root, 0);
     ASSERT_EQ(stages.panels.size(), 4u);
     EXPECT_EQ(stages.panels[0].pieces.size(), 3u) << "two corners and the edge";
-    EXPECT_EQ(count(stages.panels[0], StoredPointClass::inner), 0u);
+    EXPECT_EQ(count(stages.panels[0], PointClass::inner), 0u);
     for (const std::size_t i : {1, 2}) {
-        const StoredPanel& torus = stages.panels[i];
-        EXPECT_EQ(count(torus, StoredPointClass::held) + count(torus, StoredPointClass::inner) +
-                      count(torus, StoredPointClass::outer),
+        const ScenePanel& torus = stages.panels[i];
+        EXPECT_EQ(count(torus, PointClass::held) + count(torus, PointClass::inner) + count(torus, PointClass::outer),
                   4u * 16)
             << "a torus of four tiles";
-        EXPECT_EQ(count(torus, StoredPointClass::held), count(stages.panels[1], StoredPointClass::held));
+        EXPECT_EQ(count(torus, PointClass::held), count(stages.panels[1], PointClass::held));
     }
-    const StoredPanel& cut = stages.panels[3];
-    EXPECT_EQ(cut.points[static_cast<std::size_t>(StoredPointClass::inner)],
-              stages.panels[2].points[static_cast<std::size_t>(StoredPointClass::inner)]);
-    EXPECT_EQ(count(cut, StoredPointClass::outer) + count(cut, StoredPointClass::held), 0u);
-    for (const ShapeVector& point : cut.points[static_cast<std::size_t>(StoredPointClass::inner)])
+    const ScenePanel& cut = stages.panels[3];
+    EXPECT_EQ(cut.points[static_cast<std::size_t>(PointClass::inner)],
+              stages.panels[2].points[static_cast<std::size_t>(PointClass::inner)]);
+    EXPECT_EQ(count(cut, PointClass::outer) + count(cut, PointClass::held), 0u);
+    for (const TilePosition& point : cut.points[static_cast<std::size_t>(PointClass::inner)])
         EXPECT_LT(std::abs(point[0]), stages.width) << "in the strip";
 }
 
@@ -79,16 +78,16 @@ TEST_F(ConstructionRun, StagesOfATileEndWithAllItsPoints)
 {
     const json root =
         results(table(plane + "show = \"tile\"\nvariant = 6\n") + table(plane + "show = \"tiles\"\ncount = 4\n"));
-    const StoredScene stages = scene(root, 0);
+    const Scene stages = scene(root, 0);
     ASSERT_EQ(stages.panels.size(), 4u);
-    const StoredPanel& cut = stages.panels[3];
-    EXPECT_EQ(count(cut, StoredPointClass::held) + count(cut, StoredPointClass::inner), 16u);
-    EXPECT_GT(count(stages.panels[1], StoredPointClass::surroundings), 0u);
-    EXPECT_EQ(count(stages.panels[1], StoredPointClass::inner), count(cut, StoredPointClass::inner));
-    const StoredScene tiles = scene(root, 1);
+    const ScenePanel& cut = stages.panels[3];
+    EXPECT_EQ(count(cut, PointClass::held) + count(cut, PointClass::inner), 16u);
+    EXPECT_GT(count(stages.panels[1], PointClass::surroundings), 0u);
+    EXPECT_EQ(count(stages.panels[1], PointClass::inner), count(cut, PointClass::inner));
+    const Scene tiles = scene(root, 1);
     ASSERT_EQ(tiles.panels.size(), 4u);
-    for (const StoredPanel& panel : tiles.panels) {
-        EXPECT_EQ(count(panel, StoredPointClass::held) + count(panel, StoredPointClass::inner), 16u);
+    for (const ScenePanel& panel : tiles.panels) {
+        EXPECT_EQ(count(panel, PointClass::held) + count(panel, PointClass::inner), 16u);
         EXPECT_EQ(panel.caption, "");
     }
     const json& stored = root["constructions"][1]["points"];
@@ -101,8 +100,8 @@ TEST_F(ConstructionRun, TilingsKeepTheDistance)
                               table(plane + "show = \"points\"\nwindow = [-2, 3, 4, 3]\n") +
                               table(frame + "show = \"tiling\"\nwindow = [0, 0, 4, 3]\n"));
     for (const std::size_t i : {0, 2}) {
-        const StoredScene tiling = scene(root, i);
-        const auto& points = tiling.panels.at(0).points[static_cast<std::size_t>(StoredPointClass::held)];
+        const Scene tiling = scene(root, i);
+        const auto& points = tiling.panels.at(0).points[static_cast<std::size_t>(PointClass::held)];
         ASSERT_EQ(points.size(), 12u * 16);
         double closest = 1e300;
         for (std::size_t a = 0; a < points.size(); ++a)
@@ -121,32 +120,32 @@ TEST_F(ConstructionRun, TemplatesAreWhatTilesShare)
 {
     const json root = results(table(frame + "show = \"master\"\n") + table(frame + "show = \"template\"\n") +
                               table(frame + "show = \"tile\"\nvariant = 2\n"));
-    const StoredScene master = scene(root, 0), kept = scene(root, 1), tile = scene(root, 2);
+    const Scene master = scene(root, 0), kept = scene(root, 1), tile = scene(root, 2);
     ASSERT_EQ(master.panels.size(), 2u);
-    for (const StoredPanel& panel : master.panels) EXPECT_EQ(count(panel, StoredPointClass::inner), 16u);
+    for (const ScenePanel& panel : master.panels) EXPECT_EQ(count(panel, PointClass::inner), 16u);
     ASSERT_EQ(kept.panels.size(), 2u);
-    EXPECT_EQ(count(kept.panels[0], StoredPointClass::held) + count(kept.panels[0], StoredPointClass::outer), 16u);
-    EXPECT_EQ(count(kept.panels[1], StoredPointClass::outer), 0u);
+    EXPECT_EQ(count(kept.panels[0], PointClass::held) + count(kept.panels[0], PointClass::outer), 16u);
+    EXPECT_EQ(count(kept.panels[1], PointClass::outer), 0u);
     ASSERT_EQ(tile.panels.size(), 3u);
-    EXPECT_EQ(count(tile.panels[0], StoredPointClass::held), count(kept.panels[1], StoredPointClass::held));
-    EXPECT_EQ(count(tile.panels[2], StoredPointClass::held) + count(tile.panels[2], StoredPointClass::inner), 16u);
+    EXPECT_EQ(count(tile.panels[0], PointClass::held), count(kept.panels[1], PointClass::held));
+    EXPECT_EQ(count(tile.panels[2], PointClass::held) + count(tile.panels[2], PointClass::inner), 16u);
 }
 
 TEST_F(ConstructionRun, ShowsRegionsAndPiecesInSpace)
 {
     const json root = results(table(space + "show = \"regions\"\nmodified = false\n") +
                               table(space + "show = \"kinds\"\n") + table(space + "show = \"corner\"\n"));
-    const StoredScene regions = scene(root, 0), kinds = scene(root, 1), corner = scene(root, 2);
-    const auto pieces_of = [](const StoredScene& stored) {
+    const Scene regions = scene(root, 0), kinds = scene(root, 1), corner = scene(root, 2);
+    const auto pieces_of = [](const Scene& stored) {
         std::vector<std::size_t> counts;
-        for (const StoredPanel& panel : stored.panels) counts.push_back(panel.pieces.size());
+        for (const ScenePanel& panel : stored.panels) counts.push_back(panel.pieces.size());
         return counts;
     };
     EXPECT_THAT(pieces_of(regions), testing::ElementsAre(8, 12, 6, 1, 27, 20));
     EXPECT_FALSE(regions.panels[0].modified);
     EXPECT_THAT(pieces_of(kinds), testing::ElementsAre(1, 3, 3, 1));
     EXPECT_THAT(pieces_of(corner), testing::ElementsAre(1, 1, 1, 1));
-    EXPECT_GT(count(corner.panels[3], StoredPointClass::inner), 0u);
+    EXPECT_GT(count(corner.panels[3], PointClass::inner), 0u);
     for (const json& each : root["constructions"]) {
         const fs::path folder = out_ / each["name"].get<std::string>();
         EXPECT_GT(test::decode_png(content_of(folder / "construction.png")).variance(), 50);

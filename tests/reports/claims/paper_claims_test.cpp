@@ -154,7 +154,7 @@ const std::vector<ClaimCase>& claim_cases()
              MadeUpReport::set_iterations(series, relaxed(0.6, 0.8, 20));
              const double six = agrees ? 0.7 : 0.99;
              const_cast<Series*>(series.stored)->measures.voronoi =
-                 Measures::Cells{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
+                 VoronoiStatistics{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
          }},
         {"6.7-peaks", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 4, 64, agrees ? 5 : 1); }},
         {"6.7-more-tiles",
@@ -201,7 +201,7 @@ const std::vector<ClaimCase>& claim_cases()
          }},
         {"6.11-tiles",
          [](MadeUpReport& r, bool agrees) {
-             StoredTileSet set;
+             TileSetRecord set;
              set.tiles = agrees ? 81 : 80;
              set.points_per_tile = 64;
              const_cast<Series*>(tiles(r, "corner", 3, 64, 10).stored)->tile_set = set;
@@ -379,7 +379,7 @@ protected:
         const auto name = std::to_string(count_++) + ".exr";
         write_square_image(folder_.path() / name, picture, {});
         const_cast<poissonlab::Run*>(series.run)->folder = folder_.path();
-        StoredZonePlate plate;
+        ZonePlateResult plate;
         plate.size = 128;
         plate.file = name;
         const_cast<Series*>(series.stored)->zone_plate = plate;

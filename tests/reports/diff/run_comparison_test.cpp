@@ -60,7 +60,7 @@ TEST_F(CompareResults, FindsNothingButChanceBetweenSeeds)
     EXPECT_FALSE(comparison.changed()) << comparison_table(comparison, true);
     EXPECT_EQ(number(comparison, "relative radius").verdict, Verdict::within_error);
     EXPECT_EQ(number(comparison, "radially averaged power").verdict, Verdict::within_error);
-    EXPECT_EQ(number(comparison, "largest gap").verdict, Verdict::not_judged);
+    EXPECT_EQ(number(comparison, "largest empty circle").verdict, Verdict::not_judged);
     EXPECT_THAT(comparison.remarks, ElementsAre("seed: 1 → 2"));
 }
 

@@ -16,7 +16,7 @@
 namespace poissonlab {
 namespace {
 
-StoredScene scene_of(const nlohmann::json& json)
+Scene scene_of(const nlohmann::json& json)
 {
     const TemporaryFolder folder;
     folder.write("construction.json", json.dump());
@@ -25,17 +25,17 @@ StoredScene scene_of(const nlohmann::json& json)
 
 TEST(ConstructionImage, DrawsPointsAndRegionsWhereTheyAre)
 {
-    const StoredScene scene = scene_of(test::plane_scene());
+    const Scene scene = scene_of(test::plane_scene());
     DrawingPoint size{};
     const PanelPlace place = panel_places(scene, size)[0];
     const test::Pixels pixels(draw_construction(scene), 4);
     const auto at = [&](double x, double y) {
         return pixels.at(place.origin[0] + (x + 20000) * place.scale, place.origin[1] + (60000 - y) * place.scale);
     };
-    const StoredPanel& panel = scene.panels[0];
+    const ScenePanel& panel = scene.panels[0];
     for (std::size_t kind = 0; kind < panel.points.size(); ++kind) {
-        const ShapeVector& point = panel.points[kind].at(0);
-        EXPECT_EQ(at(point[0], point[1]), point_color(kind).fill) << stored_point_classes[kind];
+        const ShapeVector point = shape_vector(panel.points[kind].at(0));
+        EXPECT_EQ(at(point[0], point[1]), point_color(kind).fill) << name_of(static_cast<PointClass>(kind));
     }
     const auto corner = colored_parts(panel.pieces[0], 2), edge = colored_parts(panel.pieces[1], 2);
     EXPECT_EQ(at(-12000, 0), corner.at(0).fill);
@@ -48,7 +48,7 @@ TEST(ConstructionImage, DrawsPointsAndRegionsWhereTheyAre)
 
 TEST(ConstructionImage, DrawsOnlyPartsOfRegions)
 {
-    const StoredScene scene = scene_of(test::plane_scene());
+    const Scene scene = scene_of(test::plane_scene());
     DrawingPoint size{};
     const PanelPlace place = panel_places(scene, size)[1];
     const test::Pixels pixels(draw_construction(scene), 4);
@@ -62,7 +62,7 @@ TEST(ConstructionImage, DrawsOnlyPartsOfRegions)
 
 TEST(ConstructionImage, HasItsLettersBelowThePanels)
 {
-    const StoredScene scene = scene_of(test::plane_scene());
+    const Scene scene = scene_of(test::plane_scene());
     DrawingPoint size{};
     const auto places = panel_places(scene, size);
     EXPECT_EQ(places[0].label[1], places[1].label[1]);
@@ -102,7 +102,7 @@ TEST(ConstructionImage, LettersDiffer)
 
 TEST(ConstructionImage, CornersOfEdgeBasedTilesHaveWedges)
 {
-    const StoredPiece piece{0, {1, 1, 0}, {0, 1, 2, 3}, false};
+    const ScenePiece piece{0, {1, 1, 0}, {0, 1, 2, 3}, false};
     const auto parts = colored_parts(piece, 2);
     ASSERT_EQ(parts.size(), 4u);
     const auto part_at = [&](double x, double y) {

@@ -147,7 +147,7 @@ TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)
     first["measures"] = {
         {"effective_nyquist", 0.6314159},
         {"effective_nyquist_standard_error", 0.00123},
-        {"oscillation", {{"value", 2.5}, {"noise_floor", 0.1}, {"standard_error", 0.25}}},
+        {"oscillation", {{"value", 2.5}, {"standard_error", 0.25}}},
         {"lattice_peaks",
          {{"tiles", 4}, {"max_ratio", 9.0}, {"mean_ratio", 3.25}, {"peaks", 12}, {"mean_ratio_standard_error", 0.5}}},
         {"peak_anisotropy", {{"db", -7.25}, {"frequency", 20.0}, {"standard_error_db", 0.125}, {"samples", 120}}},

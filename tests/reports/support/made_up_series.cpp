@@ -13,7 +13,8 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
 {
     Run& run = runs_.emplace_back();
     run.dimension = dimension;
-    run.machine = {{"device", "Test device"}, {"threads", "2"}};
+    run.machine.device = "Test device";
+    run.machine.threads = 2;
     Series& stored = stored_.emplace_back();
     stored.sampler = stored.label = sampler;
     stored.name = sampler + std::to_string(stored_.size());
@@ -58,7 +59,7 @@ void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
 
 void MadeUpReport::set_peaks(ReportSeries& series, int tiles, double mean_ratio)
 {
-    stored_of(series).measures.lattice_peaks = Measures::Peaks{tiles, 10 * mean_ratio, mean_ratio, 1000, {}};
+    stored_of(series).measures.lattice_peaks = LatticePeaks{tiles, 10 * mean_ratio, mean_ratio, {}, 1000};
 }
 
 void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius)
@@ -71,7 +72,7 @@ void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean
 
 void MadeUpReport::set_plate_error(ReportSeries& series, double low, double high)
 {
-    StoredZonePlate plate;
+    ZonePlateResult plate;
     plate.size = 32; // too small for false rings, which need a picture
     stored_of(series).zone_plate = plate;
     series.zone_plate = {{1, 0.1, low, 1000}, {2, 0.4, high, 1000}};

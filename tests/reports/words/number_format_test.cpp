@@ -1,6 +1,8 @@
 // Numbers as the page shows them.
 #include "reports/words/number_format.hpp"
 
+#include "results/statistic.hpp"
+
 #include <gtest/gtest.h>
 
 namespace poissonlab {

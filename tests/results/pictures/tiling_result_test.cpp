@@ -1,6 +1,7 @@
 // The member "tilings" of results.json, whole and damaged.
-#include "results/pictures/stored_tilings.hpp"
+#include "results/pictures/tiling_result.hpp"
 
+#include "base/files/json_members.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -14,10 +15,10 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class StoredTilings : public testing::Test
+class TilingResults : public testing::Test
 {
 protected:
-    StoredTilings()
+    TilingResults()
     {
         folder_.write("tiles.txt", "1 80 3\n4 5 6\n");
         folder_.write("a.exr", "");
@@ -26,7 +27,9 @@ protected:
     std::vector<TilingResult> read() const
     {
         const json root = {{"tilings", {json_}}};
-        return read_tilings(StoredObject(root, folder_.path() / "results.json"));
+        std::vector<TilingResult> tilings;
+        JsonMembers(StoredObject(root, folder_.path() / "results.json")).objects("tilings", tilings);
+        return tilings;
     }
 
     std::string error() const
@@ -47,7 +50,7 @@ protected:
                                     "bound": 5}}]}})");
 };
 
-TEST_F(StoredTilings, AreRead)
+TEST_F(TilingResults, AreRead)
 {
     const auto tilings = read();
     ASSERT_EQ(tilings.size(), 1);
@@ -60,12 +63,12 @@ TEST_F(StoredTilings, AreRead)
     ASSERT_TRUE(tiling.statistics);
     EXPECT_EQ(tiling.statistics->tiles->p_value, 0.5);
     ASSERT_EQ(tiling.statistics->colors.size(), 1);
-    EXPECT_EQ(tiling.statistics->colors[0].count, 3);
-    EXPECT_EQ(tiling.statistics->colors[0].largest_at[1], 4);
+    EXPECT_EQ(tiling.statistics->colors[0].counts.size(), 3);
+    EXPECT_EQ(tiling.statistics->colors[0].autocorrelation.largest_at[1], 4);
     EXPECT_THAT(read_tiles(folder_.path(), tiling), ElementsAre(1, 80, 3, 4, 5, 6));
 }
 
-TEST_F(StoredTilings, SetsHaveAllTheirTiles)
+TEST_F(TilingResults, SetsHaveAllTheirTiles)
 {
     json_ = json::parse(
         R"({"name": "n", "label": "L", "kind": "wang", "colors": 2, "tiles": 3, "file": "tiles.txt",
@@ -74,7 +77,7 @@ TEST_F(StoredTilings, SetsHaveAllTheirTiles)
     EXPECT_THAT(read_tiles(folder_.path(), read().at(0)), ElementsAre(0, 5, 15));
 }
 
-TEST_F(StoredTilings, DamagedOnesNameTheMember)
+TEST_F(TilingResults, DamagedOnesNameTheMember)
 {
     const json good = json_;
     const auto error_after = [&](auto damage) {

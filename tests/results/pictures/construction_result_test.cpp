@@ -1,6 +1,7 @@
 // The member "constructions" of results.json and the files construction.json, whole and damaged.
-#include "results/pictures/stored_constructions.hpp"
+#include "results/pictures/construction_result.hpp"
 
+#include "base/files/json_members.hpp"
 #include "tests/reports/support/construction_scene.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -13,10 +14,10 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-class StoredConstructions : public testing::Test
+class Constructions : public testing::Test
 {
 protected:
-    StoredScene read(const json& scene) const
+    Scene read(const json& scene) const
     {
         folder_.write("construction.json", scene.dump());
         return read_scene(folder_.path() / "construction.json");
@@ -33,30 +34,29 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(StoredConstructions, ScenesAreRead)
+TEST_F(Constructions, ScenesAreRead)
 {
-    const StoredScene scene = read(test::plane_scene());
+    const Scene scene = read(test::plane_scene());
     EXPECT_EQ(scene.dimension, 2);
     EXPECT_EQ(scene.width, 6000);
     EXPECT_EQ(scene.radius, 5999.5);
     EXPECT_EQ(scene.columns, 2u);
     ASSERT_EQ(scene.panels.size(), 2u);
-    const StoredPanel& panel = scene.panels[0];
+    const ScenePanel& panel = scene.panels[0];
     EXPECT_EQ(panel.caption, "First.");
-    EXPECT_EQ(panel.window.high(), (ShapeVector{80000, 60000, 0}));
+    EXPECT_EQ(panel.window.high_corner(), (ShapeVector{80000, 60000, 0}));
     ASSERT_EQ(panel.pieces.size(), 2u);
     EXPECT_EQ(panel.pieces[1].axes, 1);
     EXPECT_EQ(panel.pieces[1].colors, (std::vector<std::uint32_t>{0, 1}));
     EXPECT_TRUE(panel.pieces[1].is_made);
-    EXPECT_EQ(panel.points[static_cast<std::size_t>(StoredPointClass::inner)],
-              (std::vector<ShapeVector>{{40000, 500, 0}}));
+    EXPECT_EQ(panel.points[static_cast<std::size_t>(PointClass::inner)], (std::vector<TilePosition>{{40000, 500, 0}}));
     EXPECT_TRUE(panel.has_points());
     EXPECT_FALSE(scene.panels[1].has_points());
     EXPECT_EQ(scene.panels[1].tiles.size(), 1u);
     EXPECT_EQ(read(test::space_scene(true)).panels[0].window.size[2], 50000);
 }
 
-TEST_F(StoredConstructions, DamagedScenesNameTheMember)
+TEST_F(Constructions, DamagedScenesNameTheMember)
 {
     EXPECT_THAT(error_after([](json& j) { j["format"] = "x"; }), HasSubstr("construction.json: format = \"x\": "));
     EXPECT_THAT(error_after([](json& j) { j["format_version"] = 2; }), HasSubstr("reads version 1"));
@@ -87,7 +87,7 @@ TEST_F(StoredConstructions, DamagedScenesNameTheMember)
     EXPECT_THROW(read_scene(folder_.path() / "construction.json"), InputError);
 }
 
-TEST_F(StoredConstructions, MembersOfResultsAreRead)
+TEST_F(Constructions, MembersOfResultsAreRead)
 {
     folder_.write("construction.json", "{}");
     const json good = json::parse(R"({"name": "n", "label": "L", "kind": "edge", "show": "tile", "colors": 2,
@@ -95,13 +95,15 @@ TEST_F(StoredConstructions, MembersOfResultsAreRead)
         "repulsion": true, "seed": 1, "file": "construction.json", "panels": 4, "points": {"held": 12, "inner": 20}})");
     const auto read_member = [&](const json& member) {
         const json root = {{"constructions", {member}}};
-        return read_constructions(StoredObject(root, folder_.path() / "results.json"));
+        std::vector<ConstructionResult> constructions;
+        JsonMembers(StoredObject(root, folder_.path() / "results.json")).objects("constructions", constructions);
+        return constructions;
     };
     const auto stored = read_member(good);
     ASSERT_EQ(stored.size(), 1u);
     EXPECT_EQ(stored[0].tiles, 4096u);
-    EXPECT_EQ(stored[0].points[static_cast<std::size_t>(StoredPointClass::held)], 12u);
-    EXPECT_EQ(stored[0].points[static_cast<std::size_t>(StoredPointClass::outer)], 0u);
+    EXPECT_EQ(stored[0].scene.points[static_cast<std::size_t>(PointClass::held)], 12u);
+    EXPECT_EQ(stored[0].scene.points[static_cast<std::size_t>(PointClass::outer)], 0u);
     for (const char* name : {"name", "label", "kind", "show", "tiles", "file", "points"}) {
         json damaged = good;
         damaged[name] = -1;

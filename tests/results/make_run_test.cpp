@@ -1,4 +1,6 @@
-#include "host/run/results_json.hpp"
+#include "host/run/make_run.hpp"
+
+#include "results/statistic.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,24 +36,24 @@ Experiment one_series()
     return experiment;
 }
 
-SeriesResult two_realizations()
+Series two_realizations()
 {
-    SeriesResult result;
-    result.points = {64, 64};
-    result.min_distance = {0.1, 0.3};
-    result.relative_radius = {0.6, 0.7};
-    result.covered_fraction = {0.4, 0.5};
+    Series result;
+    result.set_sizes({64, 64});
+    result.min_distance = statistic_of({0.1, 0.3});
+    result.relative_radius = statistic_of({0.6, 0.7});
+    result.covered_fraction = statistic_of({0.4, 0.5});
     result.spectrum_size = 64;
-    result.point_files = {"n/realization-000.dat", "n/realization-001.dat"};
+    result.point_files = {"realization-000.dat", "realization-001.dat"};
     result.sample_seconds = {1.0, 2.0};
     result.build_seconds = 0.5;
     result.analysis_seconds = 3.0;
     return result;
 }
 
-json written(const Experiment& experiment, const SeriesResult& result, const Machine& machine = {})
+json written(const Experiment& experiment, const Series& result, const Machine& machine = {})
 {
-    return json::parse(results_json(experiment, {result}, machine));
+    return json::parse(run_json(make_run(experiment, {{result}, {}, {}, machine})));
 }
 
 TEST(ResultsJson, HasEveryMember)
@@ -99,8 +101,8 @@ TEST(ResultsJson, DeterministicOrSingleSetsHaveAPeriodogram)
     experiment.series[0].deterministic = true;
     EXPECT_EQ(written(experiment, two_realizations())["series"][0]["spectrum"]["kind"], "periodogram");
 
-    SeriesResult one = two_realizations();
-    one.points = {64};
+    Series one = two_realizations();
+    one.set_sizes({64});
     EXPECT_EQ(written(one_series(), one)["series"][0]["spectrum"]["kind"], "periodogram");
 }
 
@@ -138,7 +140,7 @@ TEST(ResultsJson, HasTheGridsOfMethods)
 
 TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
 {
-    SeriesResult result = two_realizations();
+    Series result = two_realizations();
     EXPECT_FALSE(written(one_series(), result)["series"][0].contains("tile_set"));
     result.tile_set = TileSetRecord{256, 64, true, TileSetBuild{0.25, "d", 2}, {}};
     json expected = json::parse(R"({"tiles": 256, "points_per_tile": 64, "cached": true, "build_seconds": 0.25,
@@ -151,18 +153,18 @@ TEST(ResultsJson, HasTheTileSetOfMethodsThatTile)
     EXPECT_EQ(written(one_series(), result)["series"][0]["tile_set"],
               json({{"tiles", 256}, {"points_per_tile", 64}, {"cached", true}}));
 
-    result.tile_set->regions = {{3, 3.25}, {6, 5.5}, {55, 55.25}};
+    result.tile_set->regions = {{"corners", 3, 3.25}, {"edges", 6, 5.5}, {"interior", 55, 55.25}};
     const json in_plane = written(one_series(), result)["series"][0]["tile_set"]["regions"];
     EXPECT_EQ(in_plane, json::parse(R"({"corners": {"points": 3.0, "expected": 3.25},
                                         "edges": {"points": 6.0, "expected": 5.5},
                                         "interior": {"points": 55.0, "expected": 55.25}})"));
-    result.tile_set->regions.push_back({1, 1});
+    result.tile_set->regions.push_back({"faces", 1, 1});
     EXPECT_TRUE(written(one_series(), result)["series"][0]["tile_set"]["regions"].contains("faces"));
 }
 
 TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)
 {
-    SeriesResult result = two_realizations();
+    Series result = two_realizations();
     result.spectrum_size = 0;
     const json series = written(one_series(), result)["series"][0];
     EXPECT_FALSE(series.contains("spectrum"));
@@ -171,9 +173,10 @@ TEST(ResultsJson, HasNoSpectrumWhereThereIsNone)
 
 TEST(ResultsJson, HasTheSamplingTestWhereThereWasOne)
 {
-    SeriesResult result = two_realizations();
+    Series result = two_realizations();
     EXPECT_FALSE(written(one_series(), result)["series"][0].contains("zone_plate"));
-    result.zone_plate = {8, {0.25, 0.75}, {0.125, std::numeric_limits<double>::quiet_NaN()}};
+    result.zone_plate = ZonePlateResult{8, "zone-plate.exr", "zone-plate.csv", *statistic_of({0.25, 0.75}),
+                                        statistic_of({0.125, std::numeric_limits<double>::quiet_NaN()})};
     EXPECT_EQ(written(one_series(), result)["series"][0]["zone_plate"],
               json({{"size", 8},
                     {"file", "n/zone-plate.exr"},
@@ -184,10 +187,10 @@ TEST(ResultsJson, HasTheSamplingTestWhereThereWasOne)
 
 TEST(ResultsJson, HasTheMeasuresThatThereAre)
 {
-    SeriesResult result = two_realizations();
+    Series result = two_realizations();
     EXPECT_TRUE(written(one_series(), result)["series"][0]["measures"].empty());
     EXPECT_FALSE(written(one_series(), result)["series"][0].contains("pair_correlation"));
-    result.has_pair_correlation = true;
+    result.pair_correlation_file = "pair-correlation.csv";
     result.measures.lattice_peaks = {8, 12.5, 3.5, {8, -16, 0}, 99};
     result.measures.integration = {{"disk", 0.25, 0.01, 0.001, 0.5}, {"step", 0.5, 0.02, 0.002, 0.75}};
     const json series = written(one_series(), result)["series"][0];
@@ -204,32 +207,32 @@ TEST(ResultsJson, HasTheMeasuresThatThereAre)
 
 TEST(ResultsJson, HasStandardErrorsWhereTheyAreKnown)
 {
-    SeriesResult result = two_realizations();
-    SeriesMeasures& m = result.measures;
-    m.effective_nyquist = 0.5;
-    m.oscillation = Oscillation{3, 1, 20, 40};
+    Series result = two_realizations();
+    Measures& m = result.measures;
+    m.numbers["effective_nyquist"].value = 0.5;
+    m.oscillation = Oscillation{3, 20, 40};
     m.lattice_peaks = LatticePeaks{8, 12.5, 3.5, {8, -16, 0}, 99};
     m.peak_anisotropy = PeakAnisotropy{-6, 33, 200, 0.25};
     const auto measures = [&] { return written(one_series(), result)["series"][0]["measures"]; };
     EXPECT_FALSE(measures().contains("effective_nyquist_standard_error"));
     EXPECT_FALSE(measures()["oscillation"].contains("standard_error"));
     EXPECT_FALSE(measures()["lattice_peaks"].contains("mean_ratio_standard_error"));
-    m.effective_nyquist_error = 0.01;
-    m.oscillation_error = 0.125;
-    m.lattice_peaks_error = 0.5;
+    m.numbers["effective_nyquist"].standard_error = 0.01;
+    m.oscillation->standard_error = 0.125;
+    m.lattice_peaks->mean_ratio_standard_error = 0.5;
     EXPECT_EQ(measures()["effective_nyquist_standard_error"], 0.01);
     EXPECT_EQ(measures()["oscillation"]["standard_error"], 0.125);
     EXPECT_EQ(measures()["lattice_peaks"]["mean_ratio_standard_error"], 0.5);
     EXPECT_EQ(measures()["peak_anisotropy"],
               json({{"db", -6.0}, {"frequency", 33.0}, {"samples", 200}, {"standard_error_db", 0.25}}));
-    result.points = {64};
+    m.peak_anisotropy->standard_error_db.reset();
     EXPECT_FALSE(measures()["peak_anisotropy"].contains("standard_error_db"));
 }
 
 TEST(ResultsJson, SizesThatDifferAreAllThere)
 {
-    SeriesResult result = two_realizations();
-    result.points = {63, 66};
+    Series result = two_realizations();
+    result.set_sizes({63, 66});
     const json series = written(one_series(), result)["series"][0];
     EXPECT_EQ(series["points"], 65) << "the mean, rounded";
     EXPECT_EQ(series["points_each"], json({63, 66}));
@@ -237,8 +240,8 @@ TEST(ResultsJson, SizesThatDifferAreAllThere)
 
 TEST(ResultsJson, APointHasNoDistance)
 {
-    SeriesResult result = two_realizations();
-    result.min_distance = result.relative_radius = result.covered_fraction = {infinite, infinite};
+    Series result = two_realizations();
+    result.min_distance = result.relative_radius = result.covered_fraction = statistic_of({infinite, infinite});
     const json series = written(one_series(), result)["series"][0];
     EXPECT_TRUE(series["min_distance"].is_null());
     EXPECT_TRUE(series["relative_radius"].is_null());
@@ -247,8 +250,8 @@ TEST(ResultsJson, APointHasNoDistance)
 
 TEST(ResultsJson, IterationsOfAPointHaveNoMeans)
 {
-    SeriesResult result = two_realizations();
-    result.iterations = {{{infinite, 0.2}}, {{infinite, 0.2}}};
+    Series result = two_realizations();
+    result.iterations = iterations_of({{{infinite, 0.2}}, {{infinite, 0.2}}});
     EXPECT_TRUE(written(one_series(), result)["series"][0]["iterations"].is_null());
 }
 

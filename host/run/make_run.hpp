@@ -1,0 +1,24 @@
+// What an experiment came to, as results/ stores it.
+#pragma once
+
+#include "host/series/experiment.hpp"
+#include "results/run.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// What was measured and made of the tasks of an experiment, one item for each.
+struct ExperimentResults
+{
+    std::vector<Series> series;                              ///< as SeriesWork::result() has them
+    std::vector<std::optional<TilingStatistics>> statistics; ///< nothing for tile sets and tilings with a period
+    std::vector<SceneSummary> scenes;
+    Machine machine;
+};
+
+/// The run of an experiment with its results: names, parameters and files of each task.
+Run make_run(const Experiment& experiment, const ExperimentResults& results);
+
+}

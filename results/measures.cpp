@@ -1,0 +1,307 @@
+#include "results/measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <stdexcept>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+using Value = std::optional<MeasuredValue>;
+using Form = Digits::Form;
+
+constexpr const char* of_largest_distance = "of the largest possible distance";
+
+Value value_of(const std::optional<Statistic>& statistic)
+{
+    if (!statistic) return std::nullopt;
+    return MeasuredValue{statistic->mean, {}, statistic->each, {{statistic->min, statistic->max}}};
+}
+
+Value sample_time(const Series& series)
+{
+    const std::vector<double>& seconds = series.sample_seconds;
+    if (seconds.empty()) return std::nullopt;
+    const auto [shortest, longest] = std::ranges::minmax(seconds);
+    return MeasuredValue{median(seconds), {}, seconds, {{shortest, longest}}};
+}
+
+Value points_per_second(const Series& series)
+{
+    const Value time = sample_time(series);
+    if (!time || time->value <= 0) return std::nullopt;
+    return MeasuredValue{static_cast<double>(series.points) / time->value / 1e6};
+}
+
+Value build_time(const Series& series)
+{
+    const auto& set = series.tile_set;
+    if (!set || !set->build) return std::nullopt;
+    MeasuredValue value{set->build->seconds};
+    if (set->cached) value.remark = "earlier";
+    return value;
+}
+
+Value points(const Series& series)
+{
+    MeasuredValue value{static_cast<double>(series.points)};
+    if (series.points_each.empty()) return value;
+    const auto [fewest, most] = std::ranges::minmax(series.points_each);
+    value.range = {static_cast<double>(fewest), static_cast<double>(most)};
+    return value;
+}
+
+constexpr Digits significant(int digits) { return {Form::significant, digits}; }
+constexpr Digits decimals(int digits) { return {Form::decimals, digits}; }
+
+Measure row(const char* key, const char* name, const char* unit, Better better, MeasureKind kind, Digits digits,
+            const char* meaning, std::function<Value(const Series&)> get)
+{
+    return {key, name, {}, unit, better, kind, digits, meaning, std::move(get)};
+}
+
+/// A row that the ranking shows when all measures are asked for.
+Measure detail(Measure row)
+{
+    row.is_detail = true;
+    return row;
+}
+
+Measure with_symbol(const char* symbol, Measure row)
+{
+    row.symbol = symbol;
+    return row;
+}
+
+/// A row for the number of Measures::numbers with its key.
+Measure number(const char* key, const char* name, const char* unit, Better better, MeasureKind kind, Digits digits,
+               const char* meaning)
+{
+    Measure number = row(key, name, unit, better, kind, digits, meaning, [=](const Series& series) -> Value {
+        const auto found = series.measures.numbers.find(key);
+        if (found == series.measures.numbers.end()) return std::nullopt;
+        return MeasuredValue{found->second.value, found->second.standard_error};
+    });
+    number.is_number = true;
+    return number;
+}
+
+/// How a row gets its value from a member of Measures, of series that have it.
+template <class Member>
+auto from(std::optional<Member> Measures::*member, double Member::*value)
+{
+    return [=](const Series& series) -> Value {
+        const auto& found = series.measures.*member;
+        return found ? Value(MeasuredValue{(*found).*value}) : std::nullopt;
+    };
+}
+
+/// The same with its standard error.
+template <class Member, class Error>
+auto from(std::optional<Member> Measures::*member, double Member::*value, Error Member::*standard_error)
+{
+    return [=](const Series& series) -> Value {
+        const auto& found = series.measures.*member;
+        return found ? Value(MeasuredValue{(*found).*value, (*found).*standard_error}) : std::nullopt;
+    };
+}
+
+/// The share of Voronoi cells with so many neighbours.
+Measure cells(const char* key, const char* name, std::size_t neighbours)
+{
+    return detail(row(key, name, "%", Better::neither, MeasureKind::first, decimals(1),
+                      "Of the first realization. 100 % with 6 is a hexagonal lattice.",
+                      [=](const Series& series) -> Value {
+                          const auto& cells = series.measures.voronoi;
+                          if (!cells) return std::nullopt;
+                          return MeasuredValue{100 * cells->neighbour_share.at(neighbours - 4)};
+                      }));
+}
+
+/// The relative error of an integral. Its standard error follows from that of the root of the mean square error.
+Value integral_error(const Series& series, const std::string& integrand)
+{
+    for (const IntegrationError& error : series.measures.integration) {
+        if (error.integrand != integrand) continue;
+        MeasuredValue value{error.relative_variance};
+        if (error.standard_error > 0 && error.rms_error > 0)
+            value.standard_error = 2 * error.standard_error / error.rms_error * error.relative_variance;
+        return value;
+    }
+    return std::nullopt;
+}
+
+Measure integral(const std::string& integrand)
+{
+    const std::string key = "integration_" + integrand, name = "error of integrals, " + integrand;
+    return detail(row(key.c_str(), name.c_str(), "of the squared error of random points", Better::lower,
+                      MeasureKind::estimate, significant(2),
+                      "The mean squared error of the mean over the points of a function whose integral is known, over "
+                      "that of as many random points.",
+                      [=](const Series& series) { return integral_error(series, integrand); }));
+}
+
+std::vector<Measure> sizes_and_distances()
+{
+    return {
+        with_symbol("N", row("points", "points", "", Better::neither, MeasureKind::size, {Form::count}, "", points)),
+        with_symbol("K", row("realizations", "sets", "", Better::neither, MeasureKind::setting, {Form::count}, "",
+                             [](const Series& s) { return MeasuredValue{static_cast<double>(s.realizations)}; })),
+        with_symbol(
+            "ρ",
+            row("relative_radius", "relative radius", of_largest_distance, Better::higher, MeasureKind::per_set,
+                significant(4),
+                "The smallest distance between two points, over the largest that so many points could keep: 0 for "
+                "random points, 1 for a perfect lattice. Good sets reach 0.65 to 0.85; above that, points fall into "
+                "rows. Dart throwing of many points cannot pass 0.777 in 2D and 0.804 in 3D. The mean over the K "
+                "sets, and from the smallest to the largest.",
+                [](const Series& series) { return value_of(series.relative_radius); })),
+        row("min_distance", "minimum distance", "of the torus' side", Better::higher, MeasureKind::per_set,
+            significant(4),
+            "The same distance as it is: twice the radius of the disks (3D: spheres). It compares between sets of the "
+            "same number of points.",
+            [](const Series& series) { return value_of(series.min_distance); }),
+        detail(row("covered_fraction", "covered fraction", "", Better::higher, MeasureKind::per_set, significant(4),
+                   "What disks (3D: balls) around the points cover whose diameter is the minimum distance: at most "
+                   "0.907 (3D: 0.740).",
+                   [](const Series& series) { return value_of(series.covered_fraction); })),
+        row("largest_empty", "largest empty circle", of_largest_distance, Better::lower, MeasureKind::first,
+            significant(4),
+            "The radius of the largest circle (3D: ball) without a point inside, of the first realization: at least "
+            "0.577 in 2D. A gap above the relative radius has room for another point.",
+            from(&Measures::largest_empty, &LargestEmptyBall::relative_radius)),
+    };
+}
+
+std::vector<Measure> spectral_measures()
+{
+    using Fit = LowFrequencyPower;
+    return {
+        row("oscillation", "oscillation", "power", Better::lower, MeasureKind::estimate, significant(3),
+            "How much the power goes up and down beyond its first rise, with its standard error.",
+            from(&Measures::oscillation, &Oscillation::value, &Oscillation::standard_error)),
+        number("effective_nyquist", "effective Nyquist frequency", "√N / 2 (3D: ∛N / 2)", Better::higher,
+               MeasureKind::estimate, significant(3),
+               "The frequency up to which the mean power stays below 0.1, with its standard error: what lies below it "
+               "is sampled almost without noise."),
+        detail(row("low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate,
+                   decimals(3),
+                   "b in power ~ frequency^b: 0 for random points, above 0 errors of integrals fall faster.",
+                   from(&Measures::low_frequency_power, &Fit::exponent, &Fit::exponent_standard_error))),
+        detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::lower, MeasureKind::estimate,
+                   decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
+                   from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),
+        row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
+            "The largest anisotropy of a ring of at least 100 samples, with its standard error: chance alone stays "
+            "near −10 log₁₀ K dB, grids and repeated tiles rise far above it.",
+            from(&Measures::peak_anisotropy, &PeakAnisotropy::db, &PeakAnisotropy::standard_error_db)),
+        row("lattice_peaks", "mean lattice peak", "power over that around", Better::lower, MeasureKind::estimate,
+            significant(3),
+            "Mean power at the frequencies at which tiles repeat, over the power around them, with its standard error: "
+            "1 where tiles leave no trace.",
+            from(&Measures::lattice_peaks, &LatticePeaks::mean_ratio, &LatticePeaks::mean_ratio_standard_error)),
+        detail(row("largest_lattice_peak", "largest lattice peak", "power over that around", Better::lower,
+                   MeasureKind::estimate, significant(3),
+                   "The largest of these peaks, which chance alone lets grow with their number.",
+                   from(&Measures::lattice_peaks, &LatticePeaks::max_ratio))),
+    };
+}
+
+std::vector<Measure> integrals_and_cells()
+{
+    std::vector<Measure> rows;
+    for (const int dimension : {2, 3})
+        for (const Integrand& integrand : integrands(dimension))
+            if (Measure row = integral(integrand.name); std::ranges::find(rows, row.key, &Measure::key) == rows.end())
+                rows.push_back(std::move(row));
+    rows.push_back(cells("cells_5", "Voronoi cells with 5 neighbours", 5));
+    rows.push_back(cells("cells_6", "Voronoi cells with 6 neighbours", 6));
+    rows.push_back(cells("cells_7", "Voronoi cells with 7 neighbours", 7));
+    rows.push_back(
+        detail(row("voronoi_area_variance", "variance of Voronoi areas", "of their squared mean", Better::neither,
+                   MeasureKind::first, decimals(4), "Of the first realization: 0.280 for random points.",
+                   from(&Measures::voronoi, &VoronoiStatistics::relative_area_variance))));
+    return rows;
+}
+
+std::vector<Measure> zone_plate_errors_and_times()
+{
+    return {
+        row("zone_plate_error", "zone plate error", "RMS, white is 1", Better::lower, MeasureKind::per_set,
+            significant(4),
+            "The root mean square difference between the zone plate as the set samples it, one sample a pixel, and as "
+            "it is with infinitely many samples, over the part that pixels can show. Errors do not tell noise from "
+            "false patterns, which disturb more: regular points have small ones here, and rings that are not there in "
+            "the picture.",
+            [](const Series& s) { return s.zone_plate ? value_of(s.zone_plate->resolved_rms_error) : std::nullopt; }),
+        detail(row("zone_plate_rms_error", "zone plate error, all of the picture", "RMS, white is 1", Better::lower,
+                   MeasureKind::per_set, significant(4),
+                   "Most of the plate is finer than any set can follow, so that all sets have much the same error.",
+                   [](const Series& s) { return s.zone_plate ? value_of(s.zone_plate->rms_error) : std::nullopt; })),
+        row("build_time", "time to build the tile set", "s", Better::lower, MeasureKind::time, {Form::seconds},
+            "What the tile set takes to build, once for all tilings. “Earlier”: it was built by an earlier run, and "
+            "that time was kept.",
+            build_time),
+        row("sample_time", "time to generate", "s, median", Better::lower, MeasureKind::time, {Form::seconds},
+            "The median over the timed runs, without building kernels and tile sets, and from the shortest to the "
+            "longest.",
+            sample_time),
+        row("points_per_second", "points per second", "millions", Better::higher, MeasureKind::time, significant(3),
+            "Points of a set over the median time.", points_per_second),
+    };
+}
+
+const char* kind_words(MeasureKind kind)
+{
+    constexpr std::array words{"none",
+                               "none: exact",
+                               "spread of the sets",
+                               "standard error, where one is known",
+                               "none: first set only",
+                               "spread of the runs, on one machine"};
+    return words.at(static_cast<std::size_t>(kind));
+}
+
+}
+
+std::string Measure::title() const
+{
+    std::string text = name;
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return symbol.empty() ? text : text + " " + symbol;
+}
+
+const std::vector<Measure>& measures()
+{
+    static const std::vector<Measure> all = [] {
+        std::vector<Measure> rows;
+        for (const auto& some :
+             {sizes_and_distances(), spectral_measures(), integrals_and_cells(), zone_plate_errors_and_times()})
+            rows.insert(rows.end(), some.begin(), some.end());
+        return rows;
+    }();
+    return all;
+}
+
+const Measure& measure(const std::string& key)
+{
+    const auto found = std::ranges::find(measures(), key, &Measure::key);
+    if (found == measures().end()) throw std::out_of_range("no measure is called " + key);
+    return *found;
+}
+
+std::string measures_table()
+{
+    std::string text = "| key | measure | unit | better | error |\n| --- | --- | --- | --- | --- |\n";
+    constexpr std::array better{"higher", "lower", ""};
+    for (const Measure& row : measures())
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, row.name, row.unit,
+                            better.at(static_cast<std::size_t>(row.better)), kind_words(row.kind));
+    return text;
+}
+
+}

@@ -1,0 +1,149 @@
+#include "results/pictures/tiling_result.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/json_members.hpp"
+#include "base/files/whole_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace poissonlab {
+
+void members(JsonMembers& m, Stored<FrequencyTest> auto& test)
+{
+    m.member("chi_square", test.chi_square);
+    m.member("p_value", test.p_value);
+}
+
+void members(JsonMembers& m, Stored<ColorStatistics> auto& colors)
+{
+    m.member("name", colors.name);
+    m.member("counts", colors.counts);
+    m.object("frequencies", colors.frequencies);
+    m.group("autocorrelation", [&](JsonMembers& group) {
+        group.file_name("file", colors.autocorrelation_file);
+        group.member("lags", colors.autocorrelation.lags);
+        group.member("largest", colors.autocorrelation.largest);
+        group.member("largest_at", colors.autocorrelation.largest_at);
+        group.member("bound", colors.autocorrelation.bound);
+    });
+}
+
+void members(JsonMembers& m, Stored<TilingStatistics> auto& statistics)
+{
+    m.member("size", statistics.size, 1);
+    m.member("samples", statistics.samples, 1);
+    m.object("tile_frequencies", statistics.tiles);
+    m.objects("colors", statistics.colors);
+}
+
+namespace {
+
+constexpr std::size_t most_tiles = 1'000'000; // of a window that is drawn
+
+std::size_t axes_of(TileKind kind) { return kind == TileKind::cube ? 3 : 2; }
+
+/// Without dominoes, which come first: results have none.
+const std::vector<std::string> kinds{"wang", "corner", "cube"};
+
+void kind(JsonMembers& m, const TileKind& kind)
+{
+    const std::size_t place = static_cast<std::size_t>(kind) - 1;
+    m.word("kind", place, kinds);
+}
+
+void kind(JsonMembers& m, TileKind& kind)
+{
+    std::size_t place = 0;
+    m.word("kind", place, kinds);
+    kind = static_cast<TileKind>(place + 1);
+}
+
+void colors(JsonMembers& m, const TilingResult& tiling) { m.member("colors", tiling.colors); }
+
+void colors(JsonMembers& m, TilingResult& tiling)
+{
+    const auto most = tiling.kind == TileKind::cube ? max_cube_colors : max_colors;
+    tiling.colors = static_cast<Color>(m.stored().integer("colors", 2, most));
+}
+
+/// The origin of a window, then its size.
+void window(JsonMembers& m, const TilingResult& tiling)
+{
+    const auto axes = static_cast<std::ptrdiff_t>(axes_of(tiling.kind));
+    std::vector<std::int64_t> window(tiling.origin.begin(), tiling.origin.begin() + axes);
+    window.insert(window.end(), tiling.size.begin(), tiling.size.begin() + axes);
+    m.member("window", std::as_const(window));
+}
+
+void window(JsonMembers& m, TilingResult& tiling)
+{
+    const auto window = m.stored().integers("window");
+    const std::size_t axes = axes_of(tiling.kind);
+    if (window.size() != 2 * axes) throw m.stored().error("window", fmt::format("must be {} numbers", 2 * axes));
+    std::size_t tiles = 1;
+    for (std::size_t i = 0; i < axes; ++i) {
+        const std::int64_t size = window[axes + i];
+        if (size < 1 || size > static_cast<std::int64_t>(most_tiles / tiles))
+            throw m.stored().error(
+                "window", fmt::format("must have at least 1 tile along each axis and at most {} in all", most_tiles));
+        tiling.origin[i] = window[i];
+        tiling.size[i] = static_cast<std::size_t>(size);
+        tiles *= tiling.size[i];
+    }
+}
+
+void describe(JsonMembers& m, Stored<TilingResult> auto& tiling)
+{
+    m.folder_name("name", tiling.name);
+    m.member("label", tiling.label);
+    kind(m, tiling.kind);
+    colors(m, tiling);
+    m.member("tiles", tiling.tiles, 1);
+    m.file_name("file", tiling.file);
+    m.if_any("regions", tiling.regions);
+    m.if_any("set", tiling.set);
+    if (!tiling.set.empty()) return;
+    m.member("algorithm", tiling.algorithm);
+    window(m, tiling);
+    m.if_any("hash", tiling.hash);
+    if (!tiling.hash.empty()) {
+        m.member("hash_period", tiling.hash_period);
+        m.member("period", tiling.period);
+    }
+    m.object("statistics", tiling.statistics);
+}
+
+}
+
+void members(JsonMembers& m, const TilingResult& tiling) { describe(m, tiling); }
+void members(JsonMembers& m, TilingResult& tiling) { describe(m, tiling); }
+
+std::string autocorrelation_file(const ColorStatistics& colors)
+{
+    std::string name = colors.name;
+    std::ranges::replace(name, ' ', '-');
+    return name + "-autocorrelation.exr";
+}
+
+std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const TilingResult& tiling)
+{
+    const auto file = folder / tiling.file;
+    const TileSet all = TileSet::complete(tiling.kind, tiling.colors);
+    std::istringstream text(read_whole_file(file));
+    std::vector<TileIndex> tiles;
+    for (std::uint64_t tile = 0; text >> tile;) {
+        if (tile >= all.size())
+            throw InputError(fmt::format("{}: {} is no tile of {} colours; must be less than {}", file.string(), tile,
+                                         tiling.colors, all.size()));
+        tiles.push_back(static_cast<TileIndex>(tile));
+    }
+    if (!text.eof() || tiles.size() != tiling.shown())
+        throw InputError(
+            fmt::format("{}: must hold {} tile indices, as results.json says", file.string(), tiling.shown()));
+    return tiles;
+}
+
+}

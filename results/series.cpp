@@ -1,0 +1,19 @@
+#include "results/series.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace poissonlab {
+
+void Series::set_sizes(const std::vector<std::size_t>& sizes)
+{
+    const std::size_t count = sizes.size();
+    const std::size_t total = std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+    realizations = static_cast<int>(count);
+    points = count > 0 ? (total + count / 2) / count : 0;
+    points_each.clear();
+    if (std::ranges::adjacent_find(sizes, std::ranges::not_equal_to{}) != sizes.end()) points_each = sizes;
+}
+
+}

@@ -1,0 +1,121 @@
+// One series of a run: N points, K realizations of one method with one set of parameters, and what was measured.
+#pragma once
+
+#include "analysis/measures/blue_noise_measures.hpp"
+#include "analysis/measures/integration_error.hpp"
+#include "analysis/measures/largest_empty_ball.hpp"
+#include "analysis/measures/lattice_peaks.hpp"
+#include "analysis/measures/low_frequency_power.hpp"
+#include "analysis/measures/peak_anisotropy.hpp"
+#include "analysis/measures/voronoi_diagram.hpp"
+#include "results/iteration_records.hpp"
+#include "results/method_grid.hpp"
+#include "results/records/sample_records.hpp"
+#include "results/statistic.hpp"
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poissonlab {
+
+class JsonMembers;
+
+/// The sampling test: the picture of the first realization, and errors over all.
+struct ZonePlateResult
+{
+    int size = 0;           ///< pixels along each axis
+    std::string file;       ///< relative to the run's folder, like all files here
+    std::string error_file; ///< the error over the distance
+    Statistic rms_error;
+    std::optional<Statistic> resolved_rms_error; ///< where the plate has up to half a cycle per pixel
+
+    bool operator==(const ZonePlateResult&) const = default;
+};
+
+/// A number that stands for all realizations, or for the first one.
+struct Estimate
+{
+    double value = 0;
+    std::optional<double> standard_error; ///< over the realizations, where there are several
+
+    bool operator==(const Estimate&) const = default;
+};
+
+/// The member "measures": all but distances and what files hold. Nothing: not defined for the sets at hand.
+struct Measures
+{
+    /// Measures that are one number each, by their keys in the catalogue, see measures.hpp.
+    std::map<std::string, Estimate> numbers;
+
+    std::optional<Oscillation> oscillation;
+    std::optional<PeakAnisotropy> peak_anisotropy;
+    std::optional<LowFrequencyPower> low_frequency_power;
+    std::optional<LatticePeaks> lattice_peaks;     ///< of sets that are tiled
+    std::vector<IntegrationError> integration;     ///< over all realizations
+    std::optional<LargestEmptyBall> largest_empty; ///< of the first realization
+    std::optional<VoronoiStatistics> voronoi;      ///< of the first realization, 2D
+
+    bool operator==(const Measures&) const = default;
+};
+
+/// Names and values in the order in which they are shown.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+
+struct Series
+{
+    std::string name; ///< its folder
+    std::string label;
+    std::string sampler;
+    std::string parameters_json = "{}"; ///< an object, as results.json has it
+    NamedTexts parameters;              ///< the same as shown; what is read has both
+    std::optional<GridPlace> place;     ///< in the grid of its method; none: not of a method of a config
+    bool deterministic = false;
+    std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
+    std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
+    int realizations = 0;
+    std::optional<Statistic> min_distance; ///< unit lengths; empty for one point
+    std::optional<Statistic> relative_radius;
+    std::optional<Statistic> covered_fraction;
+    Measures measures;
+    bool is_estimate = false;  ///< true: "power spectrum estimate", false: "periodogram"
+    int spectrum_size = 0;     ///< frequency samples along each axis
+    std::string spectrum_file; ///< empty: not stored
+    std::string volume_file;   ///< all of a 3D spectrum; empty: not stored
+    std::string radial_file;   ///< empty: no spectrum was made
+    double background_anisotropy_db = 0;
+    std::string pair_correlation_file; ///< empty: sets of one point
+    std::optional<Iterations> iterations;
+    std::optional<ZonePlateResult> zone_plate;
+    std::vector<std::string> point_files;
+    std::optional<TileSetRecord> tile_set; ///< of methods that tile
+    std::vector<double> sample_seconds;    ///< of timed runs; at least one a realization, but for imported sets
+    double build_seconds = 0;              ///< of kernels
+    double preparation_seconds = 0;        ///< of what all realizations share
+    double analysis_seconds = 0;
+
+    bool operator==(const Series&) const = default;
+
+    bool has_spectrum() const { return !radial_file.empty(); }
+
+    /// The number of points of the first realization, the one that is drawn.
+    std::size_t points_of_first() const { return points_each.empty() ? points : points_each.front(); }
+
+    /// Sets the numbers of realizations and points.
+    void set_sizes(const std::vector<std::size_t>& sizes);
+};
+
+/// Their members in results.json, see json_members.hpp.
+void members(JsonMembers& m, const Series& series);
+void members(JsonMembers& m, Series& series);
+void members(JsonMembers& m, const Measures& measures);
+void members(JsonMembers& m, Measures& measures);
+
+/// Measures as a JSON text, and back. Throws InputError for texts of another kind.
+std::string measures_text(const Measures& measures);
+Measures read_measures(const std::string& text);
+
+}
