@@ -1,209 +1,278 @@
-// Drawings as PNG: polygons are sampled in 4 x 4 places a pixel, a band of rows at a time.
+// Drawings as PNG: Cairo samples shapes in 4 x 4 places a pixel, a band of rows at a time, and pixels are the mean of
+// their samples.
 //
-// A sample takes the colour of the last polygon that it lies in, and pixels are the mean of their samples: so
-// polygons that share an edge leave no seam, which blending one over the other would.
+// A sample takes the colour of the last shape that it lies in: so shapes that share an edge leave no seam, which
+// Cairo's own smoothing, that blends one over the other, would.
 #include "reports/drawings/drawing.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/images/png_file.hpp"
 
 #include <fmt/format.h>
+
+#include <cairo.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 
 namespace poissonlab {
 namespace {
 
-constexpr int samples = 4;        // a pixel in each direction
-constexpr int band_rows = 16;     // of pixels
-constexpr int corner_points = 16; // of a stroke's round corner
+constexpr int samples = 4;           // a pixel in each direction
+constexpr int band_rows = 32;        // of pixels
+constexpr int widest_surface = 8000; // pixels: Cairo's images end at 32,767 samples
 
-using Polygon = std::vector<DrawingPoint>;
-using Rgb = std::array<std::uint8_t, 3>;
+/// Cairo's coordinates end at some 8 million samples.
+constexpr double far_outside = 4e6;
 
-struct Crossing
+using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+CairoSurface surface_of(int width, int height)
 {
-    double x = 0;
-    int turns = 0;
-};
+    CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), &cairo_surface_destroy);
+    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+    return surface;
+}
 
-/// The samples of a few rows of pixels; coordinates are in samples, with sample (i, j) at (i + 1/2, j + 1/2).
-class Band
+/// A row of pixels 0x00rrggbb.
+std::uint32_t* row_of(cairo_surface_t* surface, int row)
+{
+    unsigned char* const first = cairo_image_surface_get_data(surface) +
+                                 static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface);
+    return reinterpret_cast<std::uint32_t*>(first);
+}
+
+CairoSurface surface_of(const PngPixels& pixels)
+{
+    CairoSurface surface = surface_of(pixels.width, pixels.height);
+    for (int row = 0; row < pixels.height; ++row)
+        for (int column = 0; column < pixels.width; ++column) {
+            std::uint32_t color = 0;
+            for (int channel = 0; channel < 3; ++channel)
+                color = color << 8 | pixels.values[pixels.at(column, row, std::min(channel, pixels.channels - 1))];
+            row_of(surface.get(), row)[column] = color;
+        }
+    cairo_surface_mark_dirty(surface.get());
+    return surface;
+}
+
+/// A rectangle of a drawing's samples, white at first.
+class Samples
 {
 public:
-    Band(int columns, int first_row, int rows)
-        : columns_(columns), first_(first_row), rows_(rows),
-          samples_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Rgb{255, 255, 255})
-    {}
-
-    /// Those samples inside of a polygon, on whose left border or upper border they may lie (non-zero rule).
-    void paint(const Polygon& polygon, const Rgb& color)
+    Samples(int first_column, int first_row, int columns, int rows, double scale)
+        : surface_(surface_of(columns, rows)), cairo_(cairo_create(surface_.get()), &cairo_destroy), scale_(scale)
     {
-        if (polygon.empty()) return;
-        const auto [top, bottom] = std::ranges::minmax(polygon, {}, [](const auto& p) { return p[1]; });
-        for (int row = std::max(first_, first_center(top[1])); row < std::min(first_ + rows_, first_center(bottom[1]));
-             ++row) {
-            find_crossings(polygon, row + 0.5);
-            int turns = 0;
-            for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
-                turns += crossings_[i].turns;
-                if (turns != 0) fill(row, crossings_[i].x, crossings_[i + 1].x, color);
-            }
-        }
+        cairo_set_antialias(cairo(), CAIRO_ANTIALIAS_NONE);
+        cairo_set_line_join(cairo(), CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_cap(cairo(), CAIRO_LINE_CAP_ROUND);
+        set_color("#ffffff");
+        cairo_paint(cairo());
+        cairo_translate(cairo(), -first_column, -first_row);
+        cairo_scale(cairo(), scale, scale);
     }
 
-    /// The mean of a pixel's samples; `row` is counted from the band's first row of pixels.
-    Rgb pixel(int column, int row) const
+    /// `pixels` are those of an image.
+    void paint(const Shape& shape, cairo_surface_t* pixels)
     {
-        std::array<int, 3> sum{};
-        for (int y = row * samples; y < (row + 1) * samples; ++y)
-            for (int x = column * samples; x < (column + 1) * samples; ++x)
-                for (std::size_t i = 0; i < 3; ++i) sum[i] += samples_[index(x, y)][i];
-        constexpr int count = samples * samples;
-        Rgb mean{};
-        for (std::size_t i = 0; i < 3; ++i) mean[i] = static_cast<std::uint8_t>((sum[i] + count / 2) / count);
-        return mean;
+        if (const auto* image = std::get_if<Image>(&shape.form)) return paint(*image, pixels);
+        std::visit([&](const auto& form) { add(form); }, shape.form);
+        if (!shape.fill.empty()) {
+            set_color(shape.fill);
+            cairo_fill_preserve(cairo());
+        }
+        if (!shape.stroke.empty()) {
+            set_color(shape.stroke);
+            cairo_set_line_width(cairo(), shape.stroke_width);
+            cairo_stroke_preserve(cairo());
+        }
+        cairo_new_path(cairo());
+    }
+
+    cairo_surface_t* finish()
+    {
+        if (const auto status = cairo_status(cairo()); status != CAIRO_STATUS_SUCCESS)
+            throw StorageError(std::string("Cairo cannot draw a picture: ") + cairo_status_to_string(status));
+        cairo_surface_flush(surface_.get());
+        return surface_.get();
     }
 
 private:
-    std::size_t index(int column, int row) const
+    cairo_t* cairo() const { return cairo_.get(); }
+
+    void set_color(const std::string& color)
     {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+        const auto [red, green, blue] = color_channels(color);
+        cairo_set_source_rgb(cairo(), red / 255.0, green / 255.0, blue / 255.0);
     }
 
-    /// The first sample whose centre is at `coordinate` or beyond; far outside, any that is outside.
-    static int first_center(double coordinate)
+    void add(const Line& line)
     {
-        constexpr double far = 1e9;
-        return static_cast<int>(std::ceil(std::clamp(coordinate, -far, far) - 0.5));
+        const double limit = far_outside / scale_;
+        for (const auto& [x, y] : line.points)
+            cairo_line_to(cairo(), std::clamp(x, -limit, limit), std::clamp(y, -limit, limit));
     }
 
-    /// Where a polygon crosses a horizontal line, from left to right. An edge is always taken from its upper
-    /// end, so that polygons on both sides of it agree to the last bit.
-    void find_crossings(const Polygon& polygon, double y)
+    void add(const Polygon& corners)
     {
-        crossings_.clear();
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const DrawingPoint& a = polygon[i];
-            const DrawingPoint& b = polygon[(i + 1) % polygon.size()];
-            const bool down = a[1] < b[1];
-            const DrawingPoint& upper = down ? a : b;
-            const DrawingPoint& lower = down ? b : a;
-            if (y < upper[1] || y >= lower[1]) continue;
-            const double share = (y - upper[1]) / (lower[1] - upper[1]);
-            crossings_.push_back({upper[0] + share * (lower[0] - upper[0]), down ? 1 : -1});
-        }
-        std::ranges::sort(crossings_, {}, &Crossing::x);
+        add(Line{corners});
+        cairo_close_path(cairo());
     }
 
-    void fill(int row, double left, double right, const Rgb& color)
+    void add(const Disk& disk)
     {
-        const int first = std::max(0, first_center(left)), end = std::min(columns_, first_center(right));
-        if (first >= end) return;
-        const auto start = samples_.begin() + static_cast<std::ptrdiff_t>(index(first, row - first_));
-        std::fill(start, start + (end - first), color);
+        cairo_arc(cairo(), disk.middle[0], disk.middle[1], disk.radius, 0, 2 * std::numbers::pi);
+        cairo_close_path(cairo());
     }
 
-    int columns_;
-    int first_;
-    int rows_;
-    std::vector<Rgb> samples_;
-    std::vector<Crossing> crossings_;
+    /// Outlines of letters, as the font has them: no hinting, which would move them to whole samples.
+    void add(const Text& text)
+    {
+        const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
+            cairo_font_options_create(), &cairo_font_options_destroy);
+        cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(cairo(), options.get());
+        cairo_select_font_face(cairo(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_font_size(cairo(), text.size);
+        if (cairo_scaled_font_get_type(cairo_get_scaled_font(cairo())) != CAIRO_FONT_TYPE_FT)
+            throw StorageError(
+                "Cairo finds no fonts for the letters of pictures: install the package fonts-dejavu-core");
+        cairo_text_extents_t extents{};
+        if (text.is_centred) cairo_text_extents(cairo(), text.words.c_str(), &extents);
+        cairo_move_to(cairo(), text.start[0] - extents.x_advance / 2, text.start[1]);
+        cairo_text_path(cairo(), text.words.c_str());
+    }
+
+    void add(const Image&) {}
+
+    /// Pixels that are smaller than samples are averaged.
+    void paint(const Image& image, cairo_surface_t* pixels)
+    {
+        const double size = image.width / image.pixels.width;
+        cairo_save(cairo());
+        cairo_translate(cairo(), image.corner[0], image.corner[1]);
+        cairo_scale(cairo(), size, size);
+        cairo_set_source_surface(cairo(), pixels, 0, 0);
+        cairo_pattern_set_filter(cairo_get_source(cairo()),
+                                 size * scale_ < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+        cairo_pattern_set_extend(cairo_get_source(cairo()), CAIRO_EXTEND_PAD);
+        cairo_rectangle(cairo(), 0, 0, image.pixels.width, image.pixels.height);
+        cairo_fill(cairo());
+        cairo_restore(cairo());
+    }
+
+    CairoSurface surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
+    double scale_;
 };
 
-Rgb rgb(const std::string& color)
+/// Sets a pixel to the mean of its samples, rounded; `first` are the first ones of its rows.
+void set_mean(std::uint8_t* pixel, int channels, const std::array<const std::uint32_t*, samples>& first)
 {
-    const auto channels = color_channels(color);
-    return {static_cast<std::uint8_t>(channels[0]), static_cast<std::uint8_t>(channels[1]),
-            static_cast<std::uint8_t>(channels[2])};
-}
-
-/// A rectangle along each side and a round corner at each point.
-void paint_stroke(Band& band, const Polygon& outline, double width, const Rgb& color)
-{
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto& [x0, y0] = outline[i];
-        const auto& [x1, y1] = outline[(i + 1) % outline.size()];
-        Polygon corner;
-        for (int k = 0; k < corner_points; ++k) {
-            const double angle = 2 * std::numbers::pi * k / corner_points;
-            corner.push_back({x0 + width / 2 * std::cos(angle), y0 + width / 2 * std::sin(angle)});
+    std::uint32_t red_and_blue = 0, green = 0; // sums of 16 bits
+    for (const std::uint32_t* const row : first)
+        for (int x = 0; x < samples; ++x) {
+            red_and_blue += row[x] & 0xff00ff;
+            green += row[x] >> 8 & 0xff;
         }
-        band.paint(corner, color);
-        const double length = std::hypot(x1 - x0, y1 - y0);
-        if (length == 0) continue;
-        const double dx = (y0 - y1) / length * width / 2, dy = (x1 - x0) / length * width / 2;
-        band.paint({{x0 + dx, y0 + dy}, {x1 + dx, y1 + dy}, {x1 - dx, y1 - dy}, {x0 - dx, y0 - dy}}, color);
-    }
+    const auto mean = [](std::uint32_t sum) {
+        constexpr int count = samples * samples;
+        return static_cast<std::uint8_t>((sum + count / 2) / count);
+    };
+    pixel[0] = mean(red_and_blue >> 16);
+    if (channels == 1) return;
+    pixel[1] = mean(green);
+    pixel[2] = mean(red_and_blue & 0xffff);
 }
 
-/// A drawing in samples, with what it takes to skip shapes quickly.
+/// A drawing as Cairo paints it, with what it takes to skip shapes quickly.
 class Painter
 {
 public:
-    Painter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale)
+    Painter(const Drawing& drawing, double scale) : scale_(scale)
     {
         for (const Shape& shape : drawing.shapes) {
-            double top = 1, bottom = 0; // nothing, unless there are points
-            for (const auto& [x, y] : shape.outline) {
-                top = &shape.outline.front()[1] == &y ? y : std::min(top, y);
-                bottom = &shape.outline.front()[1] == &y ? y : std::max(bottom, y);
-            }
-            const double reach = shape.stroke.empty() ? 0 : shape.stroke_width / 2;
-            extents_.push_back({(top - reach) * scale, (bottom + reach) * scale});
+            const auto points = points_of(shape);
+            if (points.empty()) continue;
+            const auto [top, bottom] = std::ranges::minmax(points, {}, [](const DrawingPoint& p) { return p[1]; });
+            const auto* image = std::get_if<Image>(&shape.form);
+            shapes_.push_back({shape, (top[1] - reach_of(shape)) * scale, (bottom[1] + reach_of(shape)) * scale,
+                               image ? surface_of(image->pixels) : CairoSurface(nullptr, &cairo_surface_destroy)});
         }
     }
 
-    void paint(Band& band, int first_row, int rows) const
+    /// Sets `rows` of pixels, so many columns from `left` on; `pixels` is that of the left border in the row `top`.
+    void paint(std::uint8_t* pixels, const PngLayout& layout, int left, int columns, int top, int rows) const
     {
-        for (std::size_t i = 0; i < extents_.size(); ++i) {
-            if (extents_[i][1] < first_row || extents_[i][0] > first_row + rows) continue;
-            const Shape& shape = drawing_.shapes[i];
-            Polygon outline = shape.outline;
-            for (auto& [x, y] : outline) {
-                x *= scale_;
-                y *= scale_;
+        Samples painted(left * samples, top * samples, columns * samples, rows * samples, scale_);
+        for (const Entry& entry : shapes_)
+            if (entry.bottom >= top * samples && entry.top <= (top + rows) * samples)
+                painted.paint(entry.shape, entry.pixels.get());
+        cairo_surface_t* const surface = painted.finish();
+        for (int row = 0; row < rows; ++row) {
+            std::array<const std::uint32_t*, samples> lines{};
+            for (int y = 0; y < samples; ++y) lines[y] = row_of(surface, row * samples + y);
+            std::uint8_t* pixel = pixels + (static_cast<std::ptrdiff_t>(row) * layout.width + left) * layout.channels;
+            for (int column = 0; column < columns; ++column, pixel += layout.channels) {
+                set_mean(pixel, layout.channels, lines);
+                for (auto& line : lines) line += samples;
             }
-            if (!shape.fill.empty()) band.paint(outline, rgb(shape.fill));
-            if (!shape.stroke.empty()) paint_stroke(band, outline, shape.stroke_width * scale_, rgb(shape.stroke));
         }
     }
 
 private:
-    const Drawing& drawing_;
-    double scale_;
-    std::vector<std::array<double, 2>> extents_; ///< rows of samples
+    struct Entry
+    {
+        const Shape& shape;
+        double top, bottom;  ///< in rows of samples
+        CairoSurface pixels; ///< of images
+    };
+
+    double scale_; ///< samples a unit
+    std::vector<Entry> shapes_;
 };
+
+bool is_grey(const Shape& shape)
+{
+    if (const auto* image = std::get_if<Image>(&shape.form); image && image->pixels.channels > 1) return false;
+    return std::ranges::all_of(std::array{shape.fill, shape.stroke}, [](const std::string& color) {
+        const auto [red, green, blue] = color_channels(color.empty() ? "#ffffff" : color);
+        return red == green && green == blue;
+    });
+}
+
+/// Pixels that the picture of a drawing is high.
+int height_of(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide)
+{
+    constexpr double rounding = 1e-9; // an exact fit is not a pixel more
+    const double high = std::max(1.0, std::ceil(drawing.height * pixels_wide / drawing.width * (1 - rounding)));
+    if (pixels_wide < 1 || pixels_wide > max_drawing_pixels || high > max_drawing_pixels)
+        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way", path.string(),
+                                     pixels_wide, high, max_drawing_pixels));
+    return static_cast<int>(high);
+}
 
 }
 
 void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide)
 {
     check_drawing(drawing);
-    const double scale = pixels_wide / drawing.width;
-    constexpr double rounding = 1e-9; // an exact fit is not a pixel more
-    const double pixels_high = std::max(1.0, std::ceil(drawing.height * scale * (1 - rounding)));
-    if (pixels_wide < 1 || pixels_wide > max_drawing_pixels || pixels_high > max_drawing_pixels)
-        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way", path.string(),
-                                     pixels_wide, pixels_high, max_drawing_pixels));
-    const int height = static_cast<int>(pixels_high);
-    const Painter painter(drawing, scale * samples);
-    PngLayout layout{pixels_wide, height, 3};
+    PngLayout layout{pixels_wide, height_of(path, drawing, pixels_wide)};
+    layout.channels = std::ranges::all_of(drawing.shapes, is_grey) ? 1 : 3;
     layout.rows_at_once = band_rows;
     // Few colours: rows compress as they are.
     layout.compression = 3;
     layout.filters = false;
-    std::vector<Rgb> pixels;
-    write_png(path, layout, [&](int first, int rows) {
-        Band band(pixels_wide * samples, first * samples, rows * samples);
-        painter.paint(band, first * samples, rows * samples);
-        pixels.clear();
-        for (int row = 0; row < rows; ++row)
-            for (int column = 0; column < pixels_wide; ++column) pixels.push_back(band.pixel(column, row));
-        return pixels.front().data();
+    const Painter painter(drawing, samples * (pixels_wide / drawing.width));
+    std::vector<std::uint8_t> pixels;
+    write_png(path, layout, [&](int top, int rows) {
+        pixels.resize(static_cast<std::size_t>(rows) * pixels_wide * layout.channels);
+        for (int left = 0; left < pixels_wide; left += widest_surface)
+            painter.paint(pixels.data(), layout, left, std::min(widest_surface, pixels_wide - left), top, rows);
+        return pixels.data();
     });
 }
 
