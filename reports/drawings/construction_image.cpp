@@ -13,7 +13,7 @@ constexpr double widest_panel = 400; // and highest
 constexpr double margin = 14;
 constexpr double gap = 26;         // more than two disks at the borders of panels
 constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
-constexpr double letter_size = 15;
+constexpr double letter_size = 16;
 
 DrawingPoint panel_size(const StoredScene& scene, const StoredPanel& panel)
 {

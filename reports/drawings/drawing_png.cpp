@@ -15,13 +15,15 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
 
 constexpr int samples = 4;           // a pixel in each direction
-constexpr int band_rows = 32;        // of pixels
+constexpr int band_rows = 16;        // of pixels
 constexpr int widest_surface = 8000; // pixels: Cairo's images end at 32,767 samples
 
 /// Cairo's coordinates end at some 8 million samples.
@@ -58,20 +60,26 @@ CairoSurface surface_of(const PngPixels& pixels)
     return surface;
 }
 
-/// A rectangle of a drawing's samples, white at first.
+/// A rectangle of a drawing's samples.
 class Samples
 {
 public:
-    Samples(int first_column, int first_row, int columns, int rows, double scale)
+    Samples(int columns, int rows, double scale)
         : surface_(surface_of(columns, rows)), cairo_(cairo_create(surface_.get()), &cairo_destroy), scale_(scale)
     {
         cairo_set_antialias(cairo(), CAIRO_ANTIALIAS_NONE);
         cairo_set_line_join(cairo(), CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_cap(cairo(), CAIRO_LINE_CAP_ROUND);
+    }
+
+    /// Moves the rectangle, which is white then.
+    void move_to(int first_column, int first_row)
+    {
         set_color("#ffffff");
+        cairo_identity_matrix(cairo());
         cairo_paint(cairo());
         cairo_translate(cairo(), -first_column, -first_row);
-        cairo_scale(cairo(), scale, scale);
+        cairo_scale(cairo(), scale_, scale_);
     }
 
     /// `pixels` are those of an image.
@@ -169,57 +177,61 @@ private:
     double scale_;
 };
 
-/// Sets a pixel to the mean of its samples, rounded; `first` are the first ones of its rows.
-void set_mean(std::uint8_t* pixel, int channels, const std::array<const std::uint32_t*, samples>& first)
+std::uint8_t mean(std::uint32_t sum)
 {
-    std::uint32_t red_and_blue = 0, green = 0; // sums of 16 bits
-    for (const std::uint32_t* const row : first)
-        for (int x = 0; x < samples; ++x) {
-            red_and_blue += row[x] & 0xff00ff;
-            green += row[x] >> 8 & 0xff;
+    constexpr int count = samples * samples;
+    return static_cast<std::uint8_t>((sum + count / 2) / count);
+}
+
+/// Sets a row of pixels to the means of samples, rounded; `row` is the first row of these.
+void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
+{
+    std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns) * samples);
+    for (int channel = 0; channel < channels; ++channel) {
+        const int shift = 8 * (2 - channel);
+        std::ranges::fill(sums, 0);
+        for (int y = 0; y < samples; ++y) {
+            const std::uint32_t* const line = row_of(surface, row + y);
+            for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += line[x] >> shift & 0xff;
         }
-    const auto mean = [](std::uint32_t sum) {
-        constexpr int count = samples * samples;
-        return static_cast<std::uint8_t>((sum + count / 2) / count);
-    };
-    pixel[0] = mean(red_and_blue >> 16);
-    if (channels == 1) return;
-    pixel[1] = mean(green);
-    pixel[2] = mean(red_and_blue & 0xffff);
+        for (int x = 0; x < columns; ++x) {
+            const std::uint32_t* const first = &sums[static_cast<std::size_t>(x) * samples];
+            pixel[x * channels + channel] = mean(std::accumulate(first, first + samples, 0U));
+        }
+    }
 }
 
 /// A drawing as Cairo paints it, with what it takes to skip shapes quickly.
 class Painter
 {
 public:
-    Painter(const Drawing& drawing, double scale) : scale_(scale)
+    Painter(const Drawing& drawing, const PngLayout& layout)
+        : layout_(layout), scale_(samples * (layout.width / drawing.width)),
+          samples_(std::min(layout.width, widest_surface) * samples, layout.rows_at_once * samples, scale_)
     {
         for (const Shape& shape : drawing.shapes) {
             const auto points = points_of(shape);
             if (points.empty()) continue;
             const auto [top, bottom] = std::ranges::minmax(points, {}, [](const DrawingPoint& p) { return p[1]; });
             const auto* image = std::get_if<Image>(&shape.form);
-            shapes_.push_back({shape, (top[1] - reach_of(shape)) * scale, (bottom[1] + reach_of(shape)) * scale,
+            shapes_.push_back({shape, (top[1] - reach_of(shape)) * scale_, (bottom[1] + reach_of(shape)) * scale_,
                                image ? surface_of(image->pixels) : CairoSurface(nullptr, &cairo_surface_destroy)});
         }
     }
 
-    /// Sets `rows` of pixels, so many columns from `left` on; `pixels` is that of the left border in the row `top`.
-    void paint(std::uint8_t* pixels, const PngLayout& layout, int left, int columns, int top, int rows) const
+    /// Sets rows of pixels, `top` and those below.
+    void paint(std::uint8_t* pixels, int top, int rows)
     {
-        Samples painted(left * samples, top * samples, columns * samples, rows * samples, scale_);
-        for (const Entry& entry : shapes_)
-            if (entry.bottom >= top * samples && entry.top <= (top + rows) * samples)
-                painted.paint(entry.shape, entry.pixels.get());
-        cairo_surface_t* const surface = painted.finish();
-        for (int row = 0; row < rows; ++row) {
-            std::array<const std::uint32_t*, samples> lines{};
-            for (int y = 0; y < samples; ++y) lines[y] = row_of(surface, row * samples + y);
-            std::uint8_t* pixel = pixels + (static_cast<std::ptrdiff_t>(row) * layout.width + left) * layout.channels;
-            for (int column = 0; column < columns; ++column, pixel += layout.channels) {
-                set_mean(pixel, layout.channels, lines);
-                for (auto& line : lines) line += samples;
-            }
+        for (int left = 0; left < layout_.width; left += widest_surface) {
+            samples_.move_to(left * samples, top * samples);
+            for (const Entry& entry : shapes_)
+                if (entry.bottom >= top * samples && entry.top <= (top + rows) * samples)
+                    samples_.paint(entry.shape, entry.pixels.get());
+            cairo_surface_t* const surface = samples_.finish();
+            for (int row = 0; row < rows; ++row)
+                write_means(surface, row * samples,
+                            pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
+                            std::min(widest_surface, layout_.width - left), layout_.channels);
         }
     }
 
@@ -231,7 +243,9 @@ private:
         CairoSurface pixels; ///< of images
     };
 
+    PngLayout layout_;
     double scale_; ///< samples a unit
+    Samples samples_;
     std::vector<Entry> shapes_;
 };
 
@@ -266,12 +280,11 @@ void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing
     // Few colours: rows compress as they are.
     layout.compression = 3;
     layout.filters = false;
-    const Painter painter(drawing, samples * (pixels_wide / drawing.width));
+    Painter painter(drawing, layout);
     std::vector<std::uint8_t> pixels;
     write_png(path, layout, [&](int top, int rows) {
-        pixels.resize(static_cast<std::size_t>(rows) * pixels_wide * layout.channels);
-        for (int left = 0; left < pixels_wide; left += widest_surface)
-            painter.paint(pixels.data(), layout, left, std::min(widest_surface, pixels_wide - left), top, rows);
+        pixels.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(layout.width * layout.channels));
+        painter.paint(pixels.data(), top, rows);
         return pixels.data();
     });
 }
