@@ -156,16 +156,16 @@ private:
 
     void add(const Image&) {}
 
-    /// Pixels that are smaller than samples are averaged.
+    /// Samples are the means of what they cover, where pixels are no whole number of samples wide.
     void paint(const Image& image, cairo_surface_t* pixels)
     {
-        const double size = image.width / image.pixels.width;
+        const double size = image.width / image.pixels.width, in_samples = size * scale_;
         cairo_save(cairo());
         cairo_translate(cairo(), image.corner[0], image.corner[1]);
         cairo_scale(cairo(), size, size);
         cairo_set_source_surface(cairo(), pixels, 0, 0);
         cairo_pattern_set_filter(cairo_get_source(cairo()),
-                                 size * scale_ < 1 ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+                                 in_samples == std::floor(in_samples) ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
         cairo_pattern_set_extend(cairo_get_source(cairo()), CAIRO_EXTEND_PAD);
         cairo_rectangle(cairo(), 0, 0, image.pixels.width, image.pixels.height);
         cairo_fill(cairo());

@@ -106,8 +106,7 @@ void draw_space_spectra(const ReportSeries& series, const std::vector<Spectrum>&
     write_in_pixels(series.pictures / "spectrum.png", draw_spectrum_planes(planes, report_tone_mapping));
     const Drawing small = draw_spectrum_planes(planes, report_tone_mapping, small_block);
     write_in_pixels(series.pictures / "spectrum-small.png", small);
-    const int wide = thumbnail_width(static_cast<int>(small.width), static_cast<int>(small.height), 2 * thumbnail_size);
-    write_drawing_png(series.pictures / "spectrum-thumbnail.png", small, wide);
+    write_thumbnail(series.pictures / "spectrum-thumbnail.png", small, 2 * thumbnail_size);
     write_png(series.pictures / "spectrum-cube.png", draw_spectrum_cube(planes, report_tone_mapping));
     const auto slices = spectrum_slices(series);
     if (!slices.empty()) {
@@ -194,7 +193,7 @@ void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store)
                                          stored.size, stored.size));
         const auto picture = draw_zone_plate(image);
         write_png(png, picture);
-        write_thumbnail(thumbnail, {picture.width, picture.height, 1, picture.pixels}, thumbnail_size);
+        write_thumbnail(thumbnail, drawing_of({picture.width, picture.height, 1, picture.pixels}), thumbnail_size);
     });
 }
 

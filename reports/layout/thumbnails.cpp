@@ -28,16 +28,19 @@ fs::path run_picture(const ReportRun& run)
 
 }
 
-int thumbnail_width(int width, int height, int largest)
+Drawing drawing_of(PngPixels pixels)
 {
-    return std::max(1, width / ((std::max(width, height) + largest - 1) / largest));
+    const double width = pixels.width, height = pixels.height;
+    return {width, height, {{Image{{}, width, std::move(pixels)}, {}, {}}}};
 }
 
-void write_thumbnail(const fs::path& path, PngPixels pixels, int largest)
+void write_thumbnail(const fs::path& path, Drawing drawing, int largest)
 {
-    const int wide = thumbnail_width(pixels.width, pixels.height, largest);
-    const double width = pixels.width, height = pixels.height;
-    write_drawing_png(path, {width, height, {{Image{{}, width, std::move(pixels)}, {}, {}}}}, wide);
+    const double block = std::ceil(std::max(drawing.width, drawing.height) / largest);
+    const double wide = std::max(1.0, std::floor(drawing.width / block));
+    drawing.height = block * std::max(1.0, std::floor(drawing.height / block));
+    drawing.width = block * wide;
+    write_drawing_png(path, drawing, static_cast<int>(wide));
 }
 
 Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales)
@@ -57,7 +60,7 @@ Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales)
 
 void draw_run_thumbnail(const ReportRun& run)
 {
-    write_thumbnail(run.root / run_thumbnail, read_png(run_picture(run)), run_thumbnail_size);
+    write_thumbnail(run.root / run_thumbnail, drawing_of(read_png(run_picture(run))), run_thumbnail_size);
 }
 
 }

@@ -12,12 +12,13 @@ namespace poissonlab {
 /// The picture of a run on the overview, in the run's folder.
 inline constexpr auto run_thumbnail = "thumbnail.png";
 
-/// The width of the largest picture of at most `largest` pixels each way that is the whole one divided by a whole
-/// number.
-int thumbnail_width(int width, int height, int largest);
+/// Writes a drawing whose units are pixels, smaller: the least whole number of units becomes a pixel that makes the
+/// picture at most `largest` pixels wide and high. Units that fill no pixel at the right and lower borders are left
+/// out. Throws StorageError.
+void write_thumbnail(const std::filesystem::path& path, Drawing drawing, int largest);
 
-/// Writes a picture that is so much smaller. Throws StorageError.
-void write_thumbnail(const std::filesystem::path& path, PngPixels pixels, int largest);
+/// Pixels as a drawing.
+Drawing drawing_of(PngPixels pixels);
 
 /// The radially averaged power: no words, the dashed line is 1.
 Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales);

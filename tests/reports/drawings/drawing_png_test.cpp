@@ -227,6 +227,24 @@ TEST(DrawingPng, ShowsImagesAsTheyAre)
     }
 }
 
+TEST(DrawingPng, ShowsImagesSmallerWithoutMovingThem)
+{
+    // A slope of one level a pixel, whatever the number of pixels that become one.
+    for (const int block : {2, 3, 5, 6, 7, 11}) {
+        PngPixels slope{20 * block, 10 * block, 1, {}};
+        for (int row = 0; row < slope.height; ++row)
+            for (int column = 0; column < slope.width; ++column)
+                slope.values.push_back(static_cast<std::uint8_t>(column));
+        const double width = slope.width, height = slope.height;
+        const auto small = test::drawn({width, height, {{Image{{0, 0}, width, slope}, {}, {}}}}, 20);
+        for (int column = 1; column < 19; ++column)
+            for (int row = 0; row < 10; ++row)
+                EXPECT_NEAR(small.pixels[static_cast<std::size_t>(row * 20 + column)][0],
+                            block * column + (block - 1) / 2.0, 1)
+                    << block;
+    }
+}
+
 TEST(DrawingPng, IsGreyWhereItsColorsAre)
 {
     const TemporaryFolder folder;
