@@ -60,155 +60,38 @@ CairoSurface surface_of(const PngPixels& pixels)
     return surface;
 }
 
-/// A rectangle of a drawing's samples.
-class Samples
-{
-public:
-    Samples(int columns, int rows, double scale)
-        : surface_(surface_of(columns, rows)), cairo_(cairo_create(surface_.get()), &cairo_destroy), scale_(scale)
-    {
-        cairo_set_antialias(cairo(), CAIRO_ANTIALIAS_NONE);
-        cairo_set_line_join(cairo(), CAIRO_LINE_JOIN_ROUND);
-        cairo_set_line_cap(cairo(), CAIRO_LINE_CAP_ROUND);
-    }
-
-    /// Moves the rectangle, which is white then.
-    void move_to(int first_column, int first_row)
-    {
-        set_color("#ffffff");
-        cairo_identity_matrix(cairo());
-        cairo_paint(cairo());
-        cairo_translate(cairo(), -first_column, -first_row);
-        cairo_scale(cairo(), scale_, scale_);
-    }
-
-    /// `pixels` are those of an image.
-    void paint(const Shape& shape, cairo_surface_t* pixels)
-    {
-        if (const auto* image = std::get_if<Image>(&shape.form)) return paint(*image, pixels);
-        std::visit([&](const auto& form) { add(form); }, shape.form);
-        if (!shape.fill.empty()) {
-            set_color(shape.fill);
-            cairo_fill_preserve(cairo());
-        }
-        if (!shape.stroke.empty()) {
-            set_color(shape.stroke);
-            cairo_set_line_width(cairo(), shape.stroke_width);
-            cairo_stroke_preserve(cairo());
-        }
-        cairo_new_path(cairo());
-    }
-
-    cairo_surface_t* finish()
-    {
-        if (const auto status = cairo_status(cairo()); status != CAIRO_STATUS_SUCCESS)
-            throw StorageError(std::string("Cairo cannot draw a picture: ") + cairo_status_to_string(status));
-        cairo_surface_flush(surface_.get());
-        return surface_.get();
-    }
-
-private:
-    cairo_t* cairo() const { return cairo_.get(); }
-
-    void set_color(const std::string& color)
-    {
-        const auto [red, green, blue] = color_channels(color);
-        cairo_set_source_rgb(cairo(), red / 255.0, green / 255.0, blue / 255.0);
-    }
-
-    void add(const Line& line)
-    {
-        const double limit = far_outside / scale_;
-        for (const auto& [x, y] : line.points)
-            cairo_line_to(cairo(), std::clamp(x, -limit, limit), std::clamp(y, -limit, limit));
-    }
-
-    void add(const Polygon& corners)
-    {
-        add(Line{corners});
-        cairo_close_path(cairo());
-    }
-
-    void add(const Disk& disk)
-    {
-        cairo_arc(cairo(), disk.middle[0], disk.middle[1], disk.radius, 0, 2 * std::numbers::pi);
-        cairo_close_path(cairo());
-    }
-
-    /// Outlines of letters, as the font has them: no hinting, which would move them to whole samples.
-    void add(const Text& text)
-    {
-        const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
-            cairo_font_options_create(), &cairo_font_options_destroy);
-        cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
-        cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
-        cairo_set_font_options(cairo(), options.get());
-        cairo_select_font_face(cairo(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(cairo(), text.size);
-        if (cairo_scaled_font_get_type(cairo_get_scaled_font(cairo())) != CAIRO_FONT_TYPE_FT)
-            throw StorageError(
-                "Cairo finds no fonts for the letters of pictures: install the package fonts-dejavu-core");
-        cairo_text_extents_t extents{};
-        if (text.is_centred) cairo_text_extents(cairo(), text.words.c_str(), &extents);
-        cairo_move_to(cairo(), text.start[0] - extents.x_advance / 2, text.start[1]);
-        cairo_text_path(cairo(), text.words.c_str());
-    }
-
-    void add(const Image&) {}
-
-    /// Samples are the means of what they cover, where pixels are no whole number of samples wide.
-    void paint(const Image& image, cairo_surface_t* pixels)
-    {
-        const double size = image.width / image.pixels.width, in_samples = size * scale_;
-        cairo_save(cairo());
-        cairo_translate(cairo(), image.corner[0], image.corner[1]);
-        cairo_scale(cairo(), size, size);
-        cairo_set_source_surface(cairo(), pixels, 0, 0);
-        cairo_pattern_set_filter(cairo_get_source(cairo()),
-                                 in_samples == std::floor(in_samples) ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
-        cairo_pattern_set_extend(cairo_get_source(cairo()), CAIRO_EXTEND_PAD);
-        cairo_rectangle(cairo(), 0, 0, image.pixels.width, image.pixels.height);
-        cairo_fill(cairo());
-        cairo_restore(cairo());
-    }
-
-    CairoSurface surface_;
-    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
-    double scale_;
-};
-
-std::uint8_t mean(std::uint32_t sum)
-{
-    constexpr int count = samples * samples;
-    return static_cast<std::uint8_t>((sum + count / 2) / count);
-}
-
 /// Sets a row of pixels to the means of samples, rounded; `row` is the first row of these.
 void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
 {
+    constexpr unsigned count = samples * samples;
     std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns) * samples);
     for (int channel = 0; channel < channels; ++channel) {
         const int shift = 8 * (2 - channel);
-        std::ranges::fill(sums, 0);
+        std::ranges::fill(sums, count / 2 / samples); // halves are rounded up
         for (int y = 0; y < samples; ++y) {
             const std::uint32_t* const line = row_of(surface, row + y);
             for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += line[x] >> shift & 0xff;
         }
         for (int x = 0; x < columns; ++x) {
             const std::uint32_t* const first = &sums[static_cast<std::size_t>(x) * samples];
-            pixel[x * channels + channel] = mean(std::accumulate(first, first + samples, 0U));
+            pixel[x * channels + channel] =
+                static_cast<std::uint8_t>(std::accumulate(first, first + samples, 0U) / count);
         }
     }
 }
 
-/// A drawing as Cairo paints it, with what it takes to skip shapes quickly.
+/// Paints a drawing, so many rows of pixels at a time.
 class Painter
 {
 public:
     Painter(const Drawing& drawing, const PngLayout& layout)
         : layout_(layout), scale_(samples * (layout.width / drawing.width)),
-          samples_(std::min(layout.width, widest_surface) * samples, layout.rows_at_once * samples, scale_)
+          surface_(surface_of(std::min(layout.width, widest_surface) * samples, layout.rows_at_once * samples)),
+          cairo_(cairo_create(surface_.get()), &cairo_destroy)
     {
+        cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
+        cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
         for (const Shape& shape : drawing.shapes) {
             const auto points = points_of(shape);
             if (points.empty()) continue;
@@ -223,13 +106,9 @@ public:
     void paint(std::uint8_t* pixels, int top, int rows)
     {
         for (int left = 0; left < layout_.width; left += widest_surface) {
-            samples_.move_to(left * samples, top * samples);
-            for (const Entry& entry : shapes_)
-                if (entry.bottom >= top * samples && entry.top <= (top + rows) * samples)
-                    samples_.paint(entry.shape, entry.pixels.get());
-            cairo_surface_t* const surface = samples_.finish();
+            paint_samples(left * samples, top * samples, (top + rows) * samples);
             for (int row = 0; row < rows; ++row)
-                write_means(surface, row * samples,
+                write_means(surface_.get(), row * samples,
                             pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
                             std::min(widest_surface, layout_.width - left), layout_.channels);
         }
@@ -243,9 +122,104 @@ private:
         CairoSurface pixels; ///< of images
     };
 
+    /// The columns of samples from `left` on, in rows from `top` to `bottom`.
+    void paint_samples(int left, int top, int bottom)
+    {
+        cairo_identity_matrix(cairo_.get());
+        set_color("#ffffff");
+        cairo_paint(cairo_.get());
+        cairo_translate(cairo_.get(), -left, -top);
+        cairo_scale(cairo_.get(), scale_, scale_);
+        for (const Entry& entry : shapes_)
+            if (entry.bottom >= top && entry.top <= bottom) paint(entry);
+        if (const auto status = cairo_status(cairo_.get()); status != CAIRO_STATUS_SUCCESS)
+            throw StorageError(std::string("Cairo cannot draw a picture: ") + cairo_status_to_string(status));
+        cairo_surface_flush(surface_.get());
+    }
+
+    void paint(const Entry& entry)
+    {
+        const Shape& shape = entry.shape;
+        if (const auto* image = std::get_if<Image>(&shape.form)) return paint(*image, entry.pixels.get());
+        std::visit([&](const auto& form) { add(form); }, shape.form);
+        if (!shape.fill.empty()) {
+            set_color(shape.fill);
+            cairo_fill_preserve(cairo_.get());
+        }
+        if (!shape.stroke.empty()) {
+            set_color(shape.stroke);
+            cairo_set_line_width(cairo_.get(), shape.stroke_width);
+            cairo_stroke_preserve(cairo_.get());
+        }
+        cairo_new_path(cairo_.get());
+    }
+
+    void set_color(const std::string& color)
+    {
+        const auto [red, green, blue] = color_channels(color);
+        cairo_set_source_rgb(cairo_.get(), red / 255.0, green / 255.0, blue / 255.0);
+    }
+
+    void add(const Line& line)
+    {
+        const double limit = far_outside / scale_;
+        for (const auto& [x, y] : line.points)
+            cairo_line_to(cairo_.get(), std::clamp(x, -limit, limit), std::clamp(y, -limit, limit));
+    }
+
+    void add(const Polygon& corners)
+    {
+        add(Line{corners});
+        cairo_close_path(cairo_.get());
+    }
+
+    void add(const Disk& disk)
+    {
+        cairo_arc(cairo_.get(), disk.middle[0], disk.middle[1], disk.radius, 0, 2 * std::numbers::pi);
+        cairo_close_path(cairo_.get());
+    }
+
+    /// Outlines of letters, as the font has them: no hinting, which would move them to whole samples.
+    void add(const Text& text)
+    {
+        const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
+            cairo_font_options_create(), &cairo_font_options_destroy);
+        cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(cairo_.get(), options.get());
+        cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_font_size(cairo_.get(), text.size);
+        if (cairo_scaled_font_get_type(cairo_get_scaled_font(cairo_.get())) != CAIRO_FONT_TYPE_FT)
+            throw StorageError(
+                "Cairo finds no fonts for the letters of pictures: install the package fonts-dejavu-core");
+        cairo_text_extents_t extents{};
+        if (text.is_centred) cairo_text_extents(cairo_.get(), text.words.c_str(), &extents);
+        cairo_move_to(cairo_.get(), text.start[0] - extents.x_advance / 2, text.start[1]);
+        cairo_text_path(cairo_.get(), text.words.c_str());
+    }
+
+    void add(const Image&) {}
+
+    /// Samples are the means of what they cover, where pixels are no whole number of samples wide.
+    void paint(const Image& image, cairo_surface_t* pixels)
+    {
+        const double size = image.width / image.pixels.width, in_samples = size * scale_;
+        cairo_save(cairo_.get());
+        cairo_translate(cairo_.get(), image.corner[0], image.corner[1]);
+        cairo_scale(cairo_.get(), size, size);
+        cairo_set_source_surface(cairo_.get(), pixels, 0, 0);
+        cairo_pattern_set_filter(cairo_get_source(cairo_.get()),
+                                 in_samples == std::floor(in_samples) ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
+        cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
+        cairo_rectangle(cairo_.get(), 0, 0, image.pixels.width, image.pixels.height);
+        cairo_fill(cairo_.get());
+        cairo_restore(cairo_.get());
+    }
+
     PngLayout layout_;
     double scale_; ///< samples a unit
-    Samples samples_;
+    CairoSurface surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
     std::vector<Entry> shapes_;
 };
 
