@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace poissonlab {
@@ -138,19 +137,11 @@ Drawing draw_cells(const CellsView& view)
     const double scale = drawing_size / view.window;
     const auto place = [&](const Position& p) -> DrawingPoint { return {scale * p[0], drawing_size - scale * p[1]}; };
     for (const auto& cell : view.cells) {
-        Shape shape{{}, cell_class_color(cell_class(cell.neighbours)), "#6b7078", 0.8};
-        for (const auto& corner : cell.polygon) shape.outline.push_back(place(corner));
-        drawing.shapes.push_back(std::move(shape));
+        Polygon outline;
+        for (const auto& corner : cell.polygon) outline.push_back(place(corner));
+        drawing.shapes.push_back({std::move(outline), cell_class_color(cell_class(cell.neighbours)), "#6b7078", 0.8});
     }
-    for (const auto& cell : view.cells) {
-        const auto centre = place(cell.point);
-        Shape dot{{}, "#1d2024", "", 0};
-        for (int corner = 0; corner < 8; ++corner) {
-            const double angle = (corner + 0.5) * std::numbers::pi / 4;
-            dot.outline.push_back({centre[0] + dot_radius * std::cos(angle), centre[1] + dot_radius * std::sin(angle)});
-        }
-        drawing.shapes.push_back(std::move(dot));
-    }
+    for (const auto& cell : view.cells) drawing.shapes.push_back({Disk{place(cell.point), dot_radius}, "#1d2024", {}});
     return drawing;
 }
 

@@ -1,6 +1,5 @@
 #include "reports/drawings/construction_image.hpp"
 
-#include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/plane_panel.hpp"
 #include "reports/drawings/space_panel.hpp"
 
@@ -14,6 +13,7 @@ constexpr double widest_panel = 400; // and highest
 constexpr double margin = 14;
 constexpr double gap = 26;         // more than two disks at the borders of panels
 constexpr double label_space = 22; // from a row of panels to the middle of its letters, and on to the next row
+constexpr double letter_size = 16;
 
 DrawingPoint panel_size(const Scene& scene, const ScenePanel& panel)
 {
@@ -26,6 +26,11 @@ bool has_labels(const Scene& scene)
            std::ranges::any_of(scene.panels, [](const ScenePanel& panel) { return !panel.caption.empty(); });
 }
 
+}
+
+std::string panel_letter(std::size_t panel)
+{
+    return panel < 26 ? std::string{'(', static_cast<char>('a' + panel), ')'} : "";
 }
 
 std::vector<PanelPlace> panel_places(const Scene& scene, DrawingPoint& size)
@@ -72,7 +77,10 @@ Drawing draw_construction(const Scene& scene)
             add_plane_panel(drawing.shapes, scene, panel, origin, scale);
         else
             add_space_panel(drawing.shapes, scene, panel, origin, scale);
-        if (has_labels(scene)) add_panel_label(drawing.shapes, i, label);
+        // Half of a small letter's height below the middle.
+        if (has_labels(scene))
+            drawing.shapes.push_back(
+                {Text{{label[0], label[1] + 0.27 * letter_size}, letter_size, panel_letter(i), true}, "#202020", {}});
     }
     return drawing;
 }

@@ -4,9 +4,15 @@
 #include "reports/drawings/drawing.hpp"
 #include "results/pictures/construction_result.hpp"
 
+#include <cstddef>
+#include <string>
+
 namespace poissonlab {
 
 Drawing draw_construction(const Scene& scene);
+
+/// "(a)" for panel 0, and so on; empty for panels beyond (z).
+std::string panel_letter(std::size_t panel);
 
 /// The place of a panel in a picture: that of its window's upper left corner, and units of the drawing a unit
 /// of tiles.

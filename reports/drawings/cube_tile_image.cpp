@@ -19,7 +19,6 @@ constexpr double gap_size = 16; // more than two disks
 constexpr double margin = 8;
 constexpr double disk_radius = 5;
 constexpr double ring_width = 2;
-constexpr std::size_t circle_points = 24; // within 0.05 units of round
 const double half_sqrt3 = std::numbers::sqrt3 / 2;
 
 using Place = std::array<std::size_t, 3>; ///< x, y, z
@@ -134,24 +133,14 @@ std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
 
 std::string shaded(const std::string& color, const Side& side) { return mixed_color(color, "#000000", side.shade); }
 
-std::vector<DrawingPoint> circle(const DrawingPoint& center, double radius)
-{
-    std::vector<DrawingPoint> points;
-    for (std::size_t i = 0; i < circle_points; ++i) {
-        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / circle_points;
-        points.push_back({center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
-    }
-    return points;
-}
-
 /// Disks that do not overlap, with thin outlines.
 class Disks
 {
 public:
     void add(const DrawingPoint& center, double radius, const std::string& color)
     {
-        fills_.push_back({circle(center, radius), color, {}});
-        outlines_.push_back({circle(center, radius), {}, "#000000", 0.6});
+        fills_.push_back({Disk{center, radius}, color, {}});
+        outlines_.push_back({Disk{center, radius}, {}, "#000000", 0.6});
     }
 
     void draw(std::vector<Shape>& shapes)

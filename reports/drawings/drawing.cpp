@@ -8,6 +8,12 @@
 namespace poissonlab {
 namespace {
 
+template <class... Functions>
+struct Overloaded : Functions...
+{
+    using Functions::operator()...;
+};
+
 constexpr double largest_coordinate = 1e9; // hundredths of units are exact far beyond
 
 bool is_drawable(double coordinate) { return std::abs(coordinate) <= largest_coordinate; }
@@ -45,6 +51,34 @@ std::string mixed_color(const std::string& first, const std::string& second, dou
     return color;
 }
 
+Shape::Shape(Form its_form, std::string its_fill, std::string its_stroke, double its_stroke_width)
+    : form(std::move(its_form)), fill(std::move(its_fill)), stroke(std::move(its_stroke)),
+      stroke_width(its_stroke_width)
+{}
+
+std::vector<DrawingPoint> points_of(const Shape& shape)
+{
+    return std::visit(Overloaded{
+                          [](const Polygon& corners) { return corners; },
+                          [](const Line& line) { return line.points; },
+                          [](const Disk& disk) { return Polygon{disk.middle}; },
+                          [](const Text& text) { return Polygon{text.start}; },
+                          [](const Image& image) {
+                              const double height = image.width * image.pixels.height / image.pixels.width;
+                              return Polygon{image.corner, {image.corner[0] + image.width, image.corner[1] + height}};
+                          },
+                      },
+                      shape.form);
+}
+
+double reach_of(const Shape& shape)
+{
+    const double stroke = shape.stroke.empty() ? 0 : shape.stroke_width / 2;
+    if (const auto* disk = std::get_if<Disk>(&shape.form)) return disk->radius + stroke;
+    if (const auto* text = std::get_if<Text>(&shape.form)) return text->size * static_cast<double>(text->words.size());
+    return stroke;
+}
+
 void check_drawing(const Drawing& drawing)
 {
     if (!(drawing.width > 0 && drawing.height > 0 && is_drawable(drawing.width) && is_drawable(drawing.height)))
@@ -54,7 +88,9 @@ void check_drawing(const Drawing& drawing)
         if (!shape.stroke.empty()) color_channels(shape.stroke);
         if (!(shape.stroke_width >= 0 && is_drawable(shape.stroke_width)))
             throw std::logic_error(fmt::format("a stroke of width {}", shape.stroke_width));
-        for (const auto& [x, y] : shape.outline)
+        if (!(reach_of(shape) >= 0 && is_drawable(reach_of(shape))))
+            throw std::logic_error(fmt::format("a disk or letters of size {}", reach_of(shape)));
+        for (const auto& [x, y] : points_of(shape))
             if (!is_drawable(x) || !is_drawable(y))
                 throw std::logic_error(fmt::format("a point of a drawing at ({}, {})", x, y));
     }

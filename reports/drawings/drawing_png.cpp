@@ -1,209 +1,265 @@
-// Drawings as PNG: polygons are sampled in 4 x 4 places a pixel, a band of rows at a time.
+// Drawings as PNG: Cairo samples shapes in 4 x 4 places a pixel, a band of rows at a time, and pixels are the mean of
+// their samples.
 //
-// A sample takes the colour of the last polygon that it lies in, and pixels are the mean of their samples: so
-// polygons that share an edge leave no seam, which blending one over the other would.
+// A sample takes the colour of the last shape that it lies in: so shapes that share an edge leave no seam, which
+// Cairo's own smoothing, that blends one over the other, would.
 #include "reports/drawings/drawing.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/images/png_file.hpp"
 
 #include <fmt/format.h>
+
+#include <cairo.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <numbers>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
 
-constexpr int samples = 4;        // a pixel in each direction
-constexpr int band_rows = 16;     // of pixels
-constexpr int corner_points = 16; // of a stroke's round corner
+constexpr int samples = 4;           // a pixel in each direction
+constexpr int band_rows = 16;        // of pixels
+constexpr int widest_surface = 8000; // pixels: Cairo's images end at 32,767 samples
 
-using Polygon = std::vector<DrawingPoint>;
-using Rgb = std::array<std::uint8_t, 3>;
+/// Cairo's coordinates end at some 8 million samples.
+constexpr double far_outside = 4e6;
 
-struct Crossing
+using CairoSurface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+
+CairoSurface surface_of(int width, int height)
 {
-    double x = 0;
-    int turns = 0;
-};
-
-/// The samples of a few rows of pixels; coordinates are in samples, with sample (i, j) at (i + 1/2, j + 1/2).
-class Band
-{
-public:
-    Band(int columns, int first_row, int rows)
-        : columns_(columns), first_(first_row), rows_(rows),
-          samples_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), Rgb{255, 255, 255})
-    {}
-
-    /// Those samples inside of a polygon, on whose left border or upper border they may lie (non-zero rule).
-    void paint(const Polygon& polygon, const Rgb& color)
-    {
-        if (polygon.empty()) return;
-        const auto [top, bottom] = std::ranges::minmax(polygon, {}, [](const auto& p) { return p[1]; });
-        for (int row = std::max(first_, first_center(top[1])); row < std::min(first_ + rows_, first_center(bottom[1]));
-             ++row) {
-            find_crossings(polygon, row + 0.5);
-            int turns = 0;
-            for (std::size_t i = 0; i + 1 < crossings_.size(); ++i) {
-                turns += crossings_[i].turns;
-                if (turns != 0) fill(row, crossings_[i].x, crossings_[i + 1].x, color);
-            }
-        }
-    }
-
-    /// The mean of a pixel's samples; `row` is counted from the band's first row of pixels.
-    Rgb pixel(int column, int row) const
-    {
-        std::array<int, 3> sum{};
-        for (int y = row * samples; y < (row + 1) * samples; ++y)
-            for (int x = column * samples; x < (column + 1) * samples; ++x)
-                for (std::size_t i = 0; i < 3; ++i) sum[i] += samples_[index(x, y)][i];
-        constexpr int count = samples * samples;
-        Rgb mean{};
-        for (std::size_t i = 0; i < 3; ++i) mean[i] = static_cast<std::uint8_t>((sum[i] + count / 2) / count);
-        return mean;
-    }
-
-private:
-    std::size_t index(int column, int row) const
-    {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-    }
-
-    /// The first sample whose centre is at `coordinate` or beyond; far outside, any that is outside.
-    static int first_center(double coordinate)
-    {
-        constexpr double far = 1e9;
-        return static_cast<int>(std::ceil(std::clamp(coordinate, -far, far) - 0.5));
-    }
-
-    /// Where a polygon crosses a horizontal line, from left to right. An edge is always taken from its upper
-    /// end, so that polygons on both sides of it agree to the last bit.
-    void find_crossings(const Polygon& polygon, double y)
-    {
-        crossings_.clear();
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const DrawingPoint& a = polygon[i];
-            const DrawingPoint& b = polygon[(i + 1) % polygon.size()];
-            const bool down = a[1] < b[1];
-            const DrawingPoint& upper = down ? a : b;
-            const DrawingPoint& lower = down ? b : a;
-            if (y < upper[1] || y >= lower[1]) continue;
-            const double share = (y - upper[1]) / (lower[1] - upper[1]);
-            crossings_.push_back({upper[0] + share * (lower[0] - upper[0]), down ? 1 : -1});
-        }
-        std::ranges::sort(crossings_, {}, &Crossing::x);
-    }
-
-    void fill(int row, double left, double right, const Rgb& color)
-    {
-        const int first = std::max(0, first_center(left)), end = std::min(columns_, first_center(right));
-        if (first >= end) return;
-        const auto start = samples_.begin() + static_cast<std::ptrdiff_t>(index(first, row - first_));
-        std::fill(start, start + (end - first), color);
-    }
-
-    int columns_;
-    int first_;
-    int rows_;
-    std::vector<Rgb> samples_;
-    std::vector<Crossing> crossings_;
-};
-
-Rgb rgb(const std::string& color)
-{
-    const auto channels = color_channels(color);
-    return {static_cast<std::uint8_t>(channels[0]), static_cast<std::uint8_t>(channels[1]),
-            static_cast<std::uint8_t>(channels[2])};
+    CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), &cairo_surface_destroy);
+    if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+    return surface;
 }
 
-/// A rectangle along each side and a round corner at each point.
-void paint_stroke(Band& band, const Polygon& outline, double width, const Rgb& color)
+/// A row of pixels 0x00rrggbb.
+std::uint32_t* row_of(cairo_surface_t* surface, int row)
 {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const auto& [x0, y0] = outline[i];
-        const auto& [x1, y1] = outline[(i + 1) % outline.size()];
-        Polygon corner;
-        for (int k = 0; k < corner_points; ++k) {
-            const double angle = 2 * std::numbers::pi * k / corner_points;
-            corner.push_back({x0 + width / 2 * std::cos(angle), y0 + width / 2 * std::sin(angle)});
+    unsigned char* const first = cairo_image_surface_get_data(surface) +
+                                 static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface);
+    return reinterpret_cast<std::uint32_t*>(first);
+}
+
+CairoSurface surface_of(const PngPixels& pixels)
+{
+    CairoSurface surface = surface_of(pixels.width, pixels.height);
+    for (int row = 0; row < pixels.height; ++row)
+        for (int column = 0; column < pixels.width; ++column) {
+            std::uint32_t color = 0;
+            for (int channel = 0; channel < 3; ++channel)
+                color = color << 8 | pixels.values[pixels.at(column, row, std::min(channel, pixels.channels - 1))];
+            row_of(surface.get(), row)[column] = color;
         }
-        band.paint(corner, color);
-        const double length = std::hypot(x1 - x0, y1 - y0);
-        if (length == 0) continue;
-        const double dx = (y0 - y1) / length * width / 2, dy = (x1 - x0) / length * width / 2;
-        band.paint({{x0 + dx, y0 + dy}, {x1 + dx, y1 + dy}, {x1 - dx, y1 - dy}, {x0 - dx, y0 - dy}}, color);
+    cairo_surface_mark_dirty(surface.get());
+    return surface;
+}
+
+/// Sets a row of pixels to the means of samples, rounded; `row` is the first row of these.
+void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
+{
+    constexpr unsigned count = samples * samples;
+    std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns) * samples);
+    for (int channel = 0; channel < channels; ++channel) {
+        const int shift = 8 * (2 - channel);
+        std::ranges::fill(sums, count / 2 / samples); // halves are rounded up
+        for (int y = 0; y < samples; ++y) {
+            const std::uint32_t* const line = row_of(surface, row + y);
+            for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += line[x] >> shift & 0xff;
+        }
+        for (int x = 0; x < columns; ++x) {
+            const std::uint32_t* const first = &sums[static_cast<std::size_t>(x) * samples];
+            pixel[x * channels + channel] =
+                static_cast<std::uint8_t>(std::accumulate(first, first + samples, 0U) / count);
+        }
     }
 }
 
-/// A drawing in samples, with what it takes to skip shapes quickly.
+/// Paints a drawing, so many rows of pixels at a time.
 class Painter
 {
 public:
-    Painter(const Drawing& drawing, double scale) : drawing_(drawing), scale_(scale)
+    Painter(const Drawing& drawing, const PngLayout& layout)
+        : layout_(layout), scale_(samples * (layout.width / drawing.width)),
+          surface_(surface_of(std::min(layout.width, widest_surface) * samples, layout.rows_at_once * samples)),
+          cairo_(cairo_create(surface_.get()), &cairo_destroy)
     {
+        cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
+        cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
         for (const Shape& shape : drawing.shapes) {
-            double top = 1, bottom = 0; // nothing, unless there are points
-            for (const auto& [x, y] : shape.outline) {
-                top = &shape.outline.front()[1] == &y ? y : std::min(top, y);
-                bottom = &shape.outline.front()[1] == &y ? y : std::max(bottom, y);
-            }
-            const double reach = shape.stroke.empty() ? 0 : shape.stroke_width / 2;
-            extents_.push_back({(top - reach) * scale, (bottom + reach) * scale});
+            const auto points = points_of(shape);
+            if (points.empty()) continue;
+            const auto [top, bottom] = std::ranges::minmax(points, {}, [](const DrawingPoint& p) { return p[1]; });
+            const auto* image = std::get_if<Image>(&shape.form);
+            shapes_.push_back({shape, (top[1] - reach_of(shape)) * scale_, (bottom[1] + reach_of(shape)) * scale_,
+                               image ? surface_of(image->pixels) : CairoSurface(nullptr, &cairo_surface_destroy)});
         }
     }
 
-    void paint(Band& band, int first_row, int rows) const
+    /// Sets rows of pixels, `top` and those below.
+    void paint(std::uint8_t* pixels, int top, int rows)
     {
-        for (std::size_t i = 0; i < extents_.size(); ++i) {
-            if (extents_[i][1] < first_row || extents_[i][0] > first_row + rows) continue;
-            const Shape& shape = drawing_.shapes[i];
-            Polygon outline = shape.outline;
-            for (auto& [x, y] : outline) {
-                x *= scale_;
-                y *= scale_;
-            }
-            if (!shape.fill.empty()) band.paint(outline, rgb(shape.fill));
-            if (!shape.stroke.empty()) paint_stroke(band, outline, shape.stroke_width * scale_, rgb(shape.stroke));
+        for (int left = 0; left < layout_.width; left += widest_surface) {
+            paint_samples(left * samples, top * samples, (top + rows) * samples);
+            for (int row = 0; row < rows; ++row)
+                write_means(surface_.get(), row * samples,
+                            pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
+                            std::min(widest_surface, layout_.width - left), layout_.channels);
         }
     }
 
 private:
-    const Drawing& drawing_;
-    double scale_;
-    std::vector<std::array<double, 2>> extents_; ///< rows of samples
+    struct Entry
+    {
+        const Shape& shape;
+        double top, bottom;  ///< in rows of samples
+        CairoSurface pixels; ///< of images
+    };
+
+    /// The columns of samples from `left` on, in rows from `top` to `bottom`.
+    void paint_samples(int left, int top, int bottom)
+    {
+        cairo_identity_matrix(cairo_.get());
+        set_color("#ffffff");
+        cairo_paint(cairo_.get());
+        cairo_translate(cairo_.get(), -left, -top);
+        cairo_scale(cairo_.get(), scale_, scale_);
+        for (const Entry& entry : shapes_)
+            if (entry.bottom >= top && entry.top <= bottom) paint(entry);
+        if (const auto status = cairo_status(cairo_.get()); status != CAIRO_STATUS_SUCCESS)
+            throw StorageError(std::string("Cairo cannot draw a picture: ") + cairo_status_to_string(status));
+        cairo_surface_flush(surface_.get());
+    }
+
+    void paint(const Entry& entry)
+    {
+        const Shape& shape = entry.shape;
+        if (const auto* image = std::get_if<Image>(&shape.form)) return paint(*image, entry.pixels.get());
+        std::visit([&](const auto& form) { add(form); }, shape.form);
+        if (!shape.fill.empty()) {
+            set_color(shape.fill);
+            cairo_fill_preserve(cairo_.get());
+        }
+        if (!shape.stroke.empty()) {
+            set_color(shape.stroke);
+            cairo_set_line_width(cairo_.get(), shape.stroke_width);
+            cairo_stroke_preserve(cairo_.get());
+        }
+        cairo_new_path(cairo_.get());
+    }
+
+    void set_color(const std::string& color)
+    {
+        const auto [red, green, blue] = color_channels(color);
+        cairo_set_source_rgb(cairo_.get(), red / 255.0, green / 255.0, blue / 255.0);
+    }
+
+    void add(const Line& line)
+    {
+        const double limit = far_outside / scale_;
+        for (const auto& [x, y] : line.points)
+            cairo_line_to(cairo_.get(), std::clamp(x, -limit, limit), std::clamp(y, -limit, limit));
+    }
+
+    void add(const Polygon& corners)
+    {
+        add(Line{corners});
+        cairo_close_path(cairo_.get());
+    }
+
+    void add(const Disk& disk)
+    {
+        cairo_arc(cairo_.get(), disk.middle[0], disk.middle[1], disk.radius, 0, 2 * std::numbers::pi);
+        cairo_close_path(cairo_.get());
+    }
+
+    /// Outlines of letters, as the font has them: no hinting, which would move them to whole samples.
+    void add(const Text& text)
+    {
+        const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
+            cairo_font_options_create(), &cairo_font_options_destroy);
+        cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+        cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(cairo_.get(), options.get());
+        cairo_select_font_face(cairo_.get(), "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_font_size(cairo_.get(), text.size);
+        if (cairo_scaled_font_get_type(cairo_get_scaled_font(cairo_.get())) != CAIRO_FONT_TYPE_FT)
+            throw StorageError(
+                "Cairo finds no fonts for the letters of pictures: install the package fonts-dejavu-core");
+        cairo_text_extents_t extents{};
+        if (text.is_centred) cairo_text_extents(cairo_.get(), text.words.c_str(), &extents);
+        cairo_move_to(cairo_.get(), text.start[0] - extents.x_advance / 2, text.start[1]);
+        cairo_text_path(cairo_.get(), text.words.c_str());
+    }
+
+    void add(const Image&) {}
+
+    /// Samples are the means of what they cover, where pixels are no whole number of samples wide.
+    void paint(const Image& image, cairo_surface_t* pixels)
+    {
+        const double size = image.width / image.pixels.width, in_samples = size * scale_;
+        cairo_save(cairo_.get());
+        cairo_translate(cairo_.get(), image.corner[0], image.corner[1]);
+        cairo_scale(cairo_.get(), size, size);
+        cairo_set_source_surface(cairo_.get(), pixels, 0, 0);
+        cairo_pattern_set_filter(cairo_get_source(cairo_.get()),
+                                 in_samples == std::floor(in_samples) ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
+        cairo_pattern_set_extend(cairo_get_source(cairo_.get()), CAIRO_EXTEND_PAD);
+        cairo_rectangle(cairo_.get(), 0, 0, image.pixels.width, image.pixels.height);
+        cairo_fill(cairo_.get());
+        cairo_restore(cairo_.get());
+    }
+
+    PngLayout layout_;
+    double scale_; ///< samples a unit
+    CairoSurface surface_;
+    std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
+    std::vector<Entry> shapes_;
 };
+
+bool is_grey(const Shape& shape)
+{
+    if (const auto* image = std::get_if<Image>(&shape.form); image && image->pixels.channels > 1) return false;
+    return std::ranges::all_of(std::array{shape.fill, shape.stroke}, [](const std::string& color) {
+        const auto [red, green, blue] = color_channels(color.empty() ? "#ffffff" : color);
+        return red == green && green == blue;
+    });
+}
+
+/// Pixels that the picture of a drawing is high.
+int height_of(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide)
+{
+    constexpr double rounding = 1e-9; // an exact fit is not a pixel more
+    const double high = std::max(1.0, std::ceil(drawing.height * pixels_wide / drawing.width * (1 - rounding)));
+    if (pixels_wide < 1 || pixels_wide > max_drawing_pixels || high > max_drawing_pixels)
+        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way", path.string(),
+                                     pixels_wide, high, max_drawing_pixels));
+    return static_cast<int>(high);
+}
 
 }
 
 void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide)
 {
     check_drawing(drawing);
-    const double scale = pixels_wide / drawing.width;
-    constexpr double rounding = 1e-9; // an exact fit is not a pixel more
-    const double pixels_high = std::max(1.0, std::ceil(drawing.height * scale * (1 - rounding)));
-    if (pixels_wide < 1 || pixels_wide > max_drawing_pixels || pixels_high > max_drawing_pixels)
-        throw InputError(fmt::format("{}: a picture of {} x {} pixels: must be from 1 to {} each way", path.string(),
-                                     pixels_wide, pixels_high, max_drawing_pixels));
-    const int height = static_cast<int>(pixels_high);
-    const Painter painter(drawing, scale * samples);
-    PngLayout layout{pixels_wide, height, 3};
+    PngLayout layout{pixels_wide, height_of(path, drawing, pixels_wide)};
+    layout.channels = std::ranges::all_of(drawing.shapes, is_grey) ? 1 : 3;
     layout.rows_at_once = band_rows;
     // Few colours: rows compress as they are.
     layout.compression = 3;
     layout.filters = false;
-    std::vector<Rgb> pixels;
-    write_png(path, layout, [&](int first, int rows) {
-        Band band(pixels_wide * samples, first * samples, rows * samples);
-        painter.paint(band, first * samples, rows * samples);
-        pixels.clear();
-        for (int row = 0; row < rows; ++row)
-            for (int column = 0; column < pixels_wide; ++column) pixels.push_back(band.pixel(column, row));
-        return pixels.front().data();
+    Painter painter(drawing, layout);
+    std::vector<std::uint8_t> pixels;
+    write_png(path, layout, [&](int top, int rows) {
+        pixels.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(layout.width * layout.channels));
+        painter.paint(pixels.data(), top, rows);
+        return pixels.data();
     });
 }
 

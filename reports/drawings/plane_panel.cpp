@@ -11,7 +11,6 @@ namespace poissonlab {
 namespace {
 
 constexpr std::size_t arc_points = 112; // of the circle around a corner
-constexpr std::size_t dot_points = 14;
 const std::string region_outline = "#707070";
 const std::string made_outline = "#303030";
 const std::string disk_outline = "#8c8c8c";
@@ -56,7 +55,7 @@ public:
             for (std::size_t i = 0; i < arc_points; ++i) {
                 const ShapeVector a = around(middle, scene_.width, i, arc_points);
                 const ShapeVector b = around(middle, scene_.width, i + 1, arc_points);
-                if (is_in_part(a) && is_in_part(b)) shapes_.push_back({{at(a), at(b)}, {}, region_outline, 0.7});
+                if (is_in_part(a) && is_in_part(b)) shapes_.push_back({Line{{at(a), at(b)}}, {}, region_outline, 0.7});
             }
         }
     }
@@ -67,7 +66,7 @@ public:
             const auto corner = [&](double x, double y) {
                 return at({(tile[0] + x) * tile_units, (tile[1] + y) * tile_units, 0});
             };
-            shapes_.push_back({{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}, {}, "#000000", 1});
+            shapes_.push_back({Polygon{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)}, {}, "#000000", 1});
         }
     }
 
@@ -77,7 +76,7 @@ public:
         if (!panel_.tiles.empty() || panel_.caption.empty()) return;
         const auto low = panel_.window.low_corner(), high = panel_.window.high_corner();
         shapes_.push_back(
-            {{at(low), at({high[0], low[1], 0}), at(high), at({low[0], high[1], 0})}, {}, "#b0b0b0", 0.8});
+            {Polygon{at(low), at({high[0], low[1], 0}), at(high), at({low[0], high[1], 0})}, {}, "#b0b0b0", 0.8});
     }
 
     /// Disks do not overlap where points keep their distance. Not drawn where there are no regions: only
@@ -85,16 +84,15 @@ public:
     void add_points()
     {
         const double radius = scene_.radius * scale_;
-        const auto disk_points = static_cast<std::size_t>(std::clamp(1.5 * radius, 20.0, 72.0));
         const bool has_disks = !panel_.pieces.empty() || !panel_.tiles.empty();
         if (has_disks)
             for (const auto& points : panel_.points)
                 for (const ShapeVector& point : shape_vectors(points))
-                    shapes_.push_back({circle(point, radius, disk_points), {}, disk_outline, 0.5});
+                    shapes_.push_back({Disk{at(point), radius}, {}, disk_outline, 0.5});
         const double dot = std::clamp(0.3 * radius, 1.0, 3.5);
         for (std::size_t kind = 0; kind < panel_.points.size(); ++kind)
             for (const ShapeVector& point : shape_vectors(panel_.points[kind]))
-                shapes_.push_back({circle(point, dot, dot_points), point_color(kind).fill, {}});
+                shapes_.push_back({Disk{at(point), dot}, point_color(kind).fill, {}});
     }
 
 private:
@@ -115,13 +113,6 @@ private:
     {
         const double angle = 2 * std::numbers::pi * static_cast<double>(step) / static_cast<double>(steps);
         return {middle[0] + radius * std::cos(angle), middle[1] + radius * std::sin(angle), 0};
-    }
-
-    std::vector<DrawingPoint> circle(const ShapeVector& middle, double radius, std::size_t points) const
-    {
-        std::vector<DrawingPoint> result;
-        for (std::size_t i = 0; i < points; ++i) result.push_back(at(around(middle, radius / scale_, i, points)));
-        return result;
     }
 
     bool is_in_part(const ShapeVector& place) const

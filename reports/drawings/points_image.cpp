@@ -2,11 +2,8 @@
 
 #include "base/geometry/relative_radius.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace poissonlab {
 
@@ -16,7 +13,7 @@ constexpr std::size_t most_points_shown_whole = 2000;
 constexpr double points_in_window = 1500;
 constexpr double dot_per_disk = 1.0 / 3.0;
 constexpr double largest_dot = 0.02; // of the window
-constexpr int image_size = 1024;
+constexpr double drawing_size = 1000;
 
 // A window side that holds about `points_in_window` of `points`, with two significant digits.
 double window_side(double points)
@@ -25,20 +22,6 @@ double window_side(double points)
     const double side = std::sqrt(points_in_window / points);
     const double unit = std::pow(10.0, std::floor(std::log10(side)) - 1);
     return std::round(side / unit) * unit;
-}
-
-// Darkens the pixels that a dot covers; coordinates in pixels from the upper left corner.
-void draw_dot(GreyImage& image, double x, double y, double radius)
-{
-    const auto first = [](double v) { return std::max(0, static_cast<int>(std::floor(v))); };
-    const auto last = [](double v, int size) { return std::min(size - 1, static_cast<int>(std::ceil(v))); };
-    for (int row = first(y - radius - 1); row <= last(y + radius, image.height); ++row)
-        for (int column = first(x - radius - 1); column <= last(x + radius, image.width); ++column) {
-            const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
-            const double coverage = std::clamp(radius + 0.5 - distance, 0.0, 1.0);
-            const auto grey = static_cast<std::uint8_t>(std::lround(255 * (1 - coverage)));
-            image.at(column, row) = std::min(image.at(column, row), grey);
-        }
 }
 
 }
@@ -66,26 +49,14 @@ PointsView choose_points_view(const PointSet& points)
     return view;
 }
 
-GreyImage draw_points(const PointsView& view)
+Drawing draw_points(const PointsView& view)
 {
-    GreyImage image(image_size, image_size, 255);
-    for (std::size_t i = 0; i < view.visible.size(); i += 2)
-        draw_dot(image, view.visible[i] * image_size, (1 - view.visible[i + 1]) * image_size,
-                 0.5 * view.dot_diameter * image_size);
-    return image;
-}
-
-std::string points_svg(const PointsView& view)
-{
-    // A dot is a line of no length with round ends: the shortest way to write many.
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"600\" height=\"600\" viewBox=\"0 0 1000 1000\">\n"
-        "<path fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-width=\"{:.2f}\" d=\"",
-        1000 * view.dot_diameter);
-    for (std::size_t i = 0; i < view.visible.size(); i += 2)
-        fmt::format_to(std::back_inserter(svg), "M{:.1f} {:.1f}h0\n", 1000 * view.visible[i],
-                       1000 * (1 - view.visible[i + 1]));
-    return svg + "\"/>\n</svg>\n";
+    Drawing drawing{drawing_size, drawing_size, {}};
+    for (std::size_t i = 0; i < view.visible.size(); i += 2) {
+        const DrawingPoint place{drawing_size * view.visible[i], drawing_size * (1 - view.visible[i + 1])};
+        drawing.shapes.push_back({Disk{place, drawing_size * view.dot_diameter / 2}, "#000000", {}});
+    }
+    return drawing;
 }
 
 }

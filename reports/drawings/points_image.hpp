@@ -2,9 +2,8 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "base/images/grey_image.hpp"
+#include "reports/drawings/drawing.hpp"
 
-#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -26,10 +25,7 @@ struct PointsView
 /// method, so that pictures of different methods compare.
 PointsView choose_points_view(const PointSet& points);
 
-/// Black dots on white, antialiased. The origin is at the lower left.
-GreyImage draw_points(const PointsView& view);
-
-/// The same as SVG.
-std::string points_svg(const PointsView& view);
+/// Black dots on white. The origin is at the lower left.
+Drawing draw_points(const PointsView& view);
 
 }

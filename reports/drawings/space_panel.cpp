@@ -11,7 +11,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t disk_points = 24;
 constexpr double darkest_shade = 0.34; // the share of black on faces without light
 constexpr double farthest_paleness = 0.6;
 
@@ -147,9 +146,9 @@ public:
             const double depth = std::clamp((nearest - sphere.near) / (nearest - farthest), 0.0, 1.0);
             const std::string color = mixed_color(point_color(sphere.kind).fill, "#ffffff", farthest_paleness * depth);
             const DrawingPoint middle = at(sphere.place);
-            shapes_.push_back({circle(middle, radius), color, mixed_color(color, "#000000", 0.3), 0.5});
+            shapes_.push_back({Disk{middle, radius}, color, mixed_color(color, "#000000", 0.3), 0.5});
             const DrawingPoint shine{middle[0] - 0.3 * radius, middle[1] - 0.35 * radius};
-            shapes_.push_back({circle(shine, 0.32 * radius), mixed_color(color, "#ffffff", 0.5), {}});
+            shapes_.push_back({Disk{shine, 0.32 * radius}, mixed_color(color, "#ffffff", 0.5), {}});
         }
     }
 
@@ -167,20 +166,10 @@ private:
         return points;
     }
 
-    static std::vector<DrawingPoint> circle(const DrawingPoint& middle, double radius)
-    {
-        std::vector<DrawingPoint> points;
-        for (std::size_t i = 0; i < disk_points; ++i) {
-            const double angle = 2 * std::numbers::pi * static_cast<double>(i) / disk_points;
-            points.push_back({middle[0] + radius * std::cos(angle), middle[1] + radius * std::sin(angle)});
-        }
-        return points;
-    }
-
     void add_edges(const RegionShape& body, bool in_sight, const std::string& color, double width)
     {
         for (const Edge& edge : edges_of(body))
-            if (edge.in_sight == in_sight) shapes_.push_back({{at(edge.a), at(edge.b)}, {}, color, width});
+            if (edge.in_sight == in_sight) shapes_.push_back({Line{{at(edge.a), at(edge.b)}}, {}, color, width});
     }
 
     /// How near the farthest and the nearest corner of the window are.

@@ -35,8 +35,8 @@ DrawingPoint DrawnSquare::beside_edge(std::size_t edge, double along, double inw
 Shape corner_region(const DrawnSquare& square, RegionSizes sizes, std::size_t corner, const std::string& color)
 {
     const auto place = [&](double along, double inwards) { return square.beside_edge(corner, along, inwards); };
-    return {{place(0, 0), place(sizes.reach, 0), place(sizes.reach, sizes.width), place(sizes.width, sizes.reach),
-             place(0, sizes.reach)},
+    return {Polygon{place(0, 0), place(sizes.reach, 0), place(sizes.reach, sizes.width),
+                    place(sizes.width, sizes.reach), place(0, sizes.reach)},
             color,
             {}};
 }
@@ -58,7 +58,7 @@ std::string edge_tint(const std::string& color) { return mixed_color(color, "#ff
 
 void add_region_outlines(std::vector<Shape>& shapes, const DrawnSquare& square, RegionSizes sizes)
 {
-    std::vector<DrawingPoint> interior;
+    Polygon interior;
     for (std::size_t edge = 0; edge < 4; ++edge) {
         interior.push_back(square.beside_edge(edge, sizes.reach, sizes.width));
         interior.push_back(square.beside_edge(edge, 1 - sizes.reach, sizes.width));
@@ -66,7 +66,7 @@ void add_region_outlines(std::vector<Shape>& shapes, const DrawnSquare& square, 
     shapes.push_back({std::move(interior), {}, outline_color, outline_width});
     for (std::size_t edge = 0; edge < 4; ++edge)
         for (const double end : {sizes.reach, 1 - sizes.reach})
-            shapes.push_back({{square.beside_edge(edge, end, 0), square.beside_edge(edge, end, sizes.width)},
+            shapes.push_back({Line{{square.beside_edge(edge, end, 0), square.beside_edge(edge, end, sizes.width)}},
                               {},
                               outline_color,
                               outline_width});

@@ -31,7 +31,7 @@ void add_wang_tile(std::vector<Shape>& shapes, const WangTile& tile, const Drawn
 {
     const auto colors = edge_colors(tile);
     for (std::size_t edge = 0; edge < 4; ++edge)
-        shapes.push_back({{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
+        shapes.push_back({Polygon{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
                           tile_color(colors[edge]),
                           {}});
 }
@@ -41,13 +41,12 @@ void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const D
 {
     const auto colors = corner_colors(tile);
     for (std::size_t corner = 0; corner < 4; ++corner) {
-        Shape quarter{{square.beside_edge(corner, 0, 0)}, tile_color(colors[corner]), {}};
+        Polygon quarter{square.beside_edge(corner, 0, 0)};
         for (std::size_t step = 0; step <= arc_steps; ++step) {
             const double angle = std::numbers::pi / 2 * static_cast<double>(step) / arc_steps;
-            quarter.outline.push_back(
-                square.beside_edge(corner, disk_radius * std::cos(angle), disk_radius * std::sin(angle)));
+            quarter.push_back(square.beside_edge(corner, disk_radius * std::cos(angle), disk_radius * std::sin(angle)));
         }
-        shapes.push_back(std::move(quarter));
+        shapes.push_back({std::move(quarter), tile_color(colors[corner]), {}});
     }
 }
 

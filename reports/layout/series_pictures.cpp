@@ -26,6 +26,7 @@ namespace poissonlab {
 namespace {
 
 constexpr int thumbnail_size = 256; // pixels
+constexpr int points_pixels = 1024;
 constexpr int cells_pixels = 1024;
 
 }
@@ -71,15 +72,10 @@ void draw_points_pictures(ReportSeries& series, PictureStore& store)
         throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +
                          std::to_string(series.run->dimension) + " coordinates, as results.json says");
     series.view = choose_points_view(sets.front());
-    const auto svg = points_svg(series.view);
-    write_whole_file(series.pictures / "points.svg", svg);
-    const auto png = series.pictures / "points.png";
+    const Drawing drawing = draw_points(series.view);
+    const auto svg = write_drawing(series.pictures / "points", drawing, points_pixels, store);
     const auto thumbnail = series.pictures / "points-thumbnail.png";
-    store.draw_once({png, thumbnail}, svg, [&] {
-        const auto picture = draw_points(series.view);
-        write_png(png, picture);
-        write_png(thumbnail, smaller_image(picture, thumbnail_size));
-    });
+    store.draw_once({thumbnail}, svg, [&] { write_drawing_png(thumbnail, drawing, thumbnail_size); });
     draw_cells_pictures(series, sets.front(), store);
 }
 
@@ -98,21 +94,30 @@ std::vector<Spectrum> read_planes(const ReportSeries& series)
     return planes;
 }
 
-// Beside the coordinate planes: the cube, slices along z, and the middle of the coordinate planes.
-void draw_space_pictures(const ReportSeries& series, const std::vector<Spectrum>& planes)
+void write_in_pixels(const std::filesystem::path& path, const Drawing& drawing)
 {
-    const int block = page_block(planes.front().size);
+    write_drawing_png(path, drawing, static_cast<int>(drawing.width));
+}
+
+// The coordinate planes, the cube, slices along z, and the middle of the coordinate planes.
+void draw_space_spectra(const ReportSeries& series, const std::vector<Spectrum>& planes)
+{
+    const int block = page_block(planes.front().size), small_block = spectrum_page_block(planes.front().size, 3);
+    write_in_pixels(series.pictures / "spectrum.png", draw_spectrum_planes(planes, report_tone_mapping));
+    const Drawing small = draw_spectrum_planes(planes, report_tone_mapping, small_block);
+    write_in_pixels(series.pictures / "spectrum-small.png", small);
+    write_thumbnail(series.pictures / "spectrum-thumbnail.png", small, 2 * thumbnail_size);
     write_png(series.pictures / "spectrum-cube.png", draw_spectrum_cube(planes, report_tone_mapping));
     const auto slices = spectrum_slices(series);
     if (!slices.empty()) {
         const std::vector<Spectrum> shown(planes.end() - static_cast<std::ptrdiff_t>(slices.size()), planes.end());
-        write_png(series.pictures / "spectrum-slices.png",
-                  draw_plane_row(shown, {shown.size(), "xy"}, report_tone_mapping, block));
+        write_in_pixels(series.pictures / "spectrum-slices.png",
+                        draw_plane_row(shown, {shown.size(), "xy"}, report_tone_mapping, block));
     }
     std::vector<Spectrum> middles;
     for (std::size_t i = 0; i < 3; ++i) middles.push_back(spectrum_close_up(planes.at(i)));
-    write_png(series.pictures / "spectrum-close-ups.png",
-              draw_plane_row(middles, {"xy", "xz", "yz"}, report_tone_mapping));
+    write_in_pixels(series.pictures / "spectrum-close-ups.png",
+                    draw_plane_row(middles, {"xy", "xz", "yz"}, report_tone_mapping));
 }
 
 }
@@ -148,19 +153,13 @@ std::vector<std::filesystem::path> spectrum_files(const ReportSeries& series)
 void draw_spectra(const ReportSeries& series)
 {
     const auto planes = read_planes(series);
-    const int size = series.stored->spectrum_size;
-    const bool in_space = series.run->dimension == 3;
-    const auto draw = [&](int block) {
-        return in_space ? draw_spectrum_planes(planes, report_tone_mapping, block)
-                        : draw_spectrum(planes.front(), report_tone_mapping, block);
-    };
-    const int block = spectrum_page_block(size, series.run->dimension);
+    if (series.run->dimension == 3) return draw_space_spectra(series, planes);
+    const int size = series.stored->spectrum_size, block = page_block(size);
     const int small_block = block * std::max(1, size / block / thumbnail_size);
+    const auto draw = [&](int pixel) { return draw_spectrum(planes.front(), report_tone_mapping, pixel); };
     write_png(series.pictures / "spectrum.png", draw(1));
     write_png(series.pictures / "spectrum-small.png", draw(block));
-    write_png(series.pictures / "spectrum-thumbnail.png",
-              in_space ? smaller_image(draw(block), 2 * thumbnail_size) : draw(small_block));
-    if (in_space) draw_space_pictures(series, planes);
+    write_png(series.pictures / "spectrum-thumbnail.png", draw(small_block));
 }
 
 }
@@ -173,10 +172,11 @@ void draw_spectrum_pictures(const ReportSeries& series, PictureStore& store)
                     [&] { draw_spectra(series); });
 }
 
-void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales)
+void write_radial_thumbnail(const ReportSeries& series, const CurveScales& scales)
 {
     if (!series.stored->has_spectrum()) return;
-    write_whole_file(series.pictures / "radial-thumbnail.svg", radial_thumbnail_svg(series.curve, scales));
+    write_whole_file(series.pictures / "radial-thumbnail.svg",
+                     drawing_svg(draw_radial_thumbnail(series.curve, scales)));
 }
 
 void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store)
@@ -193,7 +193,7 @@ void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store)
                                          stored.size, stored.size));
         const auto picture = draw_zone_plate(image);
         write_png(png, picture);
-        write_png(thumbnail, smaller_image(picture, thumbnail_size));
+        write_thumbnail(thumbnail, drawing_of({picture.width, picture.height, 1, picture.pixels}), thumbnail_size);
     });
 }
 

@@ -25,7 +25,7 @@ void draw_spectrum_pictures(const ReportSeries& series, PictureStore& store);
 std::vector<int> spectrum_slices(const ReportSeries& series);
 
 /// Writes radial-thumbnail.svg; nothing for a series without spectrum.
-void draw_radial_thumbnail(const ReportSeries& series, const CurveScales& scales);
+void write_radial_thumbnail(const ReportSeries& series, const CurveScales& scales);
 
 /// Reads zone-plate.exr and writes zone-plate.png and zone-plate-thumbnail.png; nothing for a series without.
 void draw_zone_plate_picture(const ReportSeries& series, PictureStore& store);

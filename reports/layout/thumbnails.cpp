@@ -3,11 +3,9 @@
 #include "base/images/png_file.hpp"
 #include "reports/layout/small_pictures.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace poissonlab {
 
@@ -16,26 +14,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int run_thumbnail_size = 144;
-
-std::uint8_t block_mean(const PngPixels& image, int column, int row, int channel, int block)
-{
-    int sum = 0;
-    for (int y = row * block; y < (row + 1) * block; ++y)
-        for (int x = column * block; x < (column + 1) * block; ++x) sum += image.values[image.at(x, y, channel)];
-    return static_cast<std::uint8_t>(std::lround(static_cast<double>(sum) / (block * block)));
-}
-
-PngPixels smaller(const PngPixels& image, int largest)
-{
-    const int block = (std::max(image.width, image.height) + largest - 1) / largest;
-    PngPixels result{std::max(1, image.width / block), std::max(1, image.height / block), image.channels, {}};
-    result.values.resize(result.at(0, result.height, 0));
-    for (int row = 0; row < result.height; ++row)
-        for (int column = 0; column < result.width; ++column)
-            for (int channel = 0; channel < image.channels; ++channel)
-                result.values[result.at(column, row, channel)] = block_mean(image, column, row, channel, block);
-    return result;
-}
 
 // The file of the run's picture: the first small picture of the series in the middle, which a grid's extremes are not.
 fs::path run_picture(const ReportRun& run)
@@ -50,38 +28,39 @@ fs::path run_picture(const ReportRun& run)
 
 }
 
-GreyImage smaller_image(const GreyImage& image, int largest)
+Drawing drawing_of(PngPixels pixels)
 {
-    const auto small = smaller({image.width, image.height, 1, image.pixels}, largest);
-    GreyImage result(small.width, small.height, 0);
-    result.pixels = small.values;
-    return result;
+    const double width = pixels.width, height = pixels.height;
+    return {width, height, {{Image{{}, width, std::move(pixels)}, {}, {}}}};
 }
 
-std::string radial_thumbnail_svg(const Curve& curve, const CurveScales& scales)
+void write_thumbnail(const fs::path& path, Drawing drawing, int largest)
 {
-    constexpr double width = 160, height = 120;
+    const double block = std::ceil(std::max(drawing.width, drawing.height) / largest);
+    const double wide = std::max(1.0, std::floor(drawing.width / block));
+    drawing.height = block * std::max(1.0, std::floor(drawing.height / block));
+    drawing.width = block * wide;
+    write_drawing_png(path, drawing, static_cast<int>(wide));
+}
+
+Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales)
+{
+    constexpr double width = 160, height = 120, dash = 4, gap = 3;
     const auto y = [&](double power) { return height * (1 - std::min(power, scales.max_power) / scales.max_power); };
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\">\n"
-        "<path fill=\"none\" stroke=\"#777\" stroke-dasharray=\"4 3\" d=\"M0 {2:.1f}H{0:g}\"/>\n"
-        "<path fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" d=\"",
-        width, height, y(1));
-    char command = 'M';
-    for (const auto& bin : curve.bins) {
-        if (!std::isfinite(bin.power) || bin.frequency > curve.max_frequency) continue;
-        fmt::format_to(std::back_inserter(svg), "{}{:.1f} {:.1f}", command, width * bin.frequency / curve.max_frequency,
-                       y(bin.power));
-        command = 'L';
-    }
-    return svg + "\"/>\n</svg>\n";
+    Drawing drawing{width, height, {}};
+    for (double x = 0; x < width; x += dash + gap)
+        drawing.shapes.push_back({Line{{{x, y(1)}, {x + dash, y(1)}}}, {}, "#777777", 1});
+    Line power;
+    for (const auto& bin : curve.bins)
+        if (std::isfinite(bin.power) && bin.frequency <= curve.max_frequency)
+            power.points.push_back({width * bin.frequency / curve.max_frequency, y(bin.power)});
+    drawing.shapes.push_back({std::move(power), {}, "#000000", 1});
+    return drawing;
 }
 
 void draw_run_thumbnail(const ReportRun& run)
 {
-    const PngPixels image = smaller(read_png(run_picture(run)), run_thumbnail_size);
-    write_png(run.root / run_thumbnail, PngLayout{image.width, image.height, image.channels},
-              [&](int, int) { return image.values.data(); });
+    write_thumbnail(run.root / run_thumbnail, drawing_of(read_png(run_picture(run))), run_thumbnail_size);
 }
 
 }

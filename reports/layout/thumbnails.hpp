@@ -1,23 +1,27 @@
 // Small pictures: of every series for tables and cards, and one of every run for the overview.
 #pragma once
 
-#include "base/images/grey_image.hpp"
+#include "base/images/png_file.hpp"
+#include "reports/drawings/drawing.hpp"
 #include "reports/layout/report_layout.hpp"
 
 #include <filesystem>
-#include <string>
 
 namespace poissonlab {
 
 /// The picture of a run on the overview, in the run's folder.
 inline constexpr auto run_thumbnail = "thumbnail.png";
 
-/// The mean of blocks of pixels: the smallest blocks that make the image at most `largest` pixels wide and high. Pixels
-/// that fill no block at the right and lower borders are left out.
-GreyImage smaller_image(const GreyImage& image, int largest);
+/// Writes a drawing whose units are pixels, smaller: the least whole number of units becomes a pixel that makes the
+/// picture at most `largest` pixels wide and high. Units that fill no pixel at the right and lower borders are left
+/// out. Throws StorageError.
+void write_thumbnail(const std::filesystem::path& path, Drawing drawing, int largest);
 
-/// The radially averaged power as a small SVG: no words, the dashed line is 1.
-std::string radial_thumbnail_svg(const Curve& curve, const CurveScales& scales);
+/// Pixels as a drawing.
+Drawing drawing_of(PngPixels pixels);
+
+/// The radially averaged power: no words, the dashed line is 1.
+Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales);
 
 /// Writes run_thumbnail: of the run's middle series, whose small pictures must have been drawn, or of its first tiling
 /// or construction.

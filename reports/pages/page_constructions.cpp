@@ -1,6 +1,5 @@
 // The page's section on the construction of Poisson tile sets.
 #include "reports/drawings/construction_image.hpp"
-#include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/region_colors.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
@@ -45,9 +44,8 @@ std::string caption_of(const ReportConstruction& construction)
     std::string text;
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {
         if (scene.panels[i].caption.empty()) continue;
-        const std::string letter =
-            scene.panels.size() > 1 && i < most_panel_letters ? fmt::format("({}) ", static_cast<char>('a' + i)) : "";
-        text += (text.empty() ? "" : " ") + letter + scene.panels[i].caption;
+        const std::string letter = scene.panels.size() > 1 ? panel_letter(i) : "";
+        text += (text.empty() ? "" : " ") + letter + (letter.empty() ? "" : " ") + scene.panels[i].caption;
     }
     if (text.empty() && scene.panels.size() > 1) text = fmt::format("{} of them.", scene.panels.size());
     if (construction.stored->show == "points" || construction.stored->show == "tiling") return text;

@@ -71,7 +71,7 @@ void draw_images(ReportRun& run, PictureStore& store)
     tbb::parallel_for_each(run.series, [&](ReportSeries& series) {
         draw_points_pictures(series, store);
         draw_spectrum_pictures(series, store);
-        draw_radial_thumbnail(series, scales);
+        write_radial_thumbnail(series, scales);
         draw_zone_plate_picture(series, store);
     });
     tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });

@@ -118,9 +118,10 @@ TEST(CellsImage, TheOriginIsAtTheLowerLeft)
 {
     CellsView view{0.5, {{{0.1, 0.1}, 6, {{0, 0}, {0.2, 0}, {0.2, 0.2}, {0, 0.2}}}}};
     const auto drawing = draw_cells(view);
-    EXPECT_NEAR(drawing.shapes[0].outline[0][0], 0, 1e-12);
-    EXPECT_NEAR(drawing.shapes[0].outline[0][1], drawing.height, 1e-12);
-    EXPECT_NEAR(drawing.shapes[0].outline[2][1], 0.6 * drawing.height, 1e-12);
+    const auto& outline = std::get<Polygon>(drawing.shapes[0].form);
+    EXPECT_NEAR(outline[0][0], 0, 1e-12);
+    EXPECT_NEAR(outline[0][1], drawing.height, 1e-12);
+    EXPECT_NEAR(outline[2][1], 0.6 * drawing.height, 1e-12);
 }
 
 }

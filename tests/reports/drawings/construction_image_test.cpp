@@ -1,7 +1,6 @@
 // Pictures of the construction of Poisson tiles: regions in their colours, points where they are.
 #include "reports/drawings/construction_image.hpp"
 
-#include "reports/drawings/panel_label.hpp"
 #include "reports/drawings/region_colors.hpp"
 #include "reports/drawings/space_view.hpp"
 #include "tests/reports/support/construction_scene.hpp"
@@ -69,35 +68,24 @@ TEST(ConstructionImage, HasItsLettersBelowThePanels)
     EXPECT_GT(places[1].origin[0], places[0].origin[0] + 100000 * places[0].scale) << "panels do not overlap";
     const Drawing drawing = draw_construction(scene);
     EXPECT_EQ(drawing.width, size[0]);
-    const auto strokes_around = [&](const DrawingPoint& middle) {
-        return std::ranges::count_if(drawing.shapes, [&](const Shape& shape) {
-            return shape.outline.size() == 2 && std::abs(shape.outline[0][0] - middle[0]) < panel_label_height &&
-                   std::abs(shape.outline[0][1] - middle[1]) < panel_label_height;
-        });
-    };
-    for (const PanelPlace& place : places) EXPECT_GT(strokes_around(place.label), 30);
-    EXPECT_LT(places[0].label[1] + panel_label_height / 2, drawing.height);
+    std::vector<std::string> letters;
+    for (const Shape& shape : drawing.shapes)
+        if (const auto* text = std::get_if<Text>(&shape.form)) {
+            const DrawingPoint& middle = places.at(letters.size()).label;
+            EXPECT_EQ(text->start[0], middle[0]);
+            EXPECT_NEAR(text->start[1] - 0.27 * text->size, middle[1], 1e-9) << "small letters are about half as high";
+            EXPECT_TRUE(text->is_centred);
+            EXPECT_LT(text->start[1] + text->size / 2, drawing.height);
+            letters.push_back(text->words);
+        }
+    EXPECT_THAT(letters, testing::ElementsAre("(a)", "(b)"));
 }
 
 TEST(ConstructionImage, LettersDiffer)
 {
-    std::set<std::vector<DrawingPoint>> seen;
-    for (std::size_t panel = 0; panel < most_panel_letters; ++panel) {
-        std::vector<Shape> shapes;
-        add_panel_label(shapes, panel, {0, 0});
-        std::vector<DrawingPoint> points;
-        for (const Shape& shape : shapes) {
-            for (const DrawingPoint& point : shape.outline) {
-                EXPECT_LT(std::abs(point[0]), panel_label_height);
-                EXPECT_LE(std::abs(point[1]), 0.6 * panel_label_height);
-                points.push_back(point);
-            }
-        }
-        EXPECT_TRUE(seen.insert(points).second) << panel;
-    }
-    std::vector<Shape> none;
-    add_panel_label(none, most_panel_letters, {0, 0});
-    EXPECT_TRUE(none.empty());
+    EXPECT_EQ(panel_letter(0), "(a)");
+    EXPECT_EQ(panel_letter(25), "(z)");
+    EXPECT_EQ(panel_letter(26), "");
 }
 
 TEST(ConstructionImage, CornersOfEdgeBasedTilesHaveWedges)

@@ -21,9 +21,9 @@ namespace poissonlab {
 namespace {
 
 const std::string red = "#ff0000", blue = "#0000ff";
-const std::vector<DrawingPoint> square{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
-const std::vector<DrawingPoint> backwards{{5, 1}, {5, 3}, {7, 3}, {7, 1}};
-const std::vector<DrawingPoint> slanted{{0, -0.25}, {1.005, 2.999}, {-10.5, 0.1}};
+const Polygon square{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
+const Polygon backwards{{5, 1}, {5, 3}, {7, 3}, {7, 1}};
+const Polygon slanted{{0, -0.25}, {1.005, 2.999}, {-10.5, 0.1}};
 
 std::size_t count(const std::string& text, const std::string& word)
 {
@@ -36,7 +36,8 @@ TEST(DrawingSvg, IsShort)
 {
     // The second square runs the same way round as the first: the path covers both by any rule.
     EXPECT_EQ(drawing_svg({8, 4.5, {{square, red, {}}, {backwards, red, {}}, {slanted, {}, blue, 0.5}}}),
-              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 8 4.5\" stroke-linejoin=\"round\">\n"
+              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 8 4.5\" stroke-linejoin=\"round\" "
+              "stroke-linecap=\"round\">\n"
               "<rect width=\"8\" height=\"4.5\" fill=\"#ffffff\"/>\n"
               "<path fill=\"#ff0000\" stroke=\"#ff0000\" stroke-width=\"1\" "
               "vector-effect=\"non-scaling-stroke\" d=\"M1 1h2v2h-2zM5 1h2v2h-2z\"/>\n"
@@ -60,10 +61,32 @@ TEST(DrawingSvg, JoinsOnlyWhatLooksTheSame)
               2u); // the second may hide the first
 }
 
+TEST(DrawingSvg, HasDotsDisksLinesAndWords)
+{
+    const auto body = [](std::vector<Shape> shapes) {
+        const std::string svg = drawing_svg({8, 4, std::move(shapes)});
+        const auto start = svg.find("/>\n") + 3;
+        return svg.substr(start, svg.find("</svg>") - start);
+    };
+    EXPECT_EQ(body({{Disk{{1, 2}, 0.5}, red, {}}, {Disk{{3, 2.25}, 0.5}, red, {}}}),
+              "<path fill=\"none\" stroke=\"#ff0000\" stroke-width=\"1\" d=\"M1 2h0M3 2.25h0\"/>\n");
+    EXPECT_EQ(body({{Disk{{1, 2}, 0.5}, red, blue, 0.25}}),
+              "<path fill=\"#ff0000\" stroke=\"#0000ff\" stroke-width=\".25\" "
+              "d=\"M.5 2a.5 .5 0 1 0 1 0a.5 .5 0 1 0-1 0z\"/>\n");
+    EXPECT_EQ(body({{Line{{{1, 2}, {3, 4}, {3, 5}}}, {}, red, 1}, {Line{{{0, 0}, {1, 0}}}, {}, red, 1}}),
+              "<path fill=\"none\" stroke=\"#ff0000\" stroke-width=\"1\" d=\"M1 2l2 2v1M0 0h1\"/>\n");
+    EXPECT_EQ(body({{Text{{4, 2}, 12, "(a)", true}, red, {}}}),
+              "<text x=\"4\" y=\"2\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\" text-anchor=\"middle\" "
+              "fill=\"#ff0000\">(a)</text>\n");
+}
+
 TEST(DrawingSvg, RefusesWhatItCannotDraw)
 {
+    EXPECT_THROW(drawing_svg({8, 4, {{Text{{0, 0}, 1, "</text><script>"}, red, {}}}}), std::logic_error);
+    EXPECT_THROW(drawing_svg({8, 4, {{Image{{0, 0}, 1, {1, 1, 1, {0}}}, {}, {}}}}), std::logic_error);
     EXPECT_THROW(drawing_svg({8, 4, {{square, "\"/><script>", {}}}}), std::logic_error);
-    EXPECT_THROW(drawing_svg({8, 4, {{{{0, std::numeric_limits<double>::infinity()}}, red, {}}}}), std::logic_error);
+    EXPECT_THROW(drawing_svg({8, 4, {{Polygon{{0, std::numeric_limits<double>::infinity()}}, red, {}}}}),
+                 std::logic_error);
     EXPECT_THROW(drawing_svg({0, 4, {}}), std::logic_error);
 }
 
@@ -133,13 +156,25 @@ TEST(DrawingSvg, LooksLikeThePngInABrowser)
     expect_same_picture(draw_cubes(cube_tiling_grid(cubes, {0, 0, 0, 3, 3, 3})), 5); // 2, and 3 faces
 }
 
+TEST(DrawingSvg, HasDisksLinesAndWordsInABrowser)
+{
+    // Lines and words are too thin to compare: only their colour is there.
+    const Drawing drawing{100,
+                          60,
+                          {{Disk{{20, 20}, 12}, red, {}},
+                           {Disk{{60, 20}, 12}, red, blue, 5},
+                           {Line{{{5, 50}, {40, 45}}}, {}, blue, 6},
+                           {Text{{70, 55}, 40, "oo", true}, "#008000", {}}}};
+    expect_same_picture(drawing, 4);
+}
+
 TEST(DrawingSvg, HasNoSeamsInABrowser)
 {
     // Red and blue bands at an angle, side by side: no white comes through where they meet.
     std::vector<Shape> bands;
     for (int i = -40; i < 40; ++i) {
         const double x = i * 2.7;
-        bands.push_back({{{x, 0}, {x + 2.7, 0}, {x + 40.7, 100}, {x + 38, 100}}, i % 2 ? red : blue, {}});
+        bands.push_back({Polygon{{x, 0}, {x + 2.7, 0}, {x + 40.7, 100}, {x + 38, 100}}, i % 2 ? red : blue, {}});
     }
     const auto picture = in_browser({100, 100, bands});
     int red_pixels = 0, blue_pixels = 0;

@@ -1,6 +1,7 @@
 // The picture of the points: which points are shown, and where.
 #include "reports/drawings/points_image.hpp"
 
+#include "tests/reports/support/drawn.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <gmock/gmock.h>
@@ -39,14 +40,14 @@ TEST(PointsImage, DotsLieWhereThePointsAre)
 {
     PointSet points{2, {0.25, 0.75, 0.5, 0.125}};
     const auto view = choose_points_view(points);
-    auto image = draw_points(view);
+    const auto image = test::drawn(draw_points(view), 1024);
     const auto at = [&](double x, double y) {
         return image.at(static_cast<int>(x * image.width), static_cast<int>((1 - y) * image.height));
     };
-    EXPECT_EQ(at(0.25, 0.75), 0);
-    EXPECT_EQ(at(0.5, 0.125), 0);
-    EXPECT_EQ(at(0.25, 0.25), 255);
-    EXPECT_EQ(at(0.5, 0.875), 255);
+    EXPECT_EQ(at(0.25, 0.75), "#000000");
+    EXPECT_EQ(at(0.5, 0.125), "#000000");
+    EXPECT_EQ(at(0.25, 0.25), "#ffffff");
+    EXPECT_EQ(at(0.5, 0.875), "#ffffff");
 }
 
 TEST(PointsImage, DotsDoNotTouchInGoodSets)
@@ -58,9 +59,8 @@ TEST(PointsImage, DotsDoNotTouchInGoodSets)
 
 TEST(PointsImage, SvgHasADotAPoint)
 {
-    const auto svg = points_svg(choose_points_view(PointSet{2, {0.25, 0.75, 0.5, 0.125}}));
-    EXPECT_THAT(svg, testing::HasSubstr("M250.0 250.0h0"));
-    EXPECT_THAT(svg, testing::HasSubstr("M500.0 875.0h0"));
+    const auto svg = drawing_svg(draw_points(choose_points_view(PointSet{2, {0.25, 0.75, 0.5, 0.125}})));
+    EXPECT_THAT(svg, testing::HasSubstr("M250 250h0M500 875h0"));
 }
 
 }

@@ -1,8 +1,11 @@
 // The picture of a 3D spectrum: where the planes lie, and that they are named.
 #include "reports/images/plane_image.hpp"
 
+#include "tests/reports/support/drawn.hpp"
+
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numeric>
 
 namespace poissonlab {
@@ -21,11 +24,12 @@ std::vector<Spectrum> planes_with_spike(std::size_t plane, int fx, int fy)
 }
 
 /// Whether the pixel of a frequency is white, in the cell at a column and row of the picture.
-bool is_white(GreyImage image, int cell_column, int cell_row, int fx, int fy)
+bool is_white(const Drawing& drawing, int cell_column, int cell_row, int fx, int fy)
 {
     const int left = cell_column * (size + gap);
     const int top = cell_row * (strip + size) + strip;
-    return image.at(left + size / 2 + fx, top + size / 2 - 1 - fy) == 255;
+    const auto picture = test::drawn(drawing, static_cast<int>(drawing.width));
+    return picture.at(left + size / 2 + fx, top + size / 2 - 1 - fy) == "#ffffff";
 }
 
 TEST(PlaneImage, UnfoldsACube)
@@ -43,31 +47,32 @@ TEST(PlaneImage, UnfoldsACube)
 
 TEST(PlaneImage, NamesThePlanes)
 {
-    auto image = draw_spectrum_planes(planes_with_spike(0, 0, 1), report_tone_mapping);
-    const auto name = [&](int left, int top) {
-        std::string pixels;
-        for (int y = top; y < top + 5; ++y) {
-            for (int x = left; x < left + 11; ++x) pixels += image.at(x, y) == 0 ? '#' : ' ';
-            pixels += '\n';
-        }
-        return pixels;
+    const Drawing drawing = draw_spectrum_planes(planes_with_spike(0, 0, 1), report_tone_mapping);
+    std::map<DrawingPoint, std::string> names;
+    for (const Shape& shape : drawing.shapes)
+        if (const auto* text = std::get_if<Text>(&shape.form)) names[text->start] = text->words;
+    const std::map<DrawingPoint, std::string> expected{
+        {{1, 7}, "xz"}, {{1, strip + size + 7}, "xy"}, {{size + gap + 1, 7}, "yz"}};
+    EXPECT_EQ(names, expected);
+
+    // In the strips above the planes there are dark pixels, and nowhere beyond them.
+    const auto picture = test::drawn(drawing, static_cast<int>(drawing.width));
+    const auto dark = [&](int left, int top, int high) {
+        int count = 0;
+        for (int row = top; row < top + high; ++row)
+            for (int column = left; column < left + size; ++column) count += picture.at(column, row) < "#808080";
+        return count;
     };
-    EXPECT_EQ(name(1, 3), "#   # #####\n"
-                          " # #     # \n"
-                          "  #     #  \n"
-                          " # #   #   \n"
-                          "#   # #####\n");
-    EXPECT_EQ(name(1, strip + size + 3), "#   # #   #\n"
-                                         " # #  #   #\n"
-                                         "  #    ####\n"
-                                         " # #      #\n"
-                                         "#   #  ### \n");
+    EXPECT_GT(dark(0, 0, strip), 10);
+    EXPECT_GT(dark(size + gap, 0, strip), 10);
+    EXPECT_GT(dark(0, strip + size, strip), 10);
+    EXPECT_EQ(dark(size + gap, strip + size, strip + size), 0);
 }
 
 TEST(PlaneImage, PutsPlanesSideBySide)
 {
     auto planes = planes_with_spike(2, -4, 2);
-    auto image = draw_plane_row(planes, {"xy", "xy", "xz"}, report_tone_mapping);
+    const Drawing image = draw_plane_row(planes, {"xy", "xy", "xz"}, report_tone_mapping);
     EXPECT_EQ(image.width, 3 * size + 2 * gap);
     EXPECT_EQ(image.height, strip + size);
     EXPECT_TRUE(is_white(image, 2, 0, -4, 2));

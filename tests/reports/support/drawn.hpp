@@ -30,7 +30,7 @@ private:
 /// Square units (shoelace formula).
 double area_of(const std::vector<DrawingPoint>& outline);
 
-/// The sum of the areas of all shapes with a fill; overlaps count twice.
+/// The sum of the areas of all shapes with a fill, which must be polygons; overlaps count twice.
 std::map<std::string, double> filled_areas(const Drawing& drawing);
 
 }
