@@ -59,7 +59,7 @@ pid_t maker_of(const std::filesystem::path& file)
     return count_error == std::errc() && last == end ? process : 0;
 }
 
-/// On this machine, whoever runs it.
+/// True if the process runs on this machine, as any user.
 bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::file_time_type oldest)

@@ -19,12 +19,12 @@ namespace poissonlab {
 /// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
 /// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
 ///
-/// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
-/// packing, the largest empty ball and Voronoi cells.
+/// With options.distances_only it leaves out the measures that take longest for large sets: pair correlation, errors of
+/// integrals, packing, the largest empty ball and Voronoi cells.
 class SeriesAnalysis
 {
 public:
-    /// Where a part of a series begins: at realization 0, or at another one when the size of that is known.
+    /// The begin of a part of a series: realization 0, or another one if the size of realization 0 is known.
     struct Begin
     {
         std::uint32_t realization = 0;

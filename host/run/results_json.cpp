@@ -29,8 +29,8 @@ Json spread(const std::vector<double>& each)
             {"each", each}};
 }
 
-/// Where the iterations are stored and what they come to; null where a value is not finite (a single point
-/// has no relative radius).
+/// The file of the iterations and their statistics; null for a value that is not finite (a single point has no
+/// relative radius).
 Json iterations_json(const SeriesTask& task, const IterationRecords& records)
 {
     const auto values = [&](double IterationRecord::*member) {

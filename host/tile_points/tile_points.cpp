@@ -41,7 +41,7 @@ Reciprocal reciprocal_of(std::uint32_t width)
     return {static_cast<std::uint32_t>(((std::uint64_t{1} << shift) + width - 1) / width), shift};
 }
 
-/// Where in the block a run starts.
+/// The place in the block at which a run starts.
 std::array<std::uint32_t, 3> first_place(const TileBlock& block, const TileRun& run)
 {
     const std::uint64_t row = run.first / block.size[0];
