@@ -205,7 +205,7 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
     candidates[id] = word;
 }
 
-/// Where the algorithm is while candidates are settled.
+/// The state of the algorithm while candidates are settled.
 typedef struct
 {
     ulong dart;

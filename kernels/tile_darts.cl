@@ -33,7 +33,7 @@ bool is_free(global const int* points, uint capacity, uint count, const Position
     return true;
 }
 
-/// Where a filling is.
+/// The state of a filling.
 typedef struct
 {
     uint points;

@@ -23,7 +23,7 @@
 #define UNIT_SHIFT 15 // units to 2^-32 of the torus
 #define UNIT_LENGTH 0x1p-17 // of the torus' side
 
-/// Where the points of a torus are: all images of a point one after the other, an array for each axis.
+/// The positions of a torus' points: all images of a point one after the other, an array for each axis.
 typedef struct
 {
     global int* c;
@@ -116,7 +116,7 @@ void gather_box(Window* window, const TorusPoints* points, const Position* posit
     }
 }
 
-/// The same from a list that has all of these points, in its order.
+/// Gathers the window from a list that has all of its points, in the list's order.
 void gather_listed(Window* window, const TorusPoints* points, const Position* position, int reach,
                    global const ushort* list)
 {

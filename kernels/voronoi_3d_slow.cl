@@ -236,7 +236,7 @@ typedef struct
     uint number;           // of the face's point, in the order of shells
 } FacePlane;
 
-/// In the plane of a face, all (x, y) with x * normal.x + y * normal.y <= offset.
+/// The positions (x, y) in the plane of a face with x * normal.x + y * normal.y <= offset.
 typedef struct
 {
     double2 normal;

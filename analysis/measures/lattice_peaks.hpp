@@ -40,7 +40,7 @@ struct LatticePeaks
 /// exact_periodogram ends. Spectra too small for any ring have no peaks.
 LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles);
 
-/// The same for the periodogram of a set of so many points.
+/// The lattice peaks of the periodogram of a set of so many points.
 ///
 /// The standard error of mean_ratio over K realizations is taken from the spread of their own mean ratios. That is a
 /// little too large, as a ring of one periodogram is noisier than one of K: for rings of n = 48 samples of chance

@@ -50,7 +50,7 @@ inline constexpr int largest_spectrum_3d = 256;
 /// the principal frequency of a set with relative radius 0.75 on either side of zero, rounded up to a power
 /// of two. 1,024 for 16,384 points in 2D, 256 for 65,536 in 3D.
 ///
-/// Not more than largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or
+/// The size is at most largest_spectrum_2d or _3d: the frequencies of sets of more than some 2,700,000 points in 2D, or
 /// 156,000 in 3D, reach less than twice that far.
 int spectrum_size(std::size_t points, int dimension);
 

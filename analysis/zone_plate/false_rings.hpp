@@ -17,8 +17,8 @@ struct FalseRings
 {
     double strength = 0; ///< power of the strongest over the mean of its neighbourhood: noise alone gives 12 or so
     double x = 0, y = 0; ///< its centre, in units of the plate [0, 48)
-    /// The same for what looks like the plate itself: samples on a lattice of the pixels' own spacing fold onto it; and
-    /// rings that come out too strong or too weak, which is little.
+    /// The strength of false rings that look like the plate itself: samples on a lattice of the pixels' own spacing
+    /// fold onto it, and rings may come out a little too strong or too weak.
     double at_the_plate = 0;
 };
 

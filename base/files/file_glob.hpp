@@ -12,8 +12,8 @@ namespace poissonlab {
 /// locale). Empty: none.
 std::vector<std::filesystem::path> named_files(const std::filesystem::path& folder, const std::string& entry);
 
-/// Where files relative to `folder` were looked for, as messages say it: "no such file in /data, the folder of the
-/// config", or "no such file" for an absolute path.
+/// The words of messages about a file that is missing: "no such file in /data, the folder of the config" for a path
+/// relative to `folder`, or "no such file" for an absolute one.
 std::string no_such_file(const std::filesystem::path& folder, const std::string& entry);
 
 }

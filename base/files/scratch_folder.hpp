@@ -11,7 +11,7 @@ std::filesystem::path folder_for_temporaries();
 class ScratchFolder
 {
 public:
-    /// In folder_for_temporaries(). Throws StorageError.
+    /// Makes the folder, in folder_for_temporaries(). Throws StorageError.
     ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;

@@ -52,7 +52,7 @@ pid_t maker_of(const std::filesystem::path& file)
     return number_error == std::errc() && *last == '-' ? process : 0;
 }
 
-/// On this machine, whoever runs it.
+/// True if the process runs on this machine, as any user.
 bool is_running(pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 bool is_stale(const std::filesystem::directory_entry& entry, std::filesystem::file_time_type oldest)

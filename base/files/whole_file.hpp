@@ -16,7 +16,7 @@ void write_whole_file(const std::filesystem::path& path, std::string_view conten
 /// Puts bytes at the end of a file.
 using FileSink = std::function<void(std::string_view bytes)>;
 
-/// The same for content that comes in pieces: calls `write` with what takes them.
+/// Writes content that comes in pieces: calls `write` with a sink that takes them.
 void write_whole_file_in_pieces(const std::filesystem::path& path,
                                 const std::function<void(const FileSink& sink)>& write);
 

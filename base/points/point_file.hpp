@@ -48,7 +48,7 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
 /// Takes whole points, coordinate after coordinate.
 using PointSink = std::function<void(std::span<const double> coordinates)>;
 
-/// The same for points that need not be in memory together, in any range of coordinates: calls `write` with what takes
+/// Writes points that need not be in memory together, in any range of coordinates: calls `write` with a sink that takes
 /// them, `points` points in all. `comment` may declare the range, as for read_points().
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write);

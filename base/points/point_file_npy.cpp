@@ -26,7 +26,7 @@ struct NpyLayout
     std::size_t dimension = 0;
     std::size_t data_offset = 0;
 
-    /// Where coordinate `axis` of a point is, in values.
+    /// The place of coordinate `axis` of a point, in values.
     std::size_t index(std::size_t realization, std::size_t point, std::size_t axis) const
     {
         return fortran_order ? realization + realizations * (point + points * axis)

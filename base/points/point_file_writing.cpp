@@ -54,7 +54,7 @@ void write_lines(const FileSink& file, std::span<const double> coordinates, int 
     }
 }
 
-/// In 2D with a z that will be 0, because programs that show PLY files expect one.
+/// Appends the header of a PLY file. 2D points have a z, which is 0, because programs that show PLY files expect one.
 void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_view comment)
 {
     out.append(std::string_view("ply\nformat ascii 1.0\n"));

@@ -20,7 +20,7 @@ constexpr auto patience = std::chrono::milliseconds(700);
 volatile std::sig_atomic_t signalled = 0;
 std::array<int, 2> signal_pipe{-1, -1};
 std::atomic<bool> is_told = false;
-/// Never destroyed: the watching thread outlives main.
+/// The message is never destroyed, because the watching thread outlives main.
 std::string& message = *new std::string("poissonlab: interrupted\n");
 
 void remember(int signal)

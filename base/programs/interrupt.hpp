@@ -16,9 +16,9 @@ public:
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// From now on the first SIGINT, SIGTERM or SIGHUP is remembered, and ends the process after 0.7 s if it is still there
-/// then: work that is not finished is lost, which is all that a kernel or a triangulation could save by going on. The
-/// second one ends the process at once. A closed pipe no longer ends it.
+/// Catches interrupts from now on: the first SIGINT, SIGTERM or SIGHUP is remembered, and ends the process after 0.7 s
+/// if it still runs then; the unfinished work is lost, which is all that a kernel or a triangulation could save by
+/// going on. The second one ends the process at once. A closed pipe no longer ends it.
 void catch_interrupts();
 
 /// Sets the advice on how to go on that the user reads when the process stops; with "", only "interrupted" is said.

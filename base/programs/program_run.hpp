@@ -22,7 +22,7 @@ struct ProgramOutcome
     bool succeeded() const { return is_in_time && status == 0 && signal == 0; }
 };
 
-/// Where programs are looked for when there is no PATH.
+/// The folders in which programs are looked for when there is no PATH.
 inline constexpr const char* default_path = "/bin:/usr/bin";
 
 /// The program that `name` starts: a path relative to `folder`, or a file in the folders of PATH. Nothing: there is

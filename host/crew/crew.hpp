@@ -38,7 +38,7 @@ public:
     virtual std::string from_leader(const std::string& text) = 0;
 };
 
-/// This process alone.
+/// A crew of this process alone.
 std::unique_ptr<Crew> make_crew_of_one();
 
 /// The processes that mpirun started together with this one; this one alone if it did not. Throws InputError if mpirun

@@ -107,7 +107,7 @@ cl::Device restrict_threads(const cl::Device& device, unsigned threads, unsigned
     return parts.at(0);
 }
 
-/// Empty where the driver has none, or is no longer there to give it.
+/// The driver's log of a build; empty if the driver has none, or is no longer there to give it.
 std::string build_log(const cl::Program& program, const cl::Device& device)
 {
     try {

@@ -65,7 +65,7 @@ public:
     /// A kernel of an embedded file. The program is built at its first use, and kept.
     Kernel kernel(const KernelProgram& program, const std::string& name);
 
-    /// The same for a source text that is not embedded; `file` is what messages call it.
+    /// Builds a source text that is not embedded; `file` is its name in messages.
     Kernel kernel_from_text(const std::string& text, const std::string& file, const std::string& name,
                             const std::string& options = {});
 

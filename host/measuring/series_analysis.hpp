@@ -24,7 +24,7 @@ namespace poissonlab {
 class SeriesAnalysis
 {
 public:
-    /// Where a part of a series begins: at realization 0, or at another one when the size of that is known.
+    /// The begin of a part of a series: realization 0, or another one if the size of realization 0 is known.
     struct Begin
     {
         std::uint32_t realization = 0;

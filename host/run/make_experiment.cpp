@@ -129,7 +129,8 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
-/// Where there is no usable device that is left to whoever needs one: everything may be stored already.
+/// Checks that the device has memory for the plan. A missing device is no error here, as everything may be stored
+/// already.
 void check_memory_of_device(const std::vector<SeriesPlan>& plan, const Config& config, const std::string& selector)
 {
     const bool needs_device = std::ranges::any_of(

@@ -5,7 +5,7 @@
 
 namespace poissonlab {
 
-/// `file`: reads each point set that `path` names, one or more a file (see io/point_file.hpp).
+/// `file`: reads each point set that `path` names, one or more a file (see base/points/point_file.hpp).
 ///
 /// `path` is a list of names and globs (* ? [...]), relative to the folder of the config file. Files are
 /// taken in the order of the list, those of a glob sorted by name. Its check throws InputError when there is

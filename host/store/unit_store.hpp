@@ -43,8 +43,8 @@ public:
     /// at any time: files that were found may be gone when they are read.
     std::optional<StoredUnit> find(const UnitKey& key) const;
 
-    /// Where a file of a unit is to be written, by any of the functions of io/whole_file, before the unit is stored.
-    /// Creates the folder; throws StorageError.
+    /// The path to which a unit's file must be written, by a function of base/files/whole_file, before the unit is
+    /// stored. Creates the folder; throws StorageError.
     std::filesystem::path file(const UnitKey& key, std::string_view name) const;
 
     /// Stores a unit with its record and the files, by name, that were written before. Throws StorageError.

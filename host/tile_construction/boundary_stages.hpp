@@ -31,7 +31,8 @@ struct BoundaryStage
     bool is_last = false; ///< next are the interiors
 };
 
-/// Not for template tiles, whose frame is cut out of a master tile.
+/// The stages in which the pieces of a tile set are made; template tiles have none: their frame is cut out of a master
+/// tile.
 std::vector<BoundaryStage> boundary_stages(const PoissonTileParameters& parameters);
 
 /// The pieces of earlier stages that a piece touches, with the piece's own base at 0. Bases are -1, 0 or 1.

@@ -26,7 +26,7 @@ namespace poissonlab {
 /// before.
 inline constexpr std::int32_t surrounding_radii = 3;
 
-/// The same in units.
+/// The width of the filled surroundings in units.
 inline std::int32_t surroundings_margin(const TileRegions& regions)
 {
     return std::min(tile_units / 2, surrounding_radii * regions.width);

@@ -18,7 +18,7 @@
 
 namespace poissonlab {
 
-/// Where darts are thrown: in allowed cells, inside of a box.
+/// The places into which darts are thrown: allowed cells, inside of a box.
 struct DartZone
 {
     CellSet cells = 0;
@@ -86,8 +86,8 @@ namespace reference {
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings);
 }
 
-/// By kernels/tile_darts.cl and tile_relaxation.cl, a work-group a torus: the same result. `work_group_size`
-/// 0: the default, at most 256.
+/// A filler with the same results by kernels/tile_darts.cl and tile_relaxation.cl, a work-group a torus.
+/// `work_group_size` 0: the default, at most 256.
 std::unique_ptr<TileFiller> make_tile_filler(const FillSettings& settings, Device device,
                                              std::size_t work_group_size = 0);
 

@@ -45,8 +45,8 @@ inline bool is_allowed(const TileRegions& regions, CellSet cells, const TilePosi
 /// position.
 TilePosition pushed_out(const TileRegions& regions, const TilePosition& position);
 
-/// Where a movement from an allowed position ends. What would end where it is not allowed slides out of
-/// regions by the shortest way, three times at most, or is shortened to the last position that is allowed.
+/// The end of a movement from an allowed position. A movement that would end elsewhere slides out of regions by the
+/// shortest way, three times at most, or is shortened to the last position that is allowed.
 TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
                          const TilePosition& movement, bool slides);
 

@@ -51,7 +51,7 @@ std::vector<std::uint32_t> exact_tile_points(const PoissonTileSet& tiles, const 
 PointSet torus_points(const PoissonTileSet& tiles, std::uint32_t seed, std::uint32_t period);
 }
 
-/// The same by kernels/tile_points.cl, bit for bit. The tiles are copied to the device once.
+/// Makes the same points, bit for bit, by kernels/tile_points.cl. The tiles are copied to the device once.
 class TilePointGenerator
 {
 public:

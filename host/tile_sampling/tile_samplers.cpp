@@ -139,7 +139,7 @@ std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
 /// The size of the tile set is what every config has to name.
 const char* size_key(const TileMethod& method) { return method.kind == PoissonTileKind::frame ? "tiles" : "colors"; }
 
-/// Where a parameter was set or, where its default holds, the size of the tile set.
+/// The place of a parameter in the config or, if its default holds, that of the tile set's size.
 const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const TileMethod& method)
 {
     return parameters.location(parameters.has(key) ? key : size_key(method));

@@ -13,7 +13,7 @@
 
 namespace poissonlab {
 
-/// In the order in which help lists them.
+/// The samplers of tiles, in the order in which help lists them.
 std::vector<SamplerSpec> tile_samplers();
 
 /// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1.

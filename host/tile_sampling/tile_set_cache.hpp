@@ -17,8 +17,8 @@ namespace poissonlab {
 ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
                                   const ConstructionOptions& options = {});
 
-/// Where built tile sets are kept: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else
-/// ~/.cache/poissonlab; empty where the environment has none of these.
+/// The folder of built tile sets: $POISSONLAB_CACHE, else $XDG_CACHE_HOME/poissonlab, else ~/.cache/poissonlab; empty
+/// if the environment has none of these.
 std::filesystem::path tile_cache_folder();
 
 /// The name of a tile set's file there: all its parameters, the version of the code that builds it, and what it is

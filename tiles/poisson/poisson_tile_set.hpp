@@ -62,8 +62,8 @@ std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colo
 /// The minimum distance that is asked for, 2 r, in units of the tile's side.
 double asked_min_distance(const PoissonTileParameters& parameters);
 
-/// The same in whole units (of 1 / 65,536 of a tile's side), squared, rounded up: distances that are as large
-/// suffice.
+/// The asked minimum distance in whole units (of 1 / 65,536 of a tile's side), squared, rounded up: distances that
+/// are as large suffice.
 std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters);
 
 /// The regions that these tiles have: the radius, rounded up to whole units, is their width.

@@ -25,14 +25,14 @@ class PermutationHash
 public:
     static constexpr std::uint32_t max_size = 65536;
 
-    /// Over a random permutation of 0, 1, ..., size - 1. Throws InputError unless colors <= size <= max_size.
+    /// Takes a random permutation of 0, 1, ..., size - 1. Throws InputError unless colors <= size <= max_size.
     PermutationHash(Color colors, std::uint32_t size, const StreamKey& key);
 
-    /// Over the largest table of at most max_colors entries in which all colours are as frequent: 256 for 2,
+    /// Takes the largest table of at most max_colors entries in which all colours are as frequent: 256 for 2,
     /// 4, 8 and 16 colours, 255 for 3 and 5, 252 for 6 and 7.
     PermutationHash(Color colors, const StreamKey& key);
 
-    /// Over this permutation of 0, 1, ..., size - 1.
+    /// Takes this permutation of 0, 1, ..., size - 1.
     PermutationHash(Color colors, std::vector<std::uint32_t> permutation);
 
     Color colors() const { return colors_; }

@@ -30,7 +30,7 @@ struct Period
     bool operator==(const Period&) const = default;
 };
 
-/// The same period. Throws InputError if one is negative, or 2^62 or more.
+/// Returns the period that it is given. Throws InputError if one coordinate is negative, or 2^62 or more.
 Period checked_period(const Period& period);
 
 /// The lattice that does not close.

@@ -44,7 +44,7 @@ public:
         return is_complete() ? static_cast<TileIndex>(position) : indices_[position];
     }
 
-    /// Where the tile is in the set; nothing if it is not. Logarithmic time, constant in complete sets.
+    /// The position of the tile in the set, if it is there. Takes logarithmic time, constant in complete sets.
     std::optional<std::uint64_t> position(TileIndex index) const;
 
 private:
