@@ -145,6 +145,7 @@ public:
         add_tiles();
         devices_ = app_.add_subcommand("devices", "List what OpenCL offers on this machine");
         samplers_ = app_.add_subcommand("samplers", "List the methods of making point sets and their parameters");
+        samplers_->add_flag("--markdown", samplers_markdown_, "Print the table of README.md");
         help_ = app_.add_subcommand("help", "Explain a command, or the samplers");
         help_->add_option("TOPIC", topic_, "A command; \"samplers\" lists the methods");
     }
@@ -180,6 +181,7 @@ private:
     TilesPointsOptions tiles_points_options_;
     TilesVerifyOptions tiles_verify_options_;
     std::string topic_;
+    bool samplers_markdown_ = false;
     bool help_wanted_ = false;
     CLI::App* run_ = nullptr;
     CLI::App* merge_ = nullptr;
@@ -413,7 +415,7 @@ void CommandLine::parse(int argc, const char* const* argv)
 
 void CommandLine::explain()
 {
-    if (topic_ == "samplers") return samplers_command();
+    if (topic_ == "samplers") return samplers_command(false);
     if (topic_.empty()) {
         fmt::print("{}", app_.help());
         return;
@@ -437,7 +439,7 @@ int CommandLine::execute()
     if (*tiles_points_) tiles_points_command(tiles_points_options_);
     if (*tiles_verify_) tiles_verify_command(tiles_verify_options_);
     if (*devices_) devices_command();
-    if (*samplers_) samplers_command();
+    if (*samplers_) samplers_command(samplers_markdown_);
     if (help_wanted_) explain();
     return 0;
 }

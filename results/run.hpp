@@ -76,7 +76,8 @@ struct Series
     std::string name; ///< its folder
     std::string label;
     std::string sampler;
-    NamedTexts parameters;
+    NamedTexts parameters;             ///< those that were given
+    NamedTexts defaults;               ///< the others; none in results of before 2026-11
     std::optional<std::size_t> method; ///< which of the run's methods it is of
     std::vector<std::size_t> place;    ///< its index on each axis of that
     bool deterministic = false;

@@ -116,6 +116,7 @@ Series read_series(const StoredObject& object)
     series.label = object.text("label");
     series.sampler = object.text("sampler");
     series.parameters = read_named_texts(object, "parameters");
+    series.defaults = read_named_texts(object, "defaults");
     series.deterministic = object.boolean("deterministic");
     series.points = static_cast<std::size_t>(object.integer("points", 1));
     series.realizations = object.small_integer("realizations", 1);

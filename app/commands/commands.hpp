@@ -112,8 +112,8 @@ bool diff_command(const DiffOptions& options);
 /// Prints what OpenCL offers on this machine. Throws DeviceError when that is nothing.
 void devices_command();
 
-/// Prints every sampler and its parameters.
-void samplers_command();
+/// Prints every sampler and its parameters; as the table of README.md where `markdown` is wanted.
+void samplers_command(bool markdown);
 
 /// Prints the tile indices of a window of a stochastic tiling, a row of tiles a line.
 void tiling_command(const TilingOptions& options);

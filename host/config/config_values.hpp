@@ -1,6 +1,7 @@
 // Single values of a config table, checked.
 #pragma once
 
+#include "base/word_table.hpp"
 #include "host/config/config_tree.hpp"
 
 #include <cstdint>
@@ -21,6 +22,14 @@ std::string read_text(const ConfigTable& table, const std::string& key, const st
 
 /// The number of a word in a list of them; the first is the default.
 std::size_t read_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);
+
+/// The value that a word names.
+template <typename Enum, std::size_t N>
+Enum read_word(const ConfigTable& table, const std::string& key, const WordTable<Enum, N>& words, Enum otherwise)
+{
+    const std::vector<std::string> listed = words.all_after(otherwise);
+    return *words.find(listed[read_word(table, key, listed)]);
+}
 
 /// Whether a key has the second of two words; the first is the default.
 bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);

@@ -78,7 +78,7 @@ TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t see
 {
     TilingConfig config;
     TilingRequest& request = config.request;
-    request.kind = tile_kind(read_word(table, "kind", tile_kind_names()));
+    request.kind = read_word(table, "kind", tile_kinds, request.kind);
     const bool cube = request.kind == TileKind::cube;
     request.colors = static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
     request.seed = seed;
@@ -115,7 +115,7 @@ void check_tiles(const TilingConfig& config)
             stream_tiles(config.request, one, [](auto, auto, auto, auto) {});
         }
     } catch (const InputError& error) {
-        throw InputError(to_string(config.where) + ": " + error.what());
+        throw error.moved_to(config.where);
     }
 }
 

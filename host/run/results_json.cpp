@@ -77,7 +77,23 @@ struct ValueToJson
 Json parameters_json(const Parameters& parameters)
 {
     Json json = Json::object();
-    for (const auto& [key, entry] : parameters.entries()) json[key] = std::visit(ValueToJson{}, entry.value);
+    for (const auto& [key, entry] : parameters.given()) json[key] = std::visit(ValueToJson{}, entry.value);
+    return json;
+}
+
+/// The values of parameters that were not given, in samplers among the parameters as well.
+Json defaults_json(const Parameters& parameters)
+{
+    Json json = Json::object();
+    const auto add_those_of = [&](const std::string& key, const ParameterValue& value) {
+        if (const SamplerChoice* sampler = as_sampler(value))
+            if (const Json inner = defaults_json(sampler->parameters); !inner.empty()) json[key].update(inner);
+    };
+    for (const auto& [key, value] : parameters.defaults()) {
+        json[key] = std::visit(ValueToJson{}, value);
+        add_those_of(key, value);
+    }
+    for (const auto& [key, entry] : parameters.given()) add_those_of(key, entry.value);
     return json;
 }
 
@@ -174,6 +190,7 @@ Json series_json(const SeriesTask& task, const SeriesResult& result, bool has_vo
     json["label"] = task.label;
     json["sampler"] = task.sampler;
     json["parameters"] = parameters_json(task.parameters);
+    if (Json defaults = defaults_json(task.parameters); !defaults.empty()) json["defaults"] = std::move(defaults);
     if (task.place) {
         json["method"] = task.place->method;
         json["place"] = task.place->indices;
@@ -248,9 +265,7 @@ Json tiling_json(const TilingTask& task, const std::optional<TilingStatistics>& 
     const bool cube = request.kind == TileKind::cube;
     Json json = {{"name", task.name},
                  {"label", config.label},
-                 {"kind", cube                             ? "cube"
-                          : request.kind == TileKind::wang ? "wang"
-                                                           : "corner"},
+                 {"kind", tile_kinds[request.kind]},
                  {"colors", set.colors().horizontal},
                  {"tiles", set.size()},
                  {"file", task.name + "/tiles.txt"}};

@@ -48,10 +48,9 @@ StoredTilingStatistics read_statistics(const StoredObject& object)
 
 TileKind read_kind(const StoredObject& object)
 {
-    const auto kind = object.text("kind");
-    if (kind != "corner" && kind != "wang" && kind != "cube")
-        throw object.error("kind", "must be \"corner\", \"wang\" or \"cube\"");
-    return kind == "wang" ? TileKind::wang : kind == "cube" ? TileKind::cube : TileKind::corner;
+    const auto kind = tile_kinds.find(object.text("kind"));
+    if (!kind) throw object.error("kind", "must be \"corner\", \"wang\" or \"cube\"");
+    return *kind;
 }
 
 void read_window(const StoredObject& object, TilingResult& tiling)
