@@ -41,7 +41,7 @@ const ParameterSpec& points_parameter()
 {
     static const ParameterSpec points{.key = "points",
                                       .kind = Kind::integer,
-                                      .help = "points in each set of this method, instead of analysis.points",
+                                      .help = "points in each set of this method",
                                       .minimum = 1,
                                       .maximum = static_cast<double>(max_points),
                                       .symbol = "N",
