@@ -31,20 +31,11 @@ struct WordTable
         return {};
     }
 
-    /// All words in the order of the table.
-    std::vector<std::string> all() const
+    /// All words in the order of the table, but for one that comes first: the default.
+    std::vector<std::string> all(std::optional<Enum> first = {}) const
     {
         std::vector<std::string> words;
-        for (const auto& [value, word] : entries) words.emplace_back(word);
-        return words;
-    }
-
-    /// The same with one of them in front: the default, where words are listed.
-    std::vector<std::string> all_after(Enum first) const
-    {
-        std::vector<std::string> words = {(*this)[first]};
-        for (const auto& [value, word] : entries)
-            if (value != first) words.emplace_back(word);
+        for (const auto& [value, word] : entries) words.insert(value == first ? words.begin() : words.end(), word);
         return words;
     }
 };

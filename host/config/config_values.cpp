@@ -64,9 +64,4 @@ std::size_t read_word(const ConfigTable& table, const std::string& key, const st
     return static_cast<std::size_t>(found - words.begin());
 }
 
-bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
-{
-    return read_word(table, key, words) == 1;
-}
-
 }

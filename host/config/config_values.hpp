@@ -27,11 +27,8 @@ std::size_t read_word(const ConfigTable& table, const std::string& key, const st
 template <typename Enum, std::size_t N>
 Enum read_word(const ConfigTable& table, const std::string& key, const WordTable<Enum, N>& words, Enum otherwise)
 {
-    const std::vector<std::string> listed = words.all_after(otherwise);
+    const std::vector<std::string> listed = words.all(otherwise);
     return *words.find(listed[read_word(table, key, listed)]);
 }
-
-/// Whether a key has the second of two words; the first is the default.
-bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);
 
 }
