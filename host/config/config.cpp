@@ -31,7 +31,6 @@ void read_analysis(const ConfigTable& top, Config& config)
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
 {
     const auto* table = node.get_if<ConfigTable>();
-    if (!table) throw invalid_node("method", node, "must be a table, written [[method]]");
     MethodConfig method;
     method.where = node.location;
     method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
@@ -48,11 +47,10 @@ void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Confi
     const ConfigNode* node = find(top, "method");
     if (!node && config.tilings.empty() && config.constructions.empty())
         throw InputError::at({config.file}, "no [[method]] table: a config needs at least one");
-    if (!node) return;
-    const auto* list = node->get_if<ConfigList>();
-    if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
-    if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
-    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method, registry));
+    const auto* list = node ? node->get_if<ConfigList>() : nullptr;
+    if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
+    for (const ConfigNode* method : read_tables(top, "method"))
+        config.methods.push_back(read_method(*method, registry));
 }
 
 }

@@ -20,6 +20,14 @@ bool read_flag(const ConfigTable& table, const std::string& key, bool otherwise)
 /// A line of text that is not empty.
 std::string read_text(const ConfigTable& table, const std::string& key, const std::string& otherwise);
 
+/// Whole numbers of at least `minimum` in a list, `fewest` to `most` of them; none where the table lacks the key.
+/// `allowed` is how messages describe the list.
+std::vector<std::int64_t> read_integers(const ConfigTable& table, const std::string& key, std::size_t fewest,
+                                        std::size_t most, std::int64_t minimum, const char* allowed);
+
+/// The tables written [[key]]; none where the table lacks the key. An empty list is an error, as is any other value.
+std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key);
+
 /// The number of a word in a list of them; the first is the default.
 std::size_t read_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words);
 

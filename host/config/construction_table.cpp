@@ -98,15 +98,9 @@ void check_parameters(const PoissonTileParameters& parameters, const ConfigTable
 
 TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
 {
+    const auto values = read_integers(table, "window", 4, 4, -any - 1, "[X, Y, width, height]");
+    if (values.empty()) return {0, 0, 6, 4};
     const ConfigNode* node = find(table, "window");
-    if (!node) return {0, 0, 6, 4};
-    const auto* list = node->get_if<ConfigList>();
-    std::vector<std::int64_t> values;
-    if (list)
-        for (const ConfigNode& item : *list)
-            if (const auto* value = item.get_if<std::int64_t>()) values.push_back(*value);
-    if (!list || values.size() != list->size() || values.size() != 4)
-        throw invalid_node("window", *node, "must be [X, Y, width, height]");
     if (values[2] < 1 || values[3] < 1 || values[2] > max_side || values[3] > max_side ||
         values[2] * values[3] * points_per_tile > max_drawn_points)
         throw invalid_node("window", *node,
@@ -189,16 +183,8 @@ const std::vector<std::string>& construction_shows(const std::string& kind)
 std::vector<ConstructionConfig> read_constructions(const ConfigTable& config, std::uint64_t seed)
 {
     std::vector<ConstructionConfig> constructions;
-    const ConfigNode* node = find(config, "construction");
-    if (!node) return constructions;
-    const auto* list = node->get_if<ConfigList>();
-    if (!list || list->empty())
-        throw invalid_node("construction", *node, "must be a list of tables, each written [[construction]]");
-    for (const ConfigNode& item : *list) {
-        const auto* table = item.get_if<ConfigTable>();
-        if (!table) throw invalid_node("construction", item, "must be a table, written [[construction]]");
-        constructions.push_back(read_table(*table, item.location, seed));
-    }
+    for (const ConfigNode* node : read_tables(config, "construction"))
+        constructions.push_back(read_table(*node->get_if<ConfigTable>(), node->location, seed));
     return constructions;
 }
 

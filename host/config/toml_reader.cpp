@@ -27,29 +27,15 @@ public:
         ConfigNode result{OtherValue{}, origin_, {}};
         // An argument has no lines.
         if (!origin_.is_argument) result.location.line = static_cast<int>(source.source().begin.line);
-        switch (source.type()) {
-        case toml::node_type::table:
-            result.value = table(*source.as_table());
-            break;
-        case toml::node_type::array:
-            result.value = list(*source.as_array());
-            break;
-        case toml::node_type::string:
-            result.value = source.as_string()->get();
-            result.text = '"' + source.as_string()->get() + '"';
-            break;
-        case toml::node_type::integer:
-            result.value = source.as_integer()->get();
-            break;
-        case toml::node_type::floating_point:
-            result.value = source.as_floating_point()->get();
-            break;
-        case toml::node_type::boolean:
-            result.value = source.as_boolean()->get();
-            break;
-        default:
-            break;
-        }
+        source.visit([&](const auto& value) {
+            if constexpr (toml::is_table<decltype(value)>)
+                result.value = table(value);
+            else if constexpr (toml::is_array<decltype(value)>)
+                result.value = list(value);
+            else if constexpr (!toml::is_chronological<decltype(value)>) // no key takes a date
+                result.value = value.get();
+        });
+        if (const auto* text = result.get_if<std::string>()) result.text = '"' + *text + '"';
         if (result.text.empty()) result.text = typed_text(source.source().begin);
         return result;
     }

@@ -1,4 +1,4 @@
-// What samplers that work on an OpenCL device have in common.
+// What samplers that may work on a device have in common.
 #pragma once
 
 #include "host/device/device.hpp"
@@ -6,13 +6,14 @@
 
 namespace poissonlab {
 
-/// Opens the device where the engine is OpenCL, and knows how long its kernels took to build.
 class DeviceSampler : public Sampler
 {
 public:
-    double build_seconds() const override { return device_ ? device_->build_seconds() - built_before_ : 0; }
+    /// With those of its start, which uses the same device.
+    double build_seconds() const final { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 protected:
+    /// Opens the device where it is the engine.
     DeviceSampler(Engine engine, const DeviceProvider& device)
         : device_(engine == Engine::opencl ? &device() : nullptr), built_before_(device_ ? device_->build_seconds() : 0)
     {}
