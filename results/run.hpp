@@ -77,7 +77,7 @@ struct Series
     std::string label;
     std::string sampler;
     NamedTexts parameters;             ///< those that were given
-    NamedTexts defaults;               ///< the others; none in results of before 2026-11
+    NamedTexts defaults;               ///< the others; results of older versions have none
     std::optional<std::size_t> method; ///< which of the run's methods it is of
     std::vector<std::size_t> place;    ///< its index on each axis of that
     bool deterministic = false;
