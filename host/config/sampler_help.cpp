@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// The values of a parameter that is not given, as a part of a sentence.
+/// What holds where a parameter is not given, as a part of a sentence.
 std::string without_it(const ParameterSpec& spec)
 {
     if (spec.otherwise) return "default " + default_text(spec);
