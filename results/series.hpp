@@ -70,8 +70,10 @@ struct Series
     std::string name; ///< its folder
     std::string label;
     std::string sampler;
-    std::string parameters_json = "{}"; ///< an object, as results.json has it
-    NamedTexts parameters;              ///< the same as shown; what is read has both
+    std::string parameters_json = "{}"; ///< those that were given, an object as results.json has it
+    std::string defaults_json;          ///< the others, empty where there are none; results of older versions have none
+    NamedTexts parameters;              ///< both as shown; what is read has texts and objects
+    NamedTexts defaults;
     std::optional<GridPlace> place;     ///< in the grid of its method; none: not of a method of a config
     bool deterministic = false;
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ

@@ -83,10 +83,10 @@ T& made(std::optional<T>& value)
     return value.emplace();
 }
 
-void shown_parameters(const StoredObject& series, NamedTexts& shown)
+void shown_members(const StoredObject& series, const char* name, NamedTexts& shown)
 {
-    if (!series.has("parameters")) return;
-    const StoredObject object = series.object("parameters");
+    if (!series.has(name)) return;
+    const StoredObject object = series.object(name);
     for (const std::string& key : object.names())
         if (object.has(key)) shown.emplace_back(key, object.shown(key));
 }
@@ -136,6 +136,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.member("label", series.label);
     m.member("sampler", series.sampler);
     m.json("parameters", series.parameters_json);
+    m.json("defaults", series.defaults_json);
     if (m.is_there("method", series.place.has_value())) members(m, made(series.place));
     m.member("deterministic", series.deterministic);
     m.member("points", series.points, 1);
@@ -180,7 +181,8 @@ void members(JsonMembers& m, const Series& series) { describe(m, series); }
 void members(JsonMembers& m, Series& series)
 {
     describe(m, series);
-    shown_parameters(m.stored(), series.parameters);
+    shown_members(m.stored(), "parameters", series.parameters);
+    shown_members(m.stored(), "defaults", series.defaults);
     check(m.stored(), series);
 }
 

@@ -44,8 +44,6 @@ struct TilesBuildOptions
     bool quiet = false;
 };
 
-const std::vector<std::string> kinds{"corner", "edge", "template", "sphere"};
-
 void check_word(const std::string& what, const std::string& word, const std::vector<std::string>& known)
 {
     if (std::ranges::find(known, word) == known.end())
@@ -55,28 +53,29 @@ void check_word(const std::string& what, const std::string& word, const std::vec
 
 PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
 {
-    check_word("kind", o.kind, kinds);
-    check_word("--filling", o.filling, {"dart-throwing", "relaxation-dart-throwing"});
-    check_word("--engine", o.engine, {"opencl", "reference"});
+    check_word("kind", o.kind, poisson_tile_families.all());
+    check_word("--filling", o.filling, tile_fillings.all());
+    check_word("--engine", o.engine, engines.all());
     const bool is_template = o.kind == "template";
     if (is_template ? o.colors != 0 || o.tiles == 0 : o.tiles != 0 || o.colors == 0)
         throw InputError(fmt::format("tiles build: {} tiles need {} and have no {}", o.kind,
                                      is_template ? "--tiles" : "--colors", is_template ? "--colors" : "--tiles"));
     PoissonTileParameters p;
-    p.kind = is_template ? PoissonTileKind::frame : o.kind == "edge" ? PoissonTileKind::edge : PoissonTileKind::corner;
-    p.dimension = o.kind == "sphere" ? 3 : 2;
+    const PoissonTileFamily family = *poisson_tile_families.find(o.kind);
+    p.kind = family.kind;
+    p.dimension = family.dimension;
     p.colors = is_template ? 1 : o.colors;
     p.tiles = is_template ? o.tiles : tile_count(p.kind, p.dimension, p.colors);
     p.points_per_tile = o.points;
     p.relative_radius = o.relative_radius;
-    if (o.filling == "dart-throwing") set_dart_throwing(p);
+    if (tile_fillings.find(o.filling) == TileFilling::dart_throwing) set_dart_throwing(p);
     p.lloyd_iterations = o.lloyd_iterations;
     p.repulsion = o.repulsion;
     p.seed = o.seed;
     try {
         check(p);
     } catch (const InputError& error) {
-        throw InputError(std::string("tiles build: ") + error.what());
+        throw error.moved_to({"tiles build"});
     }
     return p;
 }
@@ -117,7 +116,7 @@ void build_tiles(const TilesBuildOptions& options)
         if (!device) device = Device::open(options.device);
         return *device;
     };
-    const Engine engine = options.engine == "reference" ? Engine::reference : Engine::opencl;
+    const Engine engine = *engines.find(options.engine);
     if (engine == Engine::opencl) check_memory(parameters, open().info());
     const ConstructedTileSet built = build_tile_set(parameters, engine, open, construction);
     write_tile_set(options.out, built.set);

@@ -46,7 +46,7 @@ Verification verify(const std::filesystem::path& file)
     try {
         return {file.string(), set.parameters, set.squared_min_distance, certify(set)};
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+        throw error.moved_to({file.string()});
     }
 }
 

@@ -70,7 +70,8 @@ CubeWindow checked_window(const std::vector<std::int64_t>& numbers, std::size_t 
 Request checked(const TilingOptions& options)
 {
     TilingRequest tiling;
-    tiling.kind = tile_kind(choice("kind", options.kind, tile_kind_names()));
+    choice("kind", options.kind, tile_kinds.all());
+    tiling.kind = *tile_kinds.find(options.kind);
     tiling.colors = options.colors;
     tiling.seed = options.seed;
     const auto& algorithms = tiling_algorithms(tiling.kind);

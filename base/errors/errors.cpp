@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -39,8 +40,25 @@ std::string escaped(char byte)
 }
 
 InputError::InputError(std::string_view message, std::string_view details)
-    : std::runtime_error(printable(message).append(details))
+    : std::runtime_error(printable(message).append(details)), problem_(what())
 {}
+
+InputError InputError::at(SourceLocation place, std::string_view problem)
+{
+    return InputError(problem).moved_to(std::move(place));
+}
+
+InputError InputError::moved_to(SourceLocation place) const
+{
+    // The problem is printable already, or has details, which stay as they are.
+    InputError moved(place.file.empty() ? "" : to_string(place) + ": ", problem_);
+    moved.place_ = std::move(place);
+    moved.problem_ = problem_;
+    moved.key_ = key_;
+    moved.value_ = value_;
+    moved.allowed_ = allowed_;
+    return moved;
+}
 
 DeviceError::DeviceError(std::string_view message, std::string_view details)
     : std::runtime_error(printable(message).append(details))
@@ -82,7 +100,11 @@ std::string to_string(const SourceLocation& location)
 InputError invalid_value(const SourceLocation& location, const std::string& key, const std::string& value,
                          const std::string& allowed)
 {
-    return InputError(to_string(location) + ": " + shortened(key) + " = " + shortened(value, 200) + ": " + allowed);
+    InputError error(shortened(key) + " = " + shortened(value, 200) + ": " + allowed);
+    error.key_ = key;
+    error.value_ = value;
+    error.allowed_ = allowed;
+    return error.moved_to(location);
 }
 
 }

@@ -43,15 +43,16 @@ nlohmann::json parsed_json(std::string_view text, const std::string& name)
 {
     const auto not_too_deep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
         if (depth > deepest)
-            throw InputError(fmt::format("{}: lists and objects lie more than {} deep in one another", name, deepest));
+            throw InputError::at({name},
+                                 fmt::format("lists and objects lie more than {} deep in one another", deepest));
         return true;
     };
     try {
         return nlohmann::json::parse(text, not_too_deep);
     } catch (const nlohmann::json::parse_error& error) {
-        throw InputError(fmt::format("{}:{}: is not JSON: {}", name, line_of(text, error.byte), reason(error.what())));
+        throw InputError::at({name, line_of(text, error.byte)}, fmt::format("is not JSON: {}", reason(error.what())));
     } catch (const nlohmann::json::out_of_range& error) { // a number that no double holds
-        throw InputError(fmt::format("{}: is not JSON: {}", name, reason(error.what())));
+        throw InputError::at({name}, fmt::format("is not JSON: {}", reason(error.what())));
     }
 }
 

@@ -36,17 +36,17 @@ std::vector<std::vector<double>> read_number_table(const std::filesystem::path& 
     std::istringstream text(read_whole_file(path));
     std::string line;
     if (!std::getline(text, line) || line != header)
-        throw InputError(path.string() + ":1: must be the header " + header);
+        throw InputError::at({path.string(), 1}, "must be the header " + header);
 
     std::vector<std::vector<double>> rows;
     std::vector<double> values(static_cast<std::size_t>(std::ranges::count(header, ',')) + 1);
     for (int number = 2; std::getline(text, line); ++number) {
         if (!parse_line(line, values))
-            throw InputError(path.string() + ":" + std::to_string(number) + ": must be " +
-                             std::to_string(values.size()) + " numbers, not '" + shortened(line) + "'");
+            throw InputError::at({path.string(), number}, "must be " + std::to_string(values.size()) +
+                                                              " numbers, not '" + shortened(line) + "'");
         rows.push_back(values);
     }
-    if (rows.empty()) throw InputError(path.string() + ": holds no " + what);
+    if (rows.empty()) throw InputError::at({path.string()}, "holds no " + what);
     return rows;
 }
 

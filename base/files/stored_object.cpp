@@ -11,7 +11,7 @@ StoredObject::StoredObject(const nlohmann::json& value, std::filesystem::path fi
     : value_(&value), file_(std::move(file)), member_(std::move(member))
 {
     if (!value_->is_object())
-        throw InputError(file_.string() + ": " + (member_.empty() ? "" : member_ + ": ") + "must be an object");
+        throw InputError::at({file_.string()}, (member_.empty() ? "" : member_ + ": ") + "must be an object");
 }
 
 InputError StoredObject::error(const std::string& name, const std::string& problem) const
@@ -20,7 +20,7 @@ InputError StoredObject::error(const std::string& name, const std::string& probl
     const bool is_single = value != value_->end() && value->is_primitive();
     const std::string shown =
         is_single ? " = " + shortened(value->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)) : "";
-    return InputError(file_.string() + ": " + shortened(place_of(name), 200) + shown + ": " + problem);
+    return InputError::at({file_.string()}, shortened(place_of(name), 200) + shown + ": " + problem);
 }
 
 std::string StoredObject::place_of(const std::string& name) const

@@ -99,14 +99,14 @@ void write_content(const std::filesystem::path& file, const std::filesystem::pat
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& why)
 {
-    throw InputError(fmt::format("{}: cannot be read: {}", path.string(), why));
+    throw InputError::at({path.string()}, fmt::format("cannot be read: {}", why));
 }
 
 /// Devices such as /dev/zero never end; what is typed in a terminal does.
 void check_that_it_ends(const std::filesystem::path& path, const struct stat& info, std::FILE* handle)
 {
     const bool is_device = S_ISBLK(info.st_mode) || (S_ISCHR(info.st_mode) && ::isatty(::fileno(handle)) == 0);
-    if (is_device) throw InputError(fmt::format("{}: is a device, not a file", path.string()));
+    if (is_device) throw InputError::at({path.string()}, "is a device, not a file");
 }
 
 /// The rest of an open file. The size is a hint only: pipes have none, and a file may grow while it is read; but not
@@ -121,8 +121,9 @@ std::string content_of(const std::filesystem::path& path, const struct stat& inf
     for (bool more = true; more;) {
         const std::size_t end = content.size();
         if (end > size && end - size > most_growth)
-            throw InputError(fmt::format("{}: gives more than {} GiB, and no end: only a file may have more",
-                                         path.string(), most_growth >> 30));
+            throw InputError::at(
+                {path.string()},
+                fmt::format("gives more than {} GiB, and no end: only a file may have more", most_growth >> 30));
         content.resize(end + chunk);
         const std::size_t got = std::fread(content.data() + end, 1, chunk, handle);
         content.resize(end + got);
@@ -186,9 +187,9 @@ std::string read_whole_file(const std::filesystem::path& path)
     try {
         return content_of(path, info, handle.get());
     } catch (const std::bad_alloc&) {
-        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
+        throw InputError::at({path.string()}, fmt::format("does not fit in memory: has {} bytes", info.st_size));
     } catch (const std::length_error&) { // of a size that no text can have
-        throw InputError(fmt::format("{}: does not fit in memory: has {} bytes", path.string(), info.st_size));
+        throw InputError::at({path.string()}, fmt::format("does not fit in memory: has {} bytes", info.st_size));
     }
 }
 

@@ -107,13 +107,13 @@ void append_coordinate(const PointFileContent& file, int line, std::string_view 
 
 void fail_coordinate_at_byte(const PointFileContent& file, std::size_t offset, double value)
 {
-    throw InputError(
-        fmt::format("{}: byte {}: {}: {}", file.name, offset, value, allowed_coordinate(value, file.range)));
+    throw InputError::at({file.name},
+                         fmt::format("byte {}: {}: {}", offset, value, allowed_coordinate(value, file.range)));
 }
 
 void fail_in_point_file(const PointFileContent& file, int line, std::string_view value, std::string_view allowed)
 {
-    throw InputError(fmt::format("{}: {}: {}", to_string(SourceLocation{file.name, line}), shown(value), allowed));
+    throw InputError::at({file.name, line}, fmt::format("{}: {}", shown(value), allowed));
 }
 
 }

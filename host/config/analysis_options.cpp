@@ -66,8 +66,8 @@ AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension
     options.zone_plate =
         read_flag_for(analysis, "zone_plate", dimension, 2, "the zone plate is a function of the plane");
     options.tiles = static_cast<int>(read_integer(analysis, "tiles", 2, most_tiles, 0));
-    options.distances_only = is_second_word(analysis, "measures", {"all", "distances"});
-    options.first_points_only = is_second_word(analysis, "point_files", {"all", "first"});
+    options.distances_only = read_word(analysis, "measures", {"all", "distances"}) == 1;
+    options.first_points_only = read_word(analysis, "point_files", {"all", "first"}) == 1;
     return options;
 }
 

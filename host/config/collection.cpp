@@ -106,8 +106,8 @@ private:
             collected.config = read_config(file, overrides_);
         } catch (const InputError& error) {
             // Overrides have no place of their own that would say which config they do not suit.
-            const std::string message = error.what();
-            throw InputError(message.starts_with("--set ") ? file.string() + ": " + message : message);
+            if (!error.place().is_argument) throw;
+            throw InputError::at({file.string()}, error.what());
         }
         collected.device = collected.config.device.empty() ? device : collected.config.device;
         collection_.configs.push_back(std::move(collected));
@@ -127,7 +127,7 @@ std::optional<Collection> read_collection(const fs::path& file, const std::vecto
     if (fs::is_directory(file)) return std::nullopt; // read_config() says what is wrong
     // Read again by read_config(), and by every process of a run.
     if (is_no_lasting_file(file))
-        throw InputError(file.string() + ": is a pipe or a device; a config file (.toml) is needed");
+        throw InputError::at({file.string()}, "is a pipe or a device; a config file (.toml) is needed");
     const ConfigTable top = read_toml(read_whole_file(file), file.string());
     if (!find(top, "include")) return std::nullopt;
     check_collection_overrides(overrides);

@@ -31,7 +31,6 @@ void read_analysis(const ConfigTable& top, Config& config)
 MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry)
 {
     const auto* table = node.get_if<ConfigTable>();
-    if (!table) throw invalid_node("method", node, "must be a table, written [[method]]");
     MethodConfig method;
     method.where = node.location;
     method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
@@ -47,12 +46,11 @@ void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Confi
 {
     const ConfigNode* node = find(top, "method");
     if (!node && config.tilings.empty() && config.constructions.empty())
-        throw InputError(config.file + ": no [[method]] table: a config needs at least one");
-    if (!node) return;
-    const auto* list = node->get_if<ConfigList>();
-    if (!list) throw invalid_node("method", *node, "must be a list of tables, each written [[method]]");
-    if (list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
-    for (const ConfigNode& method : *list) config.methods.push_back(read_method(method, registry));
+        throw InputError::at({config.file}, "no [[method]] table: a config needs at least one");
+    const auto* list = node ? node->get_if<ConfigList>() : nullptr;
+    if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
+    for (const ConfigNode* method : read_tables(top, "method"))
+        config.methods.push_back(read_method(*method, registry));
 }
 
 }
@@ -73,7 +71,7 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     config.overrides = overrides;
     config.title = read_text(top, "title", std::filesystem::path(file).stem().string());
     config.seed = static_cast<std::uint64_t>(read_integer(top, "seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
-    if (is_second_word(top, "engine", {"opencl", "reference"})) config.engine = Engine::reference;
+    config.engine = read_word(top, "engine", engines, config.engine);
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
     config.tilings = read_tilings(top, config.seed);
@@ -85,7 +83,7 @@ Config parse_config(const std::string& text, const std::string& file, const std:
 Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
     if (std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": is a folder; a config file (.toml) is needed");
+        throw InputError::at({file.string()}, "is a folder; a config file (.toml) is needed");
     return parse_config(read_whole_file(file), file.string(), overrides);
 }
 

@@ -25,8 +25,8 @@ struct OtherValue
 struct ConfigNode
 {
     std::variant<OtherValue, bool, std::int64_t, double, std::string, ConfigList, ConfigTable> value;
-    SourceLocation location; ///< file and line, or the --set argument
-    std::string text;        ///< single values: as typed (strings in quotes)
+    SourceLocation location;
+    std::string text; ///< single values: as typed (strings in quotes)
 
     template <typename T>
     const T* get_if() const

@@ -64,9 +64,34 @@ std::size_t read_word(const ConfigTable& table, const std::string& key, const st
     return static_cast<std::size_t>(found - words.begin());
 }
 
-bool is_second_word(const ConfigTable& table, const std::string& key, const std::vector<std::string>& words)
+std::vector<std::int64_t> read_integers(const ConfigTable& table, const std::string& key, std::size_t fewest,
+                                        std::size_t most, std::int64_t minimum, const char* allowed)
 {
-    return read_word(table, key, words) == 1;
+    const ConfigNode* node = find(table, key);
+    if (!node) return {};
+    const auto* list = node->get_if<ConfigList>();
+    std::vector<std::int64_t> values;
+    if (list)
+        for (const ConfigNode& item : *list)
+            if (const auto* value = item.get_if<std::int64_t>(); value && *value >= minimum) values.push_back(*value);
+    if (!list || values.size() != list->size() || values.size() < fewest || values.size() > most)
+        throw invalid_node(key, *node, std::string("must be ") + allowed);
+    return values;
+}
+
+std::vector<const ConfigNode*> read_tables(const ConfigTable& table, const std::string& key)
+{
+    const ConfigNode* node = find(table, key);
+    if (!node) return {};
+    const auto* list = node->get_if<ConfigList>();
+    if (!list || list->empty())
+        throw invalid_node(key, *node, "must be a list of tables, each written [[" + key + "]]");
+    std::vector<const ConfigNode*> tables;
+    for (const ConfigNode& item : *list) {
+        if (!item.get_if<ConfigTable>()) throw invalid_node(key, item, "must be a table, written [[" + key + "]]");
+        tables.push_back(&item);
+    }
+    return tables;
 }
 
 }

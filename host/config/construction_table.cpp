@@ -18,8 +18,6 @@ constexpr std::int64_t max_side = 64;    // of a window, in tiles
 constexpr std::int64_t max_listed = 256; // pieces or tiles of a picture
 constexpr std::int64_t max_drawn_points = 100'000;
 
-const std::vector<std::string> kinds{"corner", "edge", "template", "sphere"};
-
 /// The number of axes of what a picture shows; -1: no piece in particular.
 int axes_count(const std::string& show, int dimension)
 {
@@ -66,25 +64,21 @@ std::vector<std::string> known_keys(const ConstructionConfig& config)
     return keys;
 }
 
-PoissonTileParameters read_parameters(const ConfigTable& table, const std::string& kind, std::uint64_t seed)
+PoissonTileParameters read_parameters(const ConfigTable& table, const PoissonTileFamily& family, std::uint64_t seed)
 {
     PoissonTileParameters p;
-    p.dimension = kind == "sphere" ? 3 : 2;
-    p.kind = kind == "edge"       ? PoissonTileKind::edge
-             : kind == "template" ? PoissonTileKind::frame
-                                  : PoissonTileKind::corner;
+    p.dimension = family.dimension;
+    p.kind = family.kind;
     const bool is_template = p.kind == PoissonTileKind::frame;
-    const auto most = is_template || kind == "sphere" ? max_cube_colors : max_colors;
+    const auto most = is_template || p.dimension == 3 ? max_cube_colors : max_colors;
     p.colors = is_template ? 1 : static_cast<std::uint32_t>(read_integer(table, "colors", 2, most, 2));
     p.tiles = is_template ? static_cast<std::uint32_t>(read_integer(table, "tiles", 2, max_colors, 8))
                           : tile_count(p.kind, p.dimension, p.colors);
     p.points_per_tile = static_cast<std::uint32_t>(
         read_integer(table, "points_per_tile", min_points_per_tile, max_points_per_tile, p.dimension == 2 ? 32 : 64));
     p.relative_radius = read_number(table, "relative_radius", 0, 1, p.dimension == 2 ? 0.7 : 0.6);
-    if (is_second_word(table, "filling", {"relaxation-dart-throwing", "dart-throwing"})) {
-        p.filling = TileFilling::dart_throwing;
-        p.factor = 1;
-    }
+    p.filling = read_word(table, "filling", tile_fillings, p.filling);
+    if (p.filling == TileFilling::dart_throwing) p.factor = 1;
     p.lloyd_iterations = static_cast<std::uint32_t>(read_integer(table, "lloyd_iterations", 0, 1000, 8));
     p.repulsion = read_flag(table, "repulsion", true);
     p.seed = static_cast<std::uint64_t>(read_integer(table, "seed", 0, any, static_cast<std::int64_t>(seed)));
@@ -97,23 +91,16 @@ void check_parameters(const PoissonTileParameters& parameters, const ConfigTable
     try {
         check(parameters);
     } catch (const InputError& error) {
-        const std::string message = error.what();
-        const ConfigNode* node = find(table, message.substr(0, message.find(' ')));
-        throw InputError(to_string(node ? node->location : where) + ": " + message);
+        const ConfigNode* node = find(table, error.key());
+        throw error.moved_to(node ? node->location : where);
     }
 }
 
 TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
 {
+    const auto values = read_integers(table, "window", 4, 4, -any - 1, "[X, Y, width, height]");
+    if (values.empty()) return {0, 0, 6, 4};
     const ConfigNode* node = find(table, "window");
-    if (!node) return {0, 0, 6, 4};
-    const auto* list = node->get_if<ConfigList>();
-    std::vector<std::int64_t> values;
-    if (list)
-        for (const ConfigNode& item : *list)
-            if (const auto* value = item.get_if<std::int64_t>()) values.push_back(*value);
-    if (!list || values.size() != list->size() || values.size() != 4)
-        throw invalid_node("window", *node, "must be [X, Y, width, height]");
     if (values[2] < 1 || values[3] < 1 || values[2] > max_side || values[3] > max_side ||
         values[2] * values[3] * points_per_tile > max_drawn_points)
         throw invalid_node("window", *node,
@@ -161,10 +148,10 @@ ConstructionConfig read_table(const ConfigTable& table, const SourceLocation& wh
 {
     ConstructionConfig config;
     config.where = where;
-    const std::string kind = kinds[read_word(table, "kind", kinds)];
-    const auto& shows = construction_shows(kind);
+    const PoissonTileFamily family = read_word(table, "kind", poisson_tile_families, {});
+    const auto& shows = construction_shows(poisson_tile_families[family]);
     config.show = shows[read_word(table, "show", shows)];
-    config.parameters = read_parameters(table, kind, seed);
+    config.parameters = read_parameters(table, family, seed);
     check_keys(table, known_keys(config));
     check_parameters(config.parameters, table, where);
     if (axes_count(config.show, config.parameters.dimension) >= 0) read_piece(table, config);
@@ -196,16 +183,8 @@ const std::vector<std::string>& construction_shows(const std::string& kind)
 std::vector<ConstructionConfig> read_constructions(const ConfigTable& config, std::uint64_t seed)
 {
     std::vector<ConstructionConfig> constructions;
-    const ConfigNode* node = find(config, "construction");
-    if (!node) return constructions;
-    const auto* list = node->get_if<ConfigList>();
-    if (!list || list->empty())
-        throw invalid_node("construction", *node, "must be a list of tables, each written [[construction]]");
-    for (const ConfigNode& item : *list) {
-        const auto* table = item.get_if<ConfigTable>();
-        if (!table) throw invalid_node("construction", item, "must be a table, written [[construction]]");
-        constructions.push_back(read_table(*table, item.location, seed));
-    }
+    for (const ConfigNode* node : read_tables(config, "construction"))
+        constructions.push_back(read_table(*node->get_if<ConfigTable>(), node->location, seed));
     return constructions;
 }
 

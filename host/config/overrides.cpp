@@ -14,7 +14,7 @@ namespace {
 /// One argument, taken apart.
 struct Override
 {
-    std::string origin; ///< as messages name it
+    SourceLocation origin; ///< as messages name it
     std::vector<std::string> path;
     ConfigNode value;
 };
@@ -22,9 +22,9 @@ struct Override
 Override parse(const std::string& argument)
 {
     Override result;
-    result.origin = "--set " + shortened(argument, 200);
+    result.origin = {"--set " + shortened(argument, 200), 0, true};
     const std::size_t equals = argument.find('=');
-    if (equals == std::string::npos) throw InputError(result.origin + ": must be key=value, for example --set seed=2");
+    if (equals == std::string::npos) throw InputError::at(result.origin, "must be key=value, for example --set seed=2");
     const auto trimmed = [](std::string text) {
         const std::size_t first = text.find_first_not_of(" \t");
         if (first == std::string::npos) return std::string();
@@ -34,12 +34,13 @@ Override parse(const std::string& argument)
     for (std::size_t begin = 0; begin <= key.size();) {
         const std::size_t end = std::min(key.find('.', begin), key.size());
         if (end == begin)
-            throw InputError(result.origin + ": the key must be words with dots between them, such as analysis.points");
+            throw InputError::at(result.origin,
+                                 "the key must be words with dots between them, such as analysis.points");
         result.path.push_back(key.substr(begin, end - begin));
         begin = end + 1;
     }
     const std::string value = trimmed(argument.substr(equals + 1));
-    if (value.empty()) throw InputError(result.origin + ": a value is missing after \"=\"");
+    if (value.empty()) throw InputError::at(result.origin, "a value is missing after \"=\"");
     result.value = read_toml_value(value, result.origin);
     return result;
 }
@@ -50,7 +51,7 @@ void set_below(ConfigTable& table, const Override& change, std::size_t from)
     const std::string& key = change.path[from];
     ConfigNode* node = find(table, key);
     if (!node) {
-        table.push_back({key, {ConfigTable{}, {change.origin, 0}, {}}});
+        table.push_back({key, {ConfigTable{}, change.origin, {}}});
         node = &table.back().node;
     }
     if (from + 1 == change.path.size()) {
@@ -59,7 +60,7 @@ void set_below(ConfigTable& table, const Override& change, std::size_t from)
     }
     auto* inner = node->get_if<ConfigTable>();
     if (!inner)
-        throw InputError(fmt::format("{}: \"{}\" is not a table and has no keys", change.origin, shortened(key)));
+        throw InputError::at(change.origin, fmt::format("\"{}\" is not a table and has no keys", shortened(key)));
     set_below(*inner, change, from + 1);
 }
 
@@ -106,15 +107,15 @@ void set_in_methods(ConfigList& methods, const Override& change, const SamplerRe
 {
     const auto table_of = [&](ConfigNode& method) -> ConfigTable& {
         if (auto* table = method.get_if<ConfigTable>()) return *table;
-        throw InputError(change.origin + ": the config's methods are not [[method]] tables");
+        throw InputError::at(change.origin, "the config's methods are not [[method]] tables");
     };
     const auto index = as_index(change.path[1]);
     if (index) {
         if (change.path.size() < 3)
-            throw InputError(fmt::format("{}: a parameter is missing: method.{}.KEY=value", change.origin, *index));
+            throw InputError::at(change.origin, fmt::format("a parameter is missing: method.{}.KEY=value", *index));
         if (*index >= methods.size())
-            throw InputError(fmt::format("{}: there is no method {}: the config has {}, counted from 0", change.origin,
-                                         *index, methods.size()));
+            throw InputError::at(change.origin, fmt::format("there is no method {}: the config has {}, counted from 0",
+                                                            *index, methods.size()));
         set_below(table_of(methods[*index]), change, 2);
         return;
     }
@@ -134,11 +135,10 @@ void check_collection_overrides(const std::vector<std::string>& overrides)
     for (const std::string& argument : overrides) {
         const Override change = parse(argument);
         if (change.path[0] == "method" && change.path.size() > 1 && as_index(change.path[1]))
-            throw InputError(
-                change.origin +
-                ": a collection has no numbered methods; method.KEY=VALUE changes every method that has KEY");
+            throw InputError::at(change.origin, "a collection has no numbered methods; method.KEY=VALUE changes every "
+                                                "method that has KEY");
         if (change.path[0] == "title" || change.path[0] == "include")
-            throw InputError(change.origin + ": what a collection includes and how that is called cannot be set");
+            throw InputError::at(change.origin, "what a collection includes and how that is called cannot be set");
     }
 }
 
@@ -151,7 +151,7 @@ void apply_overrides(ConfigTable& config, const std::vector<std::string>& overri
         if (list && change.path.size() > 1)
             set_in_methods(*list, change, registry);
         else if (change.path.front() == "method" && change.path.size() > 1 && !methods)
-            throw InputError(change.origin + ": the config has no [[method]] table");
+            throw InputError::at(change.origin, "the config has no [[method]] table");
         else
             set_below(config, change, 0);
     }

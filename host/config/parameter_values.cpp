@@ -63,7 +63,7 @@ std::string shown_number(const ConfigNode& node, double value)
 /// in `--set method.path=a/b` must not be taken for a folder.
 SourceLocation path_location(const ConfigNode& node)
 {
-    return node.location.file.starts_with("--set ") ? SourceLocation{"--set", 0} : node.location;
+    return node.location.is_argument ? SourceLocation{"--set", 0, true} : node.location;
 }
 
 ParameterChoice single_choice(const ParameterSpec& spec, const ConfigNode& node)

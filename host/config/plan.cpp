@@ -18,7 +18,7 @@ std::string series_label(const MethodConfig& method, const Combination& chosen)
 {
     const std::string values = values_text(method.settings, chosen, !method.label.empty());
     if (method.label.empty() && method.sampler->label)
-        return method.sampler->label(chosen_parameters(method.settings, chosen));
+        return method.sampler->label(chosen_parameters(*method.sampler, method.settings, chosen));
     const std::string& label = method.label.empty() ? method.sampler->title : method.label;
     return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
@@ -27,9 +27,8 @@ std::string series_label(const MethodConfig& method, const Combination& chosen)
 template <typename Visit>
 void for_each_start(const Parameters& parameters, const Visit& visit)
 {
-    using Start = std::shared_ptr<const SamplerChoice>;
-    for (const auto& [key, entry] : parameters.entries())
-        if (const auto* start = std::get_if<Start>(&entry.value)) visit(**start, entry.location);
+    for (const auto& [key, entry] : parameters.given())
+        if (const SamplerChoice* start = as_sampler(entry.value)) visit(*start, entry.location);
 }
 
 /// The checks of a sampler, after those of the samplers among its parameters.
@@ -37,8 +36,8 @@ void check_sampler(const SamplerSpec& sampler, const Parameters& parameters, con
                    const SourceLocation& where)
 {
     if (std::ranges::find(sampler.dimensions, request.dimension) == sampler.dimensions.end())
-        throw InputError(fmt::format("{}: sampler = \"{}\": this method has no {}D sets", to_string(where),
-                                     sampler.name, request.dimension));
+        throw InputError::at(
+            where, fmt::format("sampler = \"{}\": this method has no {}D sets", sampler.name, request.dimension));
     for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation& place) {
         check_sampler(*start.spec, start.parameters, request, place);
     });
@@ -121,7 +120,7 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.name = safe_name(name_of(sampler, method.settings, chosen)).substr(0, longest_name);
     series.where = method.where;
     series.sampler = &sampler;
-    series.parameters = chosen_parameters(method.settings, chosen);
+    series.parameters = chosen_parameters(sampler, method.settings, chosen);
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
     check_sampler(sampler, series.parameters, series.request, method.where);
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
@@ -145,10 +144,10 @@ std::vector<SeriesPlan> make_plan(const Config& config)
             SeriesPlan series = make_series(config, i, chosen);
             for (const SeriesPlan& other : plan)
                 if (same_series(other, series))
-                    throw InputError(fmt::format("{}: [[method]]: the series \"{}\" is there twice",
-                                                 to_string(method.where), other.label));
+                    throw InputError::at(method.where,
+                                         fmt::format("[[method]]: the series \"{}\" is there twice", other.label));
             if (plan.size() == max_series)
-                throw InputError(fmt::format("{}: the config makes more than {} series", config.file, max_series));
+                throw InputError::at({config.file}, fmt::format("the config makes more than {} series", max_series));
             // Different series whose names were cut or cleaned to the same get a number, and so do labels that a
             // sampler makes.
             const std::string base = series.name;

@@ -36,9 +36,9 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
         const DeviceMemory memory = memory_of(series, series.request.points, device);
         if (fits(memory, device)) continue;
         const std::size_t most = most_points_that_fit(series, device);
-        throw InputError(fmt::format("{}: {}: {}{}", to_string(series.where), series.label, comparison(memory, device),
-                                     most > 0 ? fmt::format("; up to {} points would fit", most)
-                                              : "; fewer points would not fit either"));
+        throw InputError::at(series.where, fmt::format("{}: {}{}", series.label, comparison(memory, device),
+                                                       most > 0 ? fmt::format("; up to {} points would fit", most)
+                                                                : "; fewer points would not fit either"));
     }
 }
 

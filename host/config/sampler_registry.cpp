@@ -1,21 +1,40 @@
 #include "host/config/sampler_registry.hpp"
 
+#include "host/sampling/baselines.hpp"
 #include "host/sampling/command_sampler.hpp"
+#include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
+
+#include <algorithm>
 
 namespace poissonlab {
 
 const SamplerRegistry& sampler_registry()
 {
-    static const SamplerRegistry registry = [] {
-        SamplerRegistry all = basic_samplers();
-        for (SamplerSpec& spec : tile_samplers()) all.push_back(std::move(spec));
-        all.push_back(file_sampler());
-        all.push_back(command_sampler());
-        return all;
-    }();
+    static const SamplerRegistry registry = {
+        random_sampler(),
+        regular_sampler(),
+        jittered_sampler(),
+        dart_throwing_sampler(),
+        relaxation_dart_throwing_sampler(),
+        lloyd_sampler(),
+        corner_tile_sampler(),
+        edge_tile_sampler(),
+        template_tile_sampler(),
+        sphere_tile_sampler(),
+        file_sampler(),
+        command_sampler(),
+    };
     return registry;
+}
+
+const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& registry)
+{
+    const auto found = std::ranges::find(registry, name, &SamplerSpec::name);
+    return found == registry.end() ? nullptr : &*found;
 }
 
 }

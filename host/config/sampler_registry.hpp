@@ -8,4 +8,7 @@ namespace poissonlab {
 /// In the order in which help and errors list them.
 const SamplerRegistry& sampler_registry();
 
+/// The sampler of that name, or null.
+const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& registry = sampler_registry());
+
 }

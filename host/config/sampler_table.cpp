@@ -28,7 +28,7 @@ ParameterChoice sampler_choice(const SamplerSpec& sampler, const std::vector<Par
 {
     auto value = std::make_shared<SamplerChoice>();
     value->spec = &sampler;
-    value->parameters = chosen_parameters(settings, chosen);
+    value->parameters = chosen_parameters(sampler, settings, chosen);
     const std::string values = values_text(settings, chosen);
     return {std::shared_ptr<const SamplerChoice>(std::move(value)),
             values.empty() ? sampler.title : fmt::format("{} ({})", sampler.title, values), where,
@@ -41,12 +41,11 @@ const ParameterSpec& points_parameter()
 {
     static const ParameterSpec points{.key = "points",
                                       .kind = Kind::integer,
-                                      .help = "points in each set of this method, instead of analysis.points",
+                                      .help = "points in each set of this method",
                                       .minimum = 1,
                                       .maximum = static_cast<double>(max_points),
-                                      .exclusive_minimum = false,
-                                      .choices = {},
-                                      .symbol = "N"};
+                                      .symbol = "N",
+                                      .unless_given = "by default analysis.points"};
     return points;
 }
 
@@ -56,8 +55,7 @@ std::vector<Combination> combinations(const std::vector<ParameterSetting>& setti
     std::vector<Combination> result = {{}};
     for (const ParameterSetting& setting : settings) {
         if (result.size() * setting.choices.size() > max_series)
-            throw InputError(
-                fmt::format("{}: {}: its lists make more than {} series", to_string(where), what, max_series));
+            throw InputError::at(where, fmt::format("{}: its lists make more than {} series", what, max_series));
         std::vector<Combination> longer;
         for (const Combination& start : result)
             for (const ParameterChoice& choice : setting.choices) {
@@ -76,8 +74,8 @@ const SamplerSpec& read_sampler(const ConfigTable& table, const SourceLocation& 
     if (node) return sampler_named("sampler", *node, registry);
     std::vector<std::string> names;
     for (const SamplerSpec& spec : registry) names.push_back(spec.name);
-    throw InputError(fmt::format("{}: {}: sampler is missing; it must be one of \"{}\"", to_string(where), what,
-                                 fmt::join(names, "\", \"")));
+    throw InputError::at(
+        where, fmt::format("{}: sampler is missing; it must be one of \"{}\"", what, fmt::join(names, "\", \"")));
 }
 
 std::vector<ParameterSetting> read_settings(const ConfigTable& table, const SamplerSpec& sampler,
@@ -111,9 +109,10 @@ std::vector<ParameterChoice> sampler_choices(const ParameterSpec& spec, const Co
     return choices;
 }
 
-Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, const Combination& chosen)
+Parameters chosen_parameters(const SamplerSpec& sampler, const std::vector<ParameterSetting>& settings,
+                             const Combination& chosen)
 {
-    Parameters parameters;
+    Parameters parameters(sampler.parameters);
     for (std::size_t i = 0; i < chosen.size(); ++i)
         if (settings[i].parameter != &points_parameter())
             parameters.set(settings[i].parameter->key, chosen[i]->value, chosen[i]->location);

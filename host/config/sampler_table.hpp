@@ -51,8 +51,9 @@ std::vector<ParameterSetting> read_settings(const ConfigTable& table, const Samp
 std::vector<ParameterChoice> sampler_choices(const ParameterSpec& spec, const ConfigNode& node,
                                              const SamplerRegistry& registry, int depth);
 
-/// The chosen values as parameters of the sampler; `points` is none.
-Parameters chosen_parameters(const std::vector<ParameterSetting>& settings, const Combination& chosen);
+/// The chosen values as parameters of the sampler, with its defaults for the others; `points` is none.
+Parameters chosen_parameters(const SamplerSpec& sampler, const std::vector<ParameterSetting>& settings,
+                             const Combination& chosen);
 
 /// The short form of a parameter for names and labels, for example "rho".
 std::string symbol_of(const ParameterSpec& spec);

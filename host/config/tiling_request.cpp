@@ -7,18 +7,6 @@
 
 namespace poissonlab {
 
-const std::vector<std::string>& tile_kind_names()
-{
-    static const std::vector<std::string> names{"corner", "wang", "cube"};
-    return names;
-}
-
-TileKind tile_kind(std::size_t name)
-{
-    constexpr TileKind kinds[] = {TileKind::corner, TileKind::wang, TileKind::cube};
-    return kinds[name];
-}
-
 const std::vector<std::string>& tiling_algorithms(TileKind kind)
 {
     static const std::vector<std::string> corner{"direct", "scanline", "scanline-compact"};

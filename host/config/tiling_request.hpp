@@ -12,10 +12,6 @@
 
 namespace poissonlab {
 
-/// "corner", "wang", "cube": TileKind of each.
-const std::vector<std::string>& tile_kind_names();
-TileKind tile_kind(std::size_t name);
-
 /// The tiling algorithms of a kind, the default first.
 const std::vector<std::string>& tiling_algorithms(TileKind kind);
 

@@ -15,22 +15,6 @@ constexpr double largest_regions_3d = 0.1306; // and at (1 + 2 sqrt 2) r = 1/2
 constexpr std::int64_t max_paired_colors = 16;
 constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
 
-/// Whole numbers in a list of one of two lengths.
-std::vector<std::int64_t> read_integers(const ConfigTable& table, const std::string& key, std::size_t fewest,
-                                        std::size_t most, std::int64_t minimum, const char* allowed)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return {};
-    const auto* list = node->get_if<ConfigList>();
-    std::vector<std::int64_t> values;
-    if (list)
-        for (const ConfigNode& item : *list)
-            if (const auto* value = item.get_if<std::int64_t>(); value && *value >= minimum) values.push_back(*value);
-    if (!list || values.size() != list->size() || values.size() < fewest || values.size() > most)
-        throw invalid_node(key, *node, std::string("must be ") + allowed);
-    return values;
-}
-
 CubeWindow read_window(const ConfigTable& table, TileKind kind)
 {
     const bool cube = kind == TileKind::cube;
@@ -78,7 +62,7 @@ TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t see
 {
     TilingConfig config;
     TilingRequest& request = config.request;
-    request.kind = tile_kind(read_word(table, "kind", tile_kind_names()));
+    request.kind = read_word(table, "kind", tile_kinds, request.kind);
     const bool cube = request.kind == TileKind::cube;
     request.colors = static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
     request.seed = seed;
@@ -115,22 +99,15 @@ void check_tiles(const TilingConfig& config)
             stream_tiles(config.request, one, [](auto, auto, auto, auto) {});
         }
     } catch (const InputError& error) {
-        throw InputError(to_string(config.where) + ": " + error.what());
+        throw error.moved_to(config.where);
     }
 }
 
 void read_list(const ConfigTable& config, const std::string& key, std::uint64_t seed, std::vector<TilingConfig>& into)
 {
-    const ConfigNode* node = find(config, key);
-    if (!node) return;
-    const auto* list = node->get_if<ConfigList>();
-    if (!list || list->empty())
-        throw invalid_node(key, *node, "must be a list of tables, each written [[" + key + "]]");
-    for (const ConfigNode& item : *list) {
-        const auto* table = item.get_if<ConfigTable>();
-        if (!table) throw invalid_node(key, item, "must be a table, written [[" + key + "]]");
-        into.push_back(read_table(*table, key == "tile_set", seed));
-        into.back().where = item.location;
+    for (const ConfigNode* node : read_tables(config, key)) {
+        into.push_back(read_table(*node->get_if<ConfigTable>(), key == "tile_set", seed));
+        into.back().where = node->location;
         check_tiles(into.back());
     }
 }

@@ -13,7 +13,7 @@ namespace {
 class TreeBuilder
 {
 public:
-    TreeBuilder(std::string_view text, const std::string& file) : file_(file)
+    TreeBuilder(std::string_view text, SourceLocation origin) : origin_(std::move(origin))
     {
         for (std::size_t begin = 0; begin <= text.size();) {
             const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -24,30 +24,18 @@ public:
 
     ConfigNode node(const toml::node& source) const
     {
-        ConfigNode result{OtherValue{}, {file_, static_cast<int>(source.source().begin.line)}, {}};
-        switch (source.type()) {
-        case toml::node_type::table:
-            result.value = table(*source.as_table());
-            break;
-        case toml::node_type::array:
-            result.value = list(*source.as_array());
-            break;
-        case toml::node_type::string:
-            result.value = source.as_string()->get();
-            result.text = '"' + source.as_string()->get() + '"';
-            break;
-        case toml::node_type::integer:
-            result.value = source.as_integer()->get();
-            break;
-        case toml::node_type::floating_point:
-            result.value = source.as_floating_point()->get();
-            break;
-        case toml::node_type::boolean:
-            result.value = source.as_boolean()->get();
-            break;
-        default:
-            break;
-        }
+        ConfigNode result{OtherValue{}, origin_, {}};
+        // An argument has no lines.
+        if (!origin_.is_argument) result.location.line = static_cast<int>(source.source().begin.line);
+        source.visit([&](const auto& value) {
+            if constexpr (toml::is_table<decltype(value)>)
+                result.value = table(value);
+            else if constexpr (toml::is_array<decltype(value)>)
+                result.value = list(value);
+            else if constexpr (!toml::is_chronological<decltype(value)>) // no key takes a date
+                result.value = value.get();
+        });
+        if (const auto* text = result.get_if<std::string>()) result.text = '"' + *text + '"';
         if (result.text.empty()) result.text = typed_text(source.source().begin);
         return result;
     }
@@ -97,7 +85,7 @@ private:
         std::size_t offset = 0;
     };
 
-    std::string file_;
+    SourceLocation origin_;
     std::vector<std::string_view> lines_;
     mutable Place last_; ///< the next value is mostly further on in the same line, which may be very long
 };
@@ -116,42 +104,26 @@ ConfigTable read_toml(std::string_view text, const std::string& file)
 {
     try {
         const toml::table document = toml::parse(text, file);
-        return TreeBuilder(text, file).table(document);
+        return TreeBuilder(text, {file}).table(document);
     } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("{}:{}: {}", file, error.source().begin.line, description(error)));
+        throw InputError::at({file, static_cast<int>(error.source().begin.line)}, description(error));
     }
 }
 
-ConfigNode read_toml_value(const std::string& text, const std::string& origin)
+ConfigNode read_toml_value(const std::string& text, const SourceLocation& origin)
 {
     constexpr std::string_view key = "value = ";
     const std::string line = std::string(key) + text;
     try {
         const toml::table document = toml::parse(line);
         // A line break in the argument could smuggle in further keys.
-        if (document.size() == 1 && document.contains("value")) {
-            ConfigTable table = TreeBuilder(line, origin).table(document);
-            ConfigNode node = std::move(table.front().node);
-            struct DropLines
-            {
-                // An argument has no lines.
-                void operator()(ConfigNode& item) const
-                {
-                    item.location.line = 0;
-                    if (auto* list = item.get_if<ConfigList>())
-                        for (ConfigNode& each : *list) (*this)(each);
-                    if (auto* inner = item.get_if<ConfigTable>())
-                        for (auto& each : *inner) (*this)(each.node);
-                }
-            };
-            DropLines{}(node);
-            return node;
-        }
+        if (document.size() == 1 && document.contains("value"))
+            return TreeBuilder(line, origin).table(document).front().node;
     } catch (const toml::parse_error& error) {
         if (!text.empty() && (text.front() == '[' || text.front() == '{' || text.front() == '"'))
-            throw InputError(fmt::format("{}: {}", origin, description(error)));
+            throw InputError::at(origin, description(error));
     }
-    return {text, {origin, 0}, '"' + text + '"'};
+    return {text, origin, '"' + text + '"'};
 }
 
 }

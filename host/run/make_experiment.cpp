@@ -84,22 +84,21 @@ Machine machine_of(LazyDevice& lazy, bool with_device)
 void add_outside_input(UnitKey& key, const SamplerSpec& sampler, const Parameters& parameters)
 {
     if (sampler.outside_input) key.add("input", sampler.outside_input(parameters));
-    using Start = std::shared_ptr<const SamplerChoice>;
-    for (const auto& [name, entry] : parameters.entries())
-        if (const auto* start = std::get_if<Start>(&entry.value))
-            add_outside_input(key, *(*start)->spec, (*start)->parameters);
+    for (const auto& [name, entry] : parameters.given())
+        if (const SamplerChoice* start = as_sampler(entry.value))
+            add_outside_input(key, *start->spec, start->parameters);
 }
 
 UnitKey identity_of(const SeriesPlan& series, Engine engine, LazyDevice& device)
 {
     UnitKey key("sets");
     key.add("sampler", series.sampler->name);
-    for (const auto& [name, entry] : series.parameters.entries()) key.add(name, to_string(entry.value));
+    for (const auto& [name, entry] : series.parameters.given()) key.add(name, to_string(entry.value));
     add_outside_input(key, *series.sampler, series.parameters);
     return key.add("points", series.request.points)
         .add("dimension", series.request.dimension)
         .add("seed", series.request.seed)
-        .add("engine", engine == Engine::opencl ? "opencl" : "reference")
+        .add("engine", engines[engine])
         .add("device", device.identity());
 }
 
@@ -156,11 +155,8 @@ std::vector<TilingTask> tiling_tasks(const Config& config, std::set<std::string>
 {
     std::vector<TilingTask> tasks;
     for (const TilingConfig& tiling : config.tilings) {
-        const std::string kind = tiling.request.kind == TileKind::wang     ? "wang"
-                                 : tiling.request.kind == TileKind::corner ? "corner"
-                                                                           : "cube";
         const std::string base =
-            fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", kind,
+            fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", tile_kinds[tiling.request.kind],
                         tiling.is_set() ? tiling.set : tiling.request.algorithm, tiling.request.colors);
         tasks.push_back({unused_name(base, names), tiling});
     }
@@ -189,7 +185,7 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.config = config.text;
     experiment.overrides = config.overrides;
     experiment.seed = config.seed;
-    experiment.engine = config.engine == Engine::opencl ? "opencl" : "reference";
+    experiment.engine = engines[config.engine];
     experiment.dimension = config.dimension;
     experiment.analysis = config.analysis;
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);

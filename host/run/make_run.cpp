@@ -32,9 +32,28 @@ struct ValueToJson
 Json parameters_json(const Parameters& parameters)
 {
     Json json = Json::object();
-    for (const auto& [key, entry] : parameters.entries()) json[key] = std::visit(ValueToJson{}, entry.value);
+    for (const auto& [key, entry] : parameters.given()) json[key] = std::visit(ValueToJson{}, entry.value);
     return json;
 }
+
+/// The values of parameters that were not given, in samplers among the parameters as well.
+Json defaults_json(const Parameters& parameters)
+{
+    Json json = Json::object();
+    const auto add_those_of = [&](const std::string& key, const ParameterValue& value) {
+        if (const SamplerChoice* sampler = as_sampler(value))
+            if (const Json inner = defaults_json(sampler->parameters); !inner.empty()) json[key].update(inner);
+    };
+    for (const auto& [key, value] : parameters.defaults()) {
+        json[key] = std::visit(ValueToJson{}, value);
+        add_those_of(key, value);
+    }
+    for (const auto& [key, entry] : parameters.given()) add_those_of(key, entry.value);
+    return json;
+}
+
+/// Texts can hold any bytes; JSON is UTF-8.
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series series)
 {
@@ -42,8 +61,9 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     series.name = task.name;
     series.label = task.label;
     series.sampler = task.sampler;
-    // Texts can hold any bytes; JSON is UTF-8.
-    series.parameters_json = parameters_json(task.parameters).dump(-1, ' ', false, Json::error_handler_t::replace);
+    series.parameters_json = text_of(parameters_json(task.parameters));
+    if (const Json defaults = defaults_json(task.parameters); !defaults.empty())
+        series.defaults_json = text_of(defaults);
     series.place = task.place;
     series.deterministic = task.deterministic;
     if (series.spectrum_size > 0) {

@@ -23,7 +23,6 @@ namespace {
 
 constexpr const char* command_key = "command";
 constexpr const char* limit_key = "time_limit";
-constexpr double default_limit = 60;
 constexpr std::size_t lines_shown = 8; ///< of what a program said
 
 constexpr const char* known_fields = "{points}, {dimension}, {seed}, {realization} and {out}";
@@ -102,10 +101,8 @@ public:
             if (sets.size() != 1) throw InputError(fmt::format("it wrote {} realizations; one is needed", sets.size()));
             return std::move(sets.front());
         } catch (const InputError& error) {
-            std::string message = error.what();
-            const std::size_t at = message.find(written.string());
-            if (at != std::string::npos) message.replace(at, written.string().size(), "{out}");
-            throw InputError(message);
+            if (error.place().file.empty()) throw;
+            throw error.moved_to({"{out}", error.place().line});
         }
     }
 
@@ -143,8 +140,7 @@ class CommandSampler final : public Sampler
 {
 public:
     CommandSampler(const Parameters& parameters, const SampleRequest& request)
-        : parameters_(parameters), request_(request),
-          limit_(parameters.has(limit_key) ? parameters.number(limit_key) : default_limit)
+        : parameters_(parameters), request_(request), limit_(parameters.number(limit_key))
     {}
 
     PointSet sample(std::uint32_t realization) override
@@ -209,9 +205,9 @@ std::uint64_t program_hash(const Parameters& parameters)
 
 void check_command(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
-    if (!parameters.has(command_key))
-        throw InputError(to_string(where) + ": sampler = \"command\": needs command, such as "
-                                            "\"mysampler {points} {seed} {out}\"");
+    if (!parameters.is_given(command_key))
+        throw InputError::at(where,
+                             "sampler = \"command\": needs command, such as \"mysampler {points} {seed} {out}\"");
     try {
         const auto words = command_words(parameters.text(command_key), {});
         if (!find_program(words[0], folder_of(parameters)))
@@ -252,23 +248,22 @@ std::string program_name(const std::string& command)
 
 SamplerSpec command_sampler()
 {
-    ParameterSpec command;
-    command.key = command_key;
-    command.kind = ParameterSpec::Kind::command;
-    command.help = fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields);
-
-    ParameterSpec limit;
-    limit.key = limit_key;
-    limit.help = "seconds after which the program is ended; default 60";
-    limit.maximum = 1e6;
-    limit.exclusive_minimum = true;
-
     SamplerSpec spec;
     spec.name = "command";
     spec.title = "Command";
     spec.summary = "point sets from any program that writes them to a file";
     spec.dimensions = {2, 3};
-    spec.parameters = {command, limit};
+    spec.parameters = {
+        {.key = command_key,
+         .kind = ParameterSpec::Kind::command,
+         .help = fmt::format("a program and its arguments, with {}; run in the folder of the config", known_fields)},
+        {.key = limit_key,
+         .help = "how long the program may take before it is ended",
+         .unit = "seconds",
+         .maximum = 1e6,
+         .exclusive_minimum = true,
+         .otherwise = 60.0},
+    };
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
     spec.check = check_command;
     spec.outside_input = program_hash;

@@ -17,10 +17,7 @@ namespace {
 /// structure factor at zero frequency S(0) = 0.059 in 2D and 0.050 in 3D (Zhang and Torquato 2013).
 constexpr double saturation_structure_factor = 0.06;
 
-bool to_saturation(const Parameters& parameters)
-{
-    return parameters.has("stop") && parameters.text("stop") == "saturation";
-}
+bool to_saturation(const Parameters& parameters) { return parameters.text("stop") == "saturation"; }
 
 /// The minimum distance of the sets: asked for, or derived from the number of points.
 double min_distance_of(const Parameters& parameters, const SampleRequest& request)
@@ -28,7 +25,7 @@ double min_distance_of(const Parameters& parameters, const SampleRequest& reques
     if (!to_saturation(parameters)) {
         return min_distance_for(parameters.number("relative_radius"), request.points, request.dimension);
     }
-    if (parameters.has("min_distance")) return parameters.number("min_distance");
+    if (parameters.is_given("min_distance")) return parameters.number("min_distance");
     return min_distance_for(saturation_relative_radius(request.dimension), request.points, request.dimension);
 }
 
@@ -63,11 +60,10 @@ bool is_hopeless(double relative_radius, const SampleRequest& request)
 
 void check_points(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
-    if (!parameters.has("relative_radius")) {
-        throw InputError(to_string(where) +
-                         ": sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
+    if (!parameters.is_given("relative_radius")) {
+        throw InputError::at(where, "sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
     }
-    if (parameters.has("min_distance")) {
+    if (parameters.is_given("min_distance")) {
         throw parameters.error("min_distance",
                                "goes with stop = \"saturation\" only; relative_radius sets the distance here");
     }
@@ -82,7 +78,7 @@ void check_points(const Parameters& parameters, const SampleRequest& request, co
 
 void check_saturation(const Parameters& parameters)
 {
-    if (parameters.has("relative_radius")) {
+    if (parameters.is_given("relative_radius")) {
         throw parameters.error("relative_radius",
                                "does not go with stop = \"saturation\"; min_distance sets the distance here");
     }
@@ -96,7 +92,7 @@ void check_memory(const Parameters& parameters, const SampleRequest& request)
     const double smallest = std::sqrt(static_cast<double>(request.dimension)) /
                             std::pow(max_level_0_cells, 1.0 / request.dimension) * 1.001;
     for (const char* key : {"min_distance", "relative_radius"}) {
-        if (!parameters.has(key)) continue;
+        if (!parameters.is_given(key)) continue;
         const double scale = parameters.number(key) / min_distance;
         throw parameters.error(key, fmt::format("needs a finer grid than memory has room for; at least {:.3g} for {} "
                                                 "points in {}D",
@@ -155,28 +151,26 @@ SamplerSpec dart_throwing_sampler()
     spec.summary = "random darts, rejected where nearer than the minimum distance to an earlier one";
     spec.dimensions = {2, 3};
 
-    ParameterSpec radius;
-    radius.key = "relative_radius";
-    radius.help = "minimum distance over that of the densest packing of as many points; at most about 0.77 in 2D";
-    radius.maximum = 1;
-    radius.exclusive_minimum = true;
-    radius.symbol = "rho";
-
-    ParameterSpec stop;
-    stop.key = "stop";
-    stop.kind = ParameterSpec::Kind::choice;
-    stop.help = "when to stop: at analysis.points points (the default), or when no further point fits";
-    stop.choices = {"points", "saturation"};
-
-    ParameterSpec distance;
-    distance.key = "min_distance";
-    distance.help = "with stop = \"saturation\": in units of the torus' side; by default what gives about "
-                    "analysis.points points";
-    distance.maximum = 1;
-    distance.exclusive_minimum = true;
-    distance.symbol = "d";
-
-    spec.parameters = {radius, stop, distance};
+    spec.parameters = {
+        {.key = "relative_radius",
+         .help = "minimum distance over that of the densest packing of as many points; at most about 0.77 in 2D",
+         .maximum = 1,
+         .exclusive_minimum = true,
+         .symbol = "rho",
+         .unless_given = "needed unless stop = \"saturation\""},
+        {.key = "stop",
+         .kind = ParameterSpec::Kind::choice,
+         .help = "when to stop: at analysis.points points, or when no further point fits",
+         .choices = {"points", "saturation"},
+         .otherwise = "points"},
+        {.key = "min_distance",
+         .help = "with stop = \"saturation\": the minimum distance",
+         .unit = "units of the torus' side",
+         .maximum = 1,
+         .exclusive_minimum = true,
+         .symbol = "d",
+         .unless_given = "by default what gives about analysis.points points"},
+    };
     spec.check = [](const Parameters& parameters, const SampleRequest& request, const SourceLocation& where) {
         if (to_saturation(parameters)) {
             check_saturation(parameters);

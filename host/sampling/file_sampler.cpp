@@ -79,8 +79,8 @@ std::vector<PointSet> read_realizations(const Parameters& parameters)
 
 void check_file(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
-    if (!parameters.has(path_key) || parameters.texts(path_key).empty()) {
-        throw InputError(to_string(where) + ": path: must be given: a file, a glob, or a list of these");
+    if (!parameters.is_given(path_key) || parameters.texts(path_key).empty()) {
+        throw InputError::at(where, "path: must be given: a file, a glob, or a list of these");
     }
     const std::vector<PointSet> realizations = read_realizations(parameters);
     if (realizations.front().dimension != request.dimension) {
@@ -108,17 +108,14 @@ private:
 
 SamplerSpec file_sampler()
 {
-    ParameterSpec path;
-    path.key = path_key;
-    path.kind = ParameterSpec::Kind::paths;
-    path.help = "point files: names and globs, relative to the folder of the config";
-
     SamplerSpec spec;
     spec.name = "file";
     spec.title = "File";
     spec.summary = "point sets from text, PLY or NumPy files";
     spec.dimensions = {2, 3};
-    spec.parameters = {path};
+    spec.parameters = {{.key = path_key,
+                        .kind = ParameterSpec::Kind::paths,
+                        .help = "point files: names and globs, relative to the folder of the config"}};
     spec.has_own_points = true;
     spec.check = check_file;
     spec.available_realizations = [](const Parameters& parameters) { return read_realizations(parameters).size(); };

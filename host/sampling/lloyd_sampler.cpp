@@ -1,5 +1,6 @@
 // The sampler "lloyd": what the config can ask of Lloyd relaxation, and of the repulsion after it.
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/baselines.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/repulsion.hpp"
@@ -12,13 +13,6 @@ namespace {
 /// Memory that an iteration needs, and CGAL's much more, limit what is worth asking for.
 constexpr std::int64_t max_iterations = 1'000'000;
 
-SamplerChoice start_of(const Parameters& parameters)
-{
-    return parameters.has("start") ? parameters.sampler("start") : SamplerChoice{find_sampler("random"), {}};
-}
-
-bool repels(const Parameters& parameters) { return parameters.has("repulsion") && parameters.flag("repulsion"); }
-
 RepulsionRequest repulsion_request(double relative_radius, std::size_t points, int dimension)
 {
     return {min_distance_for(relative_radius, points, dimension)};
@@ -28,7 +22,7 @@ RepulsionRequest repulsion_request(double relative_radius, std::size_t points, i
 DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points, int dimension)
 {
     const DeviceMemory relaxation = LloydRelaxation::memory(dimension, points);
-    if (!repels(parameters)) return relaxation;
+    if (!parameters.flag("repulsion")) return relaxation;
     const RepulsionRequest repulsion = repulsion_request(parameters.number("until_relative_radius"), points, dimension);
     return either(relaxation, Repulsion::memory(dimension, points, repulsion));
 }
@@ -40,14 +34,14 @@ public:
                  const DeviceProvider& device)
         : DeviceSampler(engine, device), parameters_(parameters)
     {
-        const SamplerChoice start = start_of(parameters);
+        const SamplerChoice& start = parameters.sampler("start");
         start_ = start.spec->create(start.parameters, request, engine, device);
         request_.iterations = static_cast<std::size_t>(parameters.integer("iterations"));
-        if (parameters.has("until_relative_radius")) {
+        if (parameters.is_given("until_relative_radius")) {
             request_.until_relative_radius = parameters.number("until_relative_radius");
         }
-        request_.keep_best = parameters.has("keep") && parameters.text("keep") == "best";
-        repels_ = repels(parameters);
+        request_.keep_best = parameters.text("keep") == "best";
+        repels_ = parameters.flag("repulsion");
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -76,7 +70,7 @@ private:
     {
         const DeviceMemory memory = relaxation_memory(parameters_, start.size(), start.dimension);
         const std::string what = fmt::format("Lloyd relaxation of {} points", start.size());
-        if (!parameters_.has("start")) return check_fits(what, memory, device_->info());
+        if (!parameters_.is_given("start")) return check_fits(what, memory, device_->info());
         if (!fits(memory, device_->info()))
             throw parameters_.error("start",
                                     fmt::format("{} {}; start from fewer points, or set engine = \"reference\", "
@@ -94,48 +88,45 @@ private:
 std::vector<ParameterSpec> parameters()
 {
     using Kind = ParameterSpec::Kind;
-    ParameterSpec iterations;
-    iterations.key = "iterations";
-    iterations.kind = Kind::integer;
-    iterations.help = "Lloyd iterations, at most; 0 with repulsion = true for repulsion alone";
-    iterations.maximum = max_iterations;
-    iterations.symbol = "i";
-
-    ParameterSpec start;
-    start.key = "start";
-    start.kind = Kind::sampler;
-    start.help = "the method that makes the sets to begin with; random by default";
-
-    ParameterSpec until;
-    until.key = "until_relative_radius";
-    until.help = "stop at the first iterate that has this relative radius; the aim of repulsion as well";
-    until.maximum = 1;
-    until.exclusive_minimum = true;
-    until.symbol = "until";
-
-    ParameterSpec keep;
-    keep.key = "keep";
-    keep.kind = Kind::choice;
-    keep.help = "the iterate to give: the last (the default), or the best, of the largest relative radius";
-    keep.choices = {"last", "best"};
-
-    ParameterSpec repulsion;
-    repulsion.key = "repulsion";
-    repulsion.kind = Kind::boolean;
-    repulsion.help = "push apart what is closer than until_relative_radius after the last iteration";
-    return {iterations, start, until, keep, repulsion};
+    static const SamplerSpec random = random_sampler();
+    return {
+        {.key = "iterations",
+         .kind = Kind::integer,
+         .help = "Lloyd iterations, at most; 0 with repulsion = true for repulsion alone",
+         .maximum = max_iterations,
+         .symbol = "i"},
+        {.key = "start",
+         .kind = Kind::sampler,
+         .help = "the method that makes the sets to begin with",
+         .otherwise = std::make_shared<const SamplerChoice>(SamplerChoice{&random, {}})},
+        {.key = "until_relative_radius",
+         .help = "stop at the first iterate that has this relative radius; the aim of repulsion as well",
+         .maximum = 1,
+         .exclusive_minimum = true,
+         .symbol = "until",
+         .unless_given = "by default all iterations are made"},
+        {.key = "keep",
+         .kind = Kind::choice,
+         .help = "the iterate to give: the last, or the best, of the largest relative radius",
+         .choices = {"last", "best"},
+         .otherwise = "last"},
+        {.key = "repulsion",
+         .kind = Kind::boolean,
+         .help = "push apart what is closer than until_relative_radius after the last iteration",
+         .otherwise = false},
+    };
 }
 
 std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
 {
-    const SamplerChoice start = start_of(parameters);
+    const SamplerChoice& start = parameters.sampler("start");
     return start.spec->most_points ? start.spec->most_points(start.parameters, request) : request.points;
 }
 
 /// Beside what the start keeps.
 DeviceMemory device_memory(const Parameters& parameters, const SampleRequest& request, const DeviceInfo& device)
 {
-    const SamplerChoice start = start_of(parameters);
+    const SamplerChoice& start = parameters.sampler("start");
     DeviceMemory memory = relaxation_memory(parameters, most_points(parameters, request), request.dimension);
     if (start.spec->device_memory) memory = memory + start.spec->device_memory(start.parameters, request, device);
     return memory;
@@ -143,9 +134,8 @@ DeviceMemory device_memory(const Parameters& parameters, const SampleRequest& re
 
 void check_lloyd(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
-    const std::string place = to_string(where) + ": sampler = \"lloyd\": ";
-    if (!parameters.has("iterations")) throw InputError(place + "needs iterations");
-    if (repels(parameters) && !parameters.has("until_relative_radius")) {
+    if (!parameters.is_given("iterations")) throw InputError::at(where, "sampler = \"lloyd\": needs iterations");
+    if (parameters.flag("repulsion") && !parameters.is_given("until_relative_radius")) {
         throw parameters.error("repulsion", "needs until_relative_radius, the relative radius that it is to reach");
     }
 }

@@ -20,9 +20,9 @@ RelaxationDartThrowingRequest request_for(const Parameters& parameters, const Sa
     RelaxationDartThrowingRequest result;
     result.dimension = request.dimension;
     result.points = request.points;
-    if (parameters.has("initial_radius")) result.initial_radius = parameters.number("initial_radius");
-    if (parameters.has("factor")) result.factor = parameters.number("factor");
-    if (parameters.has("attempts")) result.attempts = static_cast<std::uint64_t>(parameters.integer("attempts"));
+    result.initial_radius = parameters.number("initial_radius");
+    result.factor = parameters.number("factor");
+    result.attempts = static_cast<std::uint64_t>(parameters.integer("attempts"));
     return result;
 }
 
@@ -42,9 +42,9 @@ void check_effort(const Parameters& parameters, const SampleRequest& request, co
     const std::string problem = fmt::format(
         "{} points would take some {:.0e} darts; take a smaller factor or fewer attempts", request.points, darts);
     for (const char* key : {"factor", "attempts"}) {
-        if (parameters.has(key)) throw parameters.error(key, problem);
+        if (parameters.is_given(key)) throw parameters.error(key, problem);
     }
-    throw InputError(to_string(where) + ": sampler = relaxation-dart-throwing: " + problem);
+    throw InputError::at(where, "sampler = relaxation-dart-throwing: " + problem);
 }
 
 class RelaxationDartThrowingSampler final : public DeviceSampler
@@ -71,32 +71,6 @@ private:
     std::optional<RelaxationDartThrower> thrower_;
 };
 
-std::vector<ParameterSpec> parameter_specs()
-{
-    ParameterSpec radius;
-    radius.key = "initial_radius";
-    radius.help = "r, half the minimum distance, to begin with, in units of the torus' side; default 0.15";
-    radius.maximum = 0.5;
-    radius.exclusive_minimum = true;
-    radius.symbol = "r0";
-
-    ParameterSpec factor;
-    factor.key = "factor";
-    factor.help = "what the radius is multiplied by when darts keep failing; default 0.99";
-    factor.maximum = 1;
-    factor.exclusive_minimum = true;
-    factor.exclusive_maximum = true;
-
-    ParameterSpec attempts;
-    attempts.key = "attempts";
-    attempts.kind = ParameterSpec::Kind::integer;
-    attempts.help = "failed darts in a row after which the radius is reduced; default 1000";
-    attempts.minimum = 1;
-    attempts.maximum = static_cast<double>(max_relaxation_attempts);
-
-    return {radius, factor, attempts};
-}
-
 }
 
 SamplerSpec relaxation_dart_throwing_sampler()
@@ -107,7 +81,28 @@ SamplerSpec relaxation_dart_throwing_sampler()
     spec.summary = "dart throwing with a radius that is reduced where darts keep failing; every prefix of a set is "
                    "well spread";
     spec.dimensions = {2, 3};
-    spec.parameters = parameter_specs();
+    const RelaxationDartThrowingRequest otherwise;
+    spec.parameters = {
+        {.key = "initial_radius",
+         .help = "r, half the minimum distance, to begin with",
+         .unit = "units of the torus' side",
+         .maximum = 0.5,
+         .exclusive_minimum = true,
+         .symbol = "r0",
+         .otherwise = otherwise.initial_radius},
+        {.key = "factor",
+         .help = "what the radius is multiplied by when darts keep failing",
+         .maximum = 1,
+         .exclusive_minimum = true,
+         .exclusive_maximum = true,
+         .otherwise = otherwise.factor},
+        {.key = "attempts",
+         .kind = ParameterSpec::Kind::integer,
+         .help = "failed darts in a row after which the radius is reduced",
+         .minimum = 1,
+         .maximum = static_cast<double>(max_relaxation_attempts),
+         .otherwise = static_cast<std::int64_t>(otherwise.attempts)},
+    };
     spec.check = check_effort;
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return RelaxationDartThrower::memory(request_for(parameters, request));

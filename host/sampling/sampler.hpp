@@ -1,10 +1,11 @@
 // What every method of making point sets looks like to the rest of the laboratory.
 //
-// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in sampler_registry.cpp.
-// Config keys, checks, help, series names and the report follow from the description.
+// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in host/config/sampler_registry.cpp.
+// Config keys, checks, defaults, help, series names and the report follow from the description.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/word_table.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/sampling/parameters.hpp"
 #include "results/records/sample_records.hpp"
@@ -27,6 +28,7 @@ enum class Engine
     opencl,
     reference
 };
+inline constexpr WordTable<Engine, 2> engines{{{{Engine::opencl, "opencl"}, {Engine::reference, "reference"}}}};
 
 /// What the experiment asks of each point set of a series.
 struct SampleRequest
@@ -121,11 +123,5 @@ struct SamplerSpec
 
 /// Samplers in the order in which help and errors list them.
 using SamplerRegistry = std::vector<SamplerSpec>;
-
-/// The samplers of this folder.
-const SamplerRegistry& basic_samplers();
-
-/// The sampler of that name, or null.
-const SamplerSpec* find_sampler(const std::string& name, const SamplerRegistry& registry = basic_samplers());
 
 }

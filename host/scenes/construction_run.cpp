@@ -77,7 +77,7 @@ std::vector<Scene> construct_scenes(std::span<const ConstructionConfig> configs,
                 done[i] = true;
             }
         } catch (const InputError& error) {
-            throw InputError(to_string(configs[first].where) + ": " + error.what());
+            throw error.moved_to(configs[first].where);
         }
     }
     return scenes;

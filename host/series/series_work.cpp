@@ -20,7 +20,7 @@ namespace {
 std::string parameters_text(const Parameters& parameters)
 {
     std::vector<std::string> texts;
-    for (const auto& [key, entry] : parameters.entries()) texts.push_back(key + " = " + to_string(entry.value));
+    for (const auto& [key, entry] : parameters.given()) texts.push_back(key + " = " + to_string(entry.value));
     return fmt::format("{}", fmt::join(texts, ", "));
 }
 

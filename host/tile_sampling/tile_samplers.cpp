@@ -19,29 +19,20 @@ namespace {
 
 constexpr double max_tiles = 1'048'576;
 
-/// The kind and dimension of the tiles that a sampler's name stands for.
-struct TileMethod
+PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Parameters& given, std::uint64_t seed)
 {
-    PoissonTileKind kind;
-    int dimension;
-};
-
-PoissonTileParameters tile_parameters(const TileMethod& method, const Parameters& given, std::uint64_t seed)
-{
-    const auto integer = [&](const char* key, std::int64_t otherwise) {
-        return static_cast<std::uint32_t>(given.has(key) ? given.integer(key) : otherwise);
-    };
+    const auto integer = [&](const char* key) { return static_cast<std::uint32_t>(given.integer(key)); };
+    const bool is_template = family.kind == PoissonTileKind::frame;
     PoissonTileParameters p;
-    p.kind = method.kind;
-    p.dimension = method.dimension;
-    p.colors = integer("colors", 1);
-    p.tiles = method.kind == PoissonTileKind::frame ? integer("tiles", 1)
-                                                    : tile_count(method.kind, method.dimension, p.colors);
-    p.points_per_tile = integer("points_per_tile", 64);
-    p.relative_radius = given.has("relative_radius") ? given.number("relative_radius") : 0.75;
-    if (given.has("filling") && given.text("filling") == "dart-throwing") set_dart_throwing(p);
-    p.lloyd_iterations = integer("lloyd_iterations", 20);
-    p.repulsion = given.has("repulsion") && given.flag("repulsion");
+    p.kind = family.kind;
+    p.dimension = family.dimension;
+    p.colors = is_template ? 1 : integer("colors");
+    p.tiles = is_template ? integer("tiles") : tile_count(p.kind, p.dimension, p.colors);
+    p.points_per_tile = integer("points_per_tile");
+    p.relative_radius = given.number("relative_radius");
+    if (given.text("filling") == tile_fillings[TileFilling::dart_throwing]) set_dart_throwing(p);
+    p.lloyd_iterations = integer("lloyd_iterations");
+    p.repulsion = given.flag("repulsion");
     p.seed = seed;
     return p;
 }
@@ -82,87 +73,94 @@ private:
     std::optional<TilePointGenerator> generator_;
 };
 
-ParameterSpec integer_spec(std::string key, std::string help, double minimum, double maximum, std::string symbol)
-{
-    ParameterSpec spec;
-    spec.key = std::move(key);
-    spec.kind = ParameterSpec::Kind::integer;
-    spec.help = std::move(help);
-    spec.minimum = minimum;
-    spec.maximum = maximum;
-    spec.symbol = std::move(symbol);
-    return spec;
-}
-
-std::vector<ParameterSpec> parameter_specs(const TileMethod& method)
-{
-    std::vector<ParameterSpec> specs;
-    if (method.kind == PoissonTileKind::frame) {
-        specs.push_back(integer_spec("tiles", "T, tiles of the set", 1, max_tiles, "T"));
-    } else {
-        const char* what = method.kind == PoissonTileKind::edge ? "C, colours of edges; the set has C^12 tiles"
-                           : method.dimension == 3              ? "C, colours of corners; the set has C^8 tiles"
-                                                                : "C, colours of corners; the set has C^4 tiles";
-        const double most = method.kind == PoissonTileKind::edge ? 3 : method.dimension == 3 ? 4 : 32;
-        specs.push_back(integer_spec("colors", what, 1, most, "C"));
-    }
-    specs.push_back(integer_spec("points_per_tile", "N, points of each tile; default 64", min_points_per_tile,
-                                 max_points_per_tile, "N"));
-
-    ParameterSpec radius;
-    radius.key = "relative_radius";
-    radius.help = "rho that every tiling has at least; default 0.75";
-    radius.maximum = 1;
-    radius.exclusive_minimum = true;
-    radius.exclusive_maximum = true;
-    radius.symbol = "rho";
-    specs.push_back(radius);
-
-    ParameterSpec filling;
-    filling.key = "filling";
-    filling.kind = ParameterSpec::Kind::choice;
-    filling.help = "how tiles are filled before relaxation; default relaxation-dart-throwing";
-    filling.choices = {"dart-throwing", "relaxation-dart-throwing"};
-    specs.push_back(filling);
-
-    specs.push_back(
-        integer_spec("lloyd_iterations", "Lloyd iterations of each piece; default 20", 0, 100'000, "lloyd"));
-
-    ParameterSpec repulsion;
-    repulsion.key = "repulsion";
-    repulsion.kind = ParameterSpec::Kind::boolean;
-    repulsion.help = "push apart what Lloyd relaxation left too close: needed above 0.75 or 0.8";
-    specs.push_back(repulsion);
-    return specs;
-}
-
 /// The size of the tile set is what every config has to name.
-const char* size_key(const TileMethod& method) { return method.kind == PoissonTileKind::frame ? "tiles" : "colors"; }
+ParameterSpec size_spec(const PoissonTileFamily& family)
+{
+    using Kind = ParameterSpec::Kind;
+    if (family.kind == PoissonTileKind::frame)
+        return {.key = "tiles",
+                .kind = Kind::integer,
+                .help = "T, tiles of the set",
+                .minimum = 1,
+                .maximum = max_tiles,
+                .symbol = "T"};
+    const bool has_edges = family.kind == PoissonTileKind::edge;
+    const bool in_space = family.dimension == 3;
+    return {.key = "colors",
+            .kind = Kind::integer,
+            .help = has_edges  ? "C, colours of edges; the set has C^12 tiles"
+                    : in_space ? "C, colours of corners; the set has C^8 tiles"
+                               : "C, colours of corners; the set has C^4 tiles",
+            .minimum = 1,
+            .maximum = has_edges  ? 3.0
+                       : in_space ? 4.0
+                                  : 32.0,
+            .symbol = "C"};
+}
+
+std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
+{
+    using Kind = ParameterSpec::Kind;
+    return {
+        size_spec(family),
+        {.key = "points_per_tile",
+         .kind = Kind::integer,
+         .help = "N, points of each tile",
+         .minimum = min_points_per_tile,
+         .maximum = max_points_per_tile,
+         .symbol = "N",
+         .otherwise = std::int64_t{64}},
+        {.key = "relative_radius",
+         .help = "rho that every tiling has at least",
+         .maximum = 1,
+         .exclusive_minimum = true,
+         .exclusive_maximum = true,
+         .symbol = "rho",
+         .otherwise = 0.75},
+        {.key = "filling",
+         .kind = Kind::choice,
+         .help = "how tiles are filled before relaxation",
+         .choices = tile_fillings.all(),
+         .otherwise = tile_fillings[TileFilling::relaxation_dart_throwing]},
+        {.key = "lloyd_iterations",
+         .kind = Kind::integer,
+         .help = "Lloyd iterations of each piece",
+         .maximum = 100'000,
+         .symbol = "lloyd",
+         .otherwise = std::int64_t{20}},
+        {.key = "repulsion",
+         .kind = Kind::boolean,
+         .help = "push apart what Lloyd relaxation left too close: needed above 0.75 or 0.8",
+         .otherwise = false},
+    };
+}
+
+const char* size_key(const PoissonTileFamily& family)
+{
+    return family.kind == PoissonTileKind::frame ? "tiles" : "colors";
+}
 
 /// The place of a parameter in the config or, if its default holds, that of the tile set's size.
-const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const TileMethod& method)
+const SourceLocation& place_of(const Parameters& parameters, const std::string& key, const PoissonTileFamily& family)
 {
-    return parameters.location(parameters.has(key) ? key : size_key(method));
+    return parameters.location(parameters.is_given(key) ? key : size_key(family));
 }
 
-void check_parameters(const TileMethod& method, const std::string& sampler, const Parameters& parameters,
+void check_parameters(const PoissonTileFamily& family, const std::string& sampler, const Parameters& parameters,
                       const SampleRequest& request, const SourceLocation& where)
 {
-    const char* size = size_key(method);
-    if (!parameters.has(size))
-        throw InputError(fmt::format("{}: sampler = \"{}\": needs {}", to_string(where), sampler, size));
-    const PoissonTileParameters tiles = tile_parameters(method, parameters, request.seed);
+    const char* size = size_key(family);
+    if (!parameters.is_given(size))
+        throw InputError::at(where, fmt::format("sampler = \"{}\": needs {}", sampler, size));
+    const PoissonTileParameters tiles = tile_parameters(family, parameters, request.seed);
     try {
         check(tiles);
     } catch (const InputError& error) {
-        // The message begins with the parameter's name.
-        const std::string message = error.what();
-        const std::string key = message.substr(0, message.find(' '));
-        throw InputError(to_string(place_of(parameters, key, method)) + ": " + message);
+        throw error.moved_to(place_of(parameters, error.key(), family));
     }
-    if (tiling_side(request.points, tiles.points_per_tile, method.dimension) > 65'536)
-        throw InputError(fmt::format("{}: sampler = \"{}\": {} points are more than 65536 tiles along an axis",
-                                     to_string(where), sampler, request.points));
+    if (tiling_side(request.points, tiles.points_per_tile, family.dimension) > 65'536)
+        throw InputError::at(where, fmt::format("sampler = \"{}\": {} points are more than 65536 tiles along an axis",
+                                                sampler, request.points));
 }
 
 /// The number of tiles of a set's tiling.
@@ -178,37 +176,38 @@ DeviceMemory device_memory(const PoissonTileParameters& tiles, std::size_t point
                   TilePointGenerator::memory(tiles, tiles_of_sets(tiles, points), device));
 }
 
-SamplerSpec tile_sampler(const TileMethod& method, std::string name, std::string title, std::string summary)
+SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std::string summary)
 {
+    const std::string name = std::string(poisson_tile_families[family]) + "-tiles";
     SamplerSpec spec;
     spec.name = name;
     spec.title = std::move(title);
     spec.summary = std::move(summary);
-    spec.dimensions = {method.dimension};
-    spec.parameters = parameter_specs(method);
-    spec.check = [method, name](const Parameters& parameters, const SampleRequest& request,
+    spec.dimensions = {family.dimension};
+    spec.parameters = parameter_specs(family);
+    spec.check = [family, name](const Parameters& parameters, const SampleRequest& request,
                                 const SourceLocation& where) {
-        check_parameters(method, name, parameters, request, where);
+        check_parameters(family, name, parameters, request, where);
     };
-    spec.most_points = [method](const Parameters& parameters, const SampleRequest& request) -> std::size_t {
-        const PoissonTileParameters tiles = tile_parameters(method, parameters, request.seed);
+    spec.most_points = [family](const Parameters& parameters, const SampleRequest& request) -> std::size_t {
+        const PoissonTileParameters tiles = tile_parameters(family, parameters, request.seed);
         return tiles_of_sets(tiles, request.points) * tiles.points_per_tile;
     };
-    spec.device_memory = [method](const Parameters& parameters, const SampleRequest& request,
+    spec.device_memory = [family](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
-        return device_memory(tile_parameters(method, parameters, request.seed), request.points, device);
+        return device_memory(tile_parameters(family, parameters, request.seed), request.points, device);
     };
     // A set of one tile has one tiling.
-    spec.is_deterministic = [method](const Parameters& parameters) {
-        return parameters.integer(size_key(method)) == 1;
+    spec.is_deterministic = [family](const Parameters& parameters) {
+        return parameters.integer(size_key(family)) == 1;
     };
-    spec.create = [method](const Parameters& parameters, const SampleRequest& request, Engine engine,
+    spec.create = [family](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {
-            return std::make_unique<TileSampler>(tile_parameters(method, parameters, request.seed), request, engine,
+            return std::make_unique<TileSampler>(tile_parameters(family, parameters, request.seed), request, engine,
                                                  device);
         } catch (const InputError& error) { // the radius could not be reached
-            throw InputError(to_string(place_of(parameters, "relative_radius", method)) + ": " + error.what());
+            throw error.moved_to(place_of(parameters, "relative_radius", family));
         }
     };
     return spec;
@@ -225,16 +224,28 @@ std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int
     return static_cast<std::uint32_t>(above_is_nearer ? below + 1 : below);
 }
 
-std::vector<SamplerSpec> tile_samplers()
+SamplerSpec corner_tile_sampler()
 {
-    return {tile_sampler({PoissonTileKind::corner, 2}, "corner-tiles", "Corner-based Poisson disk tiles",
-                         "a tiling with Poisson disk tiles by the colours of their corners"),
-            tile_sampler({PoissonTileKind::edge, 2}, "edge-tiles", "Edge-based Poisson disk tiles",
-                         "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles"),
-            tile_sampler({PoissonTileKind::frame, 2}, "template-tiles", "Template Poisson disk tiles",
-                         "a tiling with tiles that have the same points near their borders"),
-            tile_sampler({PoissonTileKind::corner, 3}, "sphere-tiles", "Corner-based Poisson sphere tiles",
-                         "a 3D tiling with Poisson sphere tiles by the colours of their corners")};
+    return tile_sampler({PoissonTileKind::corner, 2}, "Corner-based Poisson disk tiles",
+                        "a tiling with Poisson disk tiles by the colours of their corners");
+}
+
+SamplerSpec edge_tile_sampler()
+{
+    return tile_sampler({PoissonTileKind::edge, 2}, "Edge-based Poisson disk tiles",
+                        "a tiling with Poisson disk tiles by the colours of their edges, C = 2: 4,096 tiles");
+}
+
+SamplerSpec template_tile_sampler()
+{
+    return tile_sampler({PoissonTileKind::frame, 2}, "Template Poisson disk tiles",
+                        "a tiling with tiles that have the same points near their borders");
+}
+
+SamplerSpec sphere_tile_sampler()
+{
+    return tile_sampler({PoissonTileKind::corner, 3}, "Corner-based Poisson sphere tiles",
+                        "a 3D tiling with Poisson sphere tiles by the colours of their corners");
 }
 
 }

@@ -9,12 +9,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace poissonlab {
 
-/// The samplers of tiles, in the order in which help lists them.
-std::vector<SamplerSpec> tile_samplers();
+SamplerSpec corner_tile_sampler();
+SamplerSpec edge_tile_sampler();
+SamplerSpec template_tile_sampler();
+SamplerSpec sphere_tile_sampler();
 
 /// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1.
 std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int dimension);

@@ -19,15 +19,6 @@ namespace {
 
 constexpr std::size_t enough_samples = 100; ///< of a ring, for anisotropy that chance does not dominate
 
-// Parameters that samplers take when a config says nothing (README, "Poisson disk tiles").
-std::optional<double> default_of(const std::string& sampler, const std::string& key)
-{
-    if (!sampler.ends_with("-tiles")) return std::nullopt;
-    if (key == "relative_radius") return 0.75;
-    if (key == "points_per_tile") return 64;
-    return std::nullopt;
-}
-
 bool fits(const ReportSeries& series, SeriesQuery::Needs needs)
 {
     switch (needs) {
@@ -109,14 +100,15 @@ std::optional<ClaimSeries::Rings> ClaimSeries::false_rings(const ReportSeries& s
 
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key)
 {
-    for (const auto& [name, text] : series.stored->parameters) {
-        if (name != key) continue;
+    for (const NamedTexts* values : {&series.stored->parameters, &series.stored->defaults}) {
+        const auto found = std::ranges::find(*values, key, &NamedTexts::value_type::first);
+        if (found == values->end()) continue;
         double value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-        return value;
+        const char* const last = found->second.data() + found->second.size();
+        const auto [end, error] = std::from_chars(found->second.data(), last, value);
+        return error == std::errc() && end == last ? std::optional(value) : std::nullopt;
     }
-    return default_of(series.stored->sampler, key);
+    return std::nullopt;
 }
 
 std::optional<double> tiles_of_set(const ReportSeries& series)

@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// What a claim is about. Parameters that a series does not store have their defaults.
+/// What a claim is about.
 struct SeriesQuery
 {
     enum class Needs
@@ -53,7 +53,7 @@ private:
     std::map<const ReportSeries*, Rings> rings_;
 };
 
-/// A parameter as a number: what is stored, or its default where that is known.
+/// A parameter as a number: what was given, or the stored default.
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key);
 
 /// Tiles in the set: C^4, C^12, T, or C^8 (3D).

@@ -45,20 +45,17 @@ constexpr std::size_t most_tiles = 1'000'000; // of a window that is drawn
 
 std::size_t axes_of(TileKind kind) { return kind == TileKind::cube ? 3 : 2; }
 
-/// Without dominoes, which come first: results have none.
-const std::vector<std::string> kinds{"wang", "corner", "cube"};
-
 void kind(JsonMembers& m, const TileKind& kind)
 {
-    const std::size_t place = static_cast<std::size_t>(kind) - 1;
-    m.word("kind", place, kinds);
+    const std::string word = tile_kinds[kind];
+    m.member("kind", word);
 }
 
 void kind(JsonMembers& m, TileKind& kind)
 {
-    std::size_t place = 0;
-    m.word("kind", place, kinds);
-    kind = static_cast<TileKind>(place + 1);
+    const auto known = tile_kinds.find(m.stored().text("kind"));
+    if (!known) throw m.stored().error("kind", "must be \"corner\", \"wang\" or \"cube\"");
+    kind = *known;
 }
 
 void colors(JsonMembers& m, const TilingResult& tiling) { m.member("colors", tiling.colors); }

@@ -56,7 +56,7 @@ TEST(Start, IsASamplerWithItsParameters)
     EXPECT_EQ(start.spec->name, "dart-throwing");
     EXPECT_EQ(start.parameters.number("relative_radius"), 0.7);
     EXPECT_EQ(to_string(start.parameters.location("relative_radius")), "c.toml:4");
-    EXPECT_EQ(to_string(plan[0].parameters.entries().at("start").value),
+    EXPECT_EQ(to_string(plan[0].parameters.given().at("start").value),
               "{ sampler = dart-throwing, relative_radius = 0.7 }");
 }
 
@@ -65,7 +65,7 @@ TEST(Start, ANameAloneIsATableWithNothingElse)
     const auto plan = plan_of("start = \"random\"");
     EXPECT_EQ(plan[0].name, "relax-random");
     EXPECT_EQ(plan[0].label, "Relaxation, start = Random");
-    EXPECT_TRUE(plan[0].parameters.sampler("start").parameters.entries().empty());
+    EXPECT_TRUE(plan[0].parameters.sampler("start").parameters.given().empty());
 }
 
 TEST(Start, CanBeATableOfItsOwn)

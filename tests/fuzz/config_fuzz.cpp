@@ -24,9 +24,9 @@ bool looks_outside(const SamplerSpec& sampler) { return sampler.name == "file" |
 
 bool looks_outside(const ParameterValue& value)
 {
-    const auto* start = std::get_if<std::shared_ptr<const SamplerChoice>>(&value);
+    const SamplerChoice* start = as_sampler(value);
     if (!start) return false;
-    return looks_outside(*(*start)->spec) || std::ranges::any_of((*start)->parameters.entries(), [](const auto& entry) {
+    return looks_outside(*start->spec) || std::ranges::any_of(start->parameters.given(), [](const auto& entry) {
                return looks_outside(entry.second.value);
            });
 }

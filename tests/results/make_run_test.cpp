@@ -2,6 +2,8 @@
 
 #include "results/statistic.hpp"
 
+#include "host/config/sampler_registry.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -119,6 +121,25 @@ TEST(ResultsJson, SamplersAmongTheParametersAreObjects)
     EXPECT_EQ(written(experiment, two_realizations())["series"][0]["parameters"],
               json::parse(R"({"repulsion": true, "start": {"sampler": "dart-throwing", "relative_radius": 0.7,
                                                            "start": {"sampler": "random"}}})"));
+}
+
+/// With the parameters that were given, all values that hold.
+TEST(ResultsJson, DefaultsAreStoredBesideWhatWasGiven)
+{
+    Experiment experiment = one_series();
+    SamplerChoice throwing{find_sampler("dart-throwing"), Parameters(find_sampler("dart-throwing")->parameters)};
+    throwing.parameters.set("relative_radius", 0.7);
+    Parameters& parameters = experiment.series[0].parameters = Parameters(find_sampler("lloyd")->parameters);
+    parameters.set("iterations", std::int64_t{3});
+    const json by_chance = written(experiment, two_realizations())["series"][0];
+    EXPECT_EQ(by_chance["parameters"], json::parse(R"({"iterations": 3})"));
+    EXPECT_EQ(by_chance["defaults"],
+              json::parse(R"({"keep": "last", "repulsion": false, "start": {"sampler": "random"}})"));
+
+    parameters.set("keep", "best");
+    parameters.set("start", std::make_shared<const SamplerChoice>(throwing));
+    EXPECT_EQ(written(experiment, two_realizations())["series"][0]["defaults"],
+              json::parse(R"({"repulsion": false, "start": {"stop": "points"}})"));
 }
 
 TEST(ResultsJson, HasTheGridsOfMethods)

@@ -32,23 +32,31 @@ std::uint32_t most_colors(PoissonTileKind kind, int dimension)
     return colors;
 }
 
+/// The error about a parameter; who knows where it was set moves it there.
+template <typename Value>
+InputError refused(const char* key, const Value& value, const std::string& allowed)
+{
+    return invalid_value({}, key, fmt::format("{}", value), allowed);
+}
+
 void check_numbers(const PoissonTileParameters& p)
 {
     if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
-        throw InputError(fmt::format("dimension = {}: {} tiles have no such dimension", p.dimension, kind_name(p)));
+        throw refused("dimension", p.dimension, fmt::format("{} tiles have no such dimension", kind_name(p)));
     const std::uint32_t most = most_colors(p.kind, p.dimension);
     if (p.colors < 1 || p.colors > most)
-        throw InputError(fmt::format("colors = {}: must be {} for {} tiles", p.colors,
-                                     most == 1 ? "1" : fmt::format("an integer from 1 to {}", most), kind_name(p)));
+        throw refused("colors", p.colors,
+                      fmt::format("must be {} for {} tiles",
+                                  most == 1 ? "1" : fmt::format("an integer from 1 to {}", most), kind_name(p)));
     if (p.points_per_tile < min_points_per_tile || p.points_per_tile > max_points_per_tile)
-        throw InputError(fmt::format("points_per_tile = {}: must be an integer from {} to {}", p.points_per_tile,
-                                     min_points_per_tile, max_points_per_tile));
+        throw refused("points_per_tile", p.points_per_tile,
+                      fmt::format("must be an integer from {} to {}", min_points_per_tile, max_points_per_tile));
     if (!(p.relative_radius > 0 && p.relative_radius < 1))
-        throw InputError(fmt::format("relative_radius = {}: must be a number between 0 and 1", p.relative_radius));
+        throw refused("relative_radius", p.relative_radius, "must be a number between 0 and 1");
     if (p.attempts < 1 || p.attempts > 1'000'000)
-        throw InputError(fmt::format("attempts = {}: must be an integer from 1 to 1000000", p.attempts));
+        throw refused("attempts", p.attempts, "must be an integer from 1 to 1000000");
     if (p.filling == TileFilling::relaxation_dart_throwing && !(p.factor > 0 && p.factor < 1))
-        throw InputError(fmt::format("factor = {}: must be a number between 0 and 1", p.factor));
+        throw refused("factor", p.factor, "must be a number between 0 and 1");
 }
 
 }
@@ -62,15 +70,8 @@ void set_dart_throwing(PoissonTileParameters& parameters)
 
 std::string kind_name(const PoissonTileParameters& parameters)
 {
-    switch (parameters.kind) {
-    case PoissonTileKind::corner:
-        return parameters.dimension == 3 ? "sphere" : "corner";
-    case PoissonTileKind::edge:
-        return "edge";
-    case PoissonTileKind::frame:
-        return "template";
-    }
-    return "unknown";
+    const bool in_space = parameters.kind == PoissonTileKind::corner && parameters.dimension == 3;
+    return poisson_tile_families[{parameters.kind, in_space ? 3 : 2}];
 }
 
 std::uint32_t tile_count(PoissonTileKind kind, int dimension, std::uint32_t colors)
@@ -108,16 +109,16 @@ void check(const PoissonTileParameters& p)
     check_numbers(p);
     const std::uint64_t tiles = p.kind == PoissonTileKind::frame ? p.tiles : tile_count(p.kind, p.dimension, p.colors);
     if (tiles != p.tiles || tiles == 0)
-        throw InputError(
-            fmt::format("tiles = {}: must be at least 1 and, but for template tiles, what the colours give", p.tiles));
+        throw refused("tiles", p.tiles, "must be at least 1 and, but for template tiles, what the colours give");
     if (tiles * p.points_per_tile * static_cast<unsigned>(p.dimension) > max_coordinates)
         throw InputError(fmt::format("{} tiles of {} points: more than 4 GiB; fewer colours, tiles or points_per_tile",
                                      tiles, p.points_per_tile));
     const double limit = 2 * max_radius(p) / max_min_distance(p.points_per_tile, p.dimension);
     if (p.relative_radius > limit)
-        throw InputError(fmt::format("relative_radius = {}: must be at most {:.3f} with {} points per tile, or disks "
-                                     "around neighbouring corners of a tile meet",
-                                     p.relative_radius, std::floor(limit * 1000) / 1000, p.points_per_tile));
+        throw refused("relative_radius", p.relative_radius,
+                      fmt::format("must be at most {:.3f} with {} points per tile, or disks around neighbouring "
+                                  "corners of a tile meet",
+                                  std::floor(limit * 1000) / 1000, p.points_per_tile));
 }
 
 double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters)

@@ -4,6 +4,7 @@
 // whole, tile by tile, so that using it takes no knowledge of how it was made.
 #pragma once
 
+#include "base/word_table.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <cstddef>
@@ -25,11 +26,29 @@ enum class PoissonTileKind : std::uint32_t
     frame = 2,  ///< 2D, any number of tiles with the same points near their borders: template tiles (4.4)
 };
 
+/// The kinds of tiles by the words that users know.
+struct PoissonTileFamily
+{
+    PoissonTileKind kind = PoissonTileKind::corner;
+    int dimension = 2;
+
+    bool operator==(const PoissonTileFamily&) const = default;
+};
+inline constexpr WordTable<PoissonTileFamily, 4> poisson_tile_families{{{
+    {{PoissonTileKind::corner, 2}, "corner"},
+    {{PoissonTileKind::edge, 2}, "edge"},
+    {{PoissonTileKind::frame, 2}, "template"},
+    {{PoissonTileKind::corner, 3}, "sphere"},
+}}};
+
 enum class TileFilling : std::uint32_t
 {
     dart_throwing = 0,
     relaxation_dart_throwing = 1,
 };
+inline constexpr WordTable<TileFilling, 2> tile_fillings{
+    {{{TileFilling::dart_throwing, "dart-throwing"},
+      {TileFilling::relaxation_dart_throwing, "relaxation-dart-throwing"}}}};
 
 /// All that a tile set is made from: the same parameters give the same tiles.
 struct PoissonTileParameters
@@ -53,7 +72,7 @@ struct PoissonTileParameters
 /// Plain dart throwing, given up after ten thousand failures in a row.
 void set_dart_throwing(PoissonTileParameters& parameters);
 
-/// "corner", "edge", "template" or "sphere".
+/// One of poisson_tile_families.
 std::string kind_name(const PoissonTileParameters& parameters);
 
 /// The number of tiles of a kind with so many colours, C^4, C^12 or C^8. 0: more than 2^32 - 1.
@@ -69,7 +88,7 @@ std::uint64_t asked_squared_distance(const PoissonTileParameters& parameters);
 /// The regions that these tiles have: the radius, rounded up to whole units, is their width.
 TileRegions regions_of(const PoissonTileParameters& parameters);
 
-/// Throws InputError, a sentence that starts with the parameter's name, for parameters that no tile set can
+/// Throws InputError with the parameter's name as its key, and no place, for parameters that no tile set can
 /// have: numbers out of range, sets that are too large, radii whose regions do not fit into a tile, and radii
 /// at which the regions of neighbouring corners come closer than the minimum distance, so that corners would
 /// have to suit each other.

@@ -168,10 +168,7 @@ bool looks_like_json(std::string_view bytes)
 }
 
 /// Throws `error` again, with the file's name.
-[[noreturn]] void fail(const std::string& name, const InputError& error)
-{
-    throw InputError(fmt::format("{}: {}", name, error.what()));
-}
+[[noreturn]] void fail(const std::string& name, const InputError& error) { throw error.moved_to({name}); }
 
 /// Refuses other files, and files that are cut off, before they are read into memory.
 void check_start(const std::filesystem::path& path)

@@ -37,9 +37,6 @@ constexpr std::array known_keys{"format",
                                 "guaranteed_relative_radius",
                                 "tile_points"};
 
-constexpr auto dart_throwing_name = "dart-throwing";
-constexpr auto relaxation_name = "relaxation-dart-throwing";
-
 OrderedJson parameters_to_json(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
@@ -51,7 +48,7 @@ OrderedJson parameters_to_json(const PoissonTileSet& set)
             {"tiles", p.tiles},
             {"points_per_tile", p.points_per_tile},
             {"relative_radius", p.relative_radius},
-            {"filling", p.filling == TileFilling::dart_throwing ? dart_throwing_name : relaxation_name},
+            {"filling", tile_fillings[p.filling]},
             {"attempts", p.attempts},
             {"factor", p.factor},
             {"lloyd_iterations", p.lloyd_iterations},
@@ -106,27 +103,28 @@ bool bool_at(const Json& json, const char* key)
     return value.get<bool>();
 }
 
-/// The place of a string in a list.
-std::size_t choice_at(const Json& json, const char* key, std::initializer_list<const char*> names)
+/// What a word names.
+template <typename Enum, std::size_t N>
+Enum word_at(const Json& json, const char* key, const WordTable<Enum, N>& words)
 {
     const Json& value = value_of(json, key);
-    const auto found = std::ranges::find_if(names, [&](const char* name) { return value == name; });
-    if (found == names.end()) refuse(key, value, fmt::format("one of {}", fmt::join(names, ", ")));
-    return static_cast<std::size_t>(found - names.begin());
+    const auto found = value.is_string() ? words.find(value.get<std::string>()) : std::nullopt;
+    if (!found) refuse(key, value, fmt::format("one of {}", fmt::join(words.all(), ", ")));
+    return *found;
 }
 
 PoissonTileParameters parameters_from_json(const Json& json)
 {
     PoissonTileParameters p;
-    const std::size_t kind = choice_at(json, "kind", {"corner", "edge", "template", "sphere"});
-    p.kind = kind == 3 ? PoissonTileKind::corner : static_cast<PoissonTileKind>(kind);
+    const PoissonTileFamily family = word_at(json, "kind", poisson_tile_families);
+    p.kind = family.kind;
     p.dimension = integer_at<int>(json, "dimension");
-    if (p.dimension != (kind == 3 ? 3 : 2)) refuse("dimension", json["dimension"], kind == 3 ? "3" : "2");
+    if (p.dimension != family.dimension) refuse("dimension", json["dimension"], fmt::format("{}", family.dimension));
     p.colors = integer_at<std::uint32_t>(json, "colors");
     p.tiles = integer_at<std::uint32_t>(json, "tiles");
     p.points_per_tile = integer_at<std::uint32_t>(json, "points_per_tile");
     p.relative_radius = number_at(json, "relative_radius");
-    p.filling = static_cast<TileFilling>(choice_at(json, "filling", {dart_throwing_name, relaxation_name}));
+    p.filling = word_at(json, "filling", tile_fillings);
     p.attempts = integer_at<std::uint32_t>(json, "attempts");
     p.factor = number_at(json, "factor");
     p.lloyd_iterations = integer_at<std::uint32_t>(json, "lloyd_iterations");

@@ -4,6 +4,7 @@
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 2.7 to 2.10, 3.2 and 3.3.2.2.
 #pragma once
 
+#include "base/word_table.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
 #include <cstdint>
@@ -19,6 +20,9 @@ enum class TileKind
     corner,
     cube, ///< 3D corner tile
 };
+/// The words of those that users can ask for.
+inline constexpr WordTable<TileKind, 3> tile_kinds{
+    {{{TileKind::corner, "corner"}, {TileKind::wang, "wang"}, {TileKind::cube, "cube"}}}};
 
 /// A set of tiles of one kind. Its tiles have two numbers: the index, which tells the colours, and the
 /// position in the set, from 0, in order of the indices. In complete sets these are the same.

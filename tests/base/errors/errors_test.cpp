@@ -73,5 +73,32 @@ TEST(InputErrors, OfValuesAreOfBearableLength)
     EXPECT_LT(message.size(), 400U);
 }
 
+TEST(InputErrors, CarryWhatTheyAreAboutAsFields)
+{
+    const InputError error = invalid_value({"c.toml", 3}, "seed", "-1", "must be at least 0");
+    EXPECT_STREQ(error.what(), "c.toml:3: seed = -1: must be at least 0");
+    EXPECT_EQ(error.place().file, "c.toml");
+    EXPECT_EQ(error.place().line, 3);
+    EXPECT_EQ(error.key(), "seed");
+    EXPECT_EQ(error.value(), "-1");
+    EXPECT_EQ(error.allowed(), "must be at least 0");
+
+    EXPECT_STREQ(InputError::at({"--set a", 0, true}, "must be key=value").what(), "--set a: must be key=value");
+    EXPECT_EQ(InputError("no place").place().file, "");
+}
+
+/// A library says what is wrong, and whoever has read the file where.
+TEST(InputErrors, AreSaidOfAnotherPlace)
+{
+    const InputError nowhere = invalid_value({}, "colors", "99", "must be less");
+    EXPECT_STREQ(nowhere.what(), "colors = 99: must be less");
+    const InputError here = nowhere.moved_to({"c.toml", 7});
+    EXPECT_STREQ(here.what(), "c.toml:7: colors = 99: must be less");
+    EXPECT_EQ(here.key(), "colors");
+    EXPECT_STREQ(here.moved_to({"{out}", 2}).what(), "{out}:2: colors = 99: must be less");
+    const InputError long_one("it failed", "; it said:\n    a");
+    EXPECT_STREQ(long_one.moved_to({"c.toml"}).what(), "c.toml: it failed; it said:\n    a") << "details stay lines";
+}
+
 }
 }

@@ -150,9 +150,8 @@ TEST(SamplerMemoryCases, HaveEverySampler)
     for (const auto& plan : {plan_of(methods_2d, 2), plan_of(methods_3d, 3)})
         for (const SeriesPlan& series : plan) {
             tested.insert(series.sampler->name);
-            for (const auto& [key, entry] : series.parameters.entries())
-                if (const auto* start = std::get_if<std::shared_ptr<const SamplerChoice>>(&entry.value))
-                    tested.insert((*start)->spec->name);
+            for (const auto& [key, entry] : series.parameters.given())
+                if (const SamplerChoice* start = as_sampler(entry.value)) tested.insert(start->spec->name);
         }
     for (const SamplerSpec& sampler : sampler_registry()) EXPECT_TRUE(tested.contains(sampler.name)) << sampler.name;
 }

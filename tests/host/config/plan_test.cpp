@@ -128,7 +128,7 @@ TEST(Plan, AMethodCanHaveItsOwnNumberOfPoints)
     EXPECT_EQ(plan[1].request.points, 64U);
     EXPECT_EQ(plan[2].request.points, 1024U);
     EXPECT_EQ(plan[3].request.points, 100U);
-    EXPECT_FALSE(plan[1].parameters.has("points")) << "samplers find it in the request";
+    EXPECT_FALSE(plan[1].parameters.is_given("points")) << "samplers find it in the request";
 }
 
 TEST(Plan, ChecksSeeTheMethodsOwnPoints)

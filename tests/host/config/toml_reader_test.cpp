@@ -57,7 +57,7 @@ TEST(TomlReader, SyntaxErrorsNameFileAndLine)
 
 TEST(TomlReader, ValuesOfArgumentsNeedNoQuotes)
 {
-    const auto value = [](const std::string& text) { return read_toml_value(text, "--set k=v"); };
+    const auto value = [](const std::string& text) { return read_toml_value(text, {"--set k=v", 0, true}); };
     EXPECT_EQ(*value("reference").get_if<std::string>(), "reference");
     EXPECT_EQ(*value("\"in quotes\"").get_if<std::string>(), "in quotes");
     EXPECT_EQ(*value("two words").get_if<std::string>(), "two words");

@@ -1,7 +1,7 @@
 // The standard errors of measures against the spread of the measures over many series.
 #include "host/measuring/series_analysis.hpp"
 
-#include "host/sampling/sampler.hpp"
+#include "host/config/sampler_registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(MeasureErrors, AgreeWithTheSpreadOfDartThrowing)
 {
     // Dense sets: looser ones have a mean power near 0.1 at all low frequencies, between which the effective Nyquist
     // frequency, the last one with less than 0.1, jumps.
-    Parameters parameters;
+    Parameters parameters(find_sampler("dart-throwing")->parameters);
     parameters.set("relative_radius", 0.74);
     const auto series = measures_of("dart-throwing", parameters);
     EXPECT_NEAR(claimed_over_true(series, nyquist, nyquist_error), 1, tolerance);

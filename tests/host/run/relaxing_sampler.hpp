@@ -35,7 +35,7 @@ inline const SamplerRegistry& registry_with_relax()
         relax.parameters = {iterations, start, keep, repulsion};
         relax.follows_start = true;
         relax.check = [](const Parameters& parameters, const SampleRequest&, const SourceLocation& where) {
-            if (!parameters.has("start")) throw InputError(to_string(where) + ": start is missing");
+            if (!parameters.is_given("start")) throw InputError(to_string(where) + ": start is missing");
         };
         relax.create = [](const Parameters& parameters, const SampleRequest& request, Engine engine,
                           const DeviceProvider& device) {

@@ -1,5 +1,5 @@
 // What the sampler "dart-throwing" accepts, refuses, and says.
-#include "host/sampling/sampler.hpp"
+#include "host/config/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device.hpp"
@@ -18,7 +18,7 @@ const SamplerSpec& spec() { return *find_sampler("dart-throwing"); }
 
 Parameters parameters(std::initializer_list<std::pair<std::string, ParameterValue>> values)
 {
-    Parameters result;
+    Parameters result(spec().parameters);
     int line = 10;
     for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
     return result;

@@ -1,7 +1,8 @@
 // What the sampler "lloyd" accepts, refuses, and makes.
-#include "host/sampling/lloyd_relaxation.hpp"
+#include "host/config/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/lloyd_relaxation.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"
 
@@ -17,9 +18,9 @@ const SamplerSpec& spec() { return *find_sampler("lloyd"); }
 
 using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
 
-Parameters parameters(Values values)
+Parameters parameters(Values values, const std::string& sampler = "lloyd")
 {
-    Parameters result;
+    Parameters result(find_sampler(sampler)->parameters);
     int line = 10;
     for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
     return result;
@@ -27,7 +28,7 @@ Parameters parameters(Values values)
 
 ParameterValue start_from(const std::string& name, Values values = {})
 {
-    return std::make_shared<const SamplerChoice>(SamplerChoice{find_sampler(name), parameters(values)});
+    return std::make_shared<const SamplerChoice>(SamplerChoice{find_sampler(name), parameters(values, name)});
 }
 
 std::string refusal(const Parameters& p)
@@ -61,8 +62,8 @@ TEST(LloydSampler, WithoutIterationsGivesItsStart)
         const ParameterValue start = start_from("dart-throwing", {{"relative_radius", 0.7}});
         const auto sampler = create({{"iterations", none}, {"start", start}}, dimension);
         const auto from = find_sampler("dart-throwing");
-        const auto plain =
-            from->create(parameters({{"relative_radius", 0.7}}), {512, dimension, 7}, Engine::reference, nullptr);
+        const auto plain = from->create(parameters({{"relative_radius", 0.7}}, from->name), {512, dimension, 7},
+                                        Engine::reference, nullptr);
         EXPECT_EQ(sampler->sample(3), plain->sample(3));
         EXPECT_EQ(sampler->iterations().size(), 1u);
     }

@@ -1,5 +1,5 @@
 // What the sampler "relaxation-dart-throwing" accepts, refuses, and makes when nothing is said.
-#include "host/sampling/sampler.hpp"
+#include "host/config/sampler_registry.hpp"
 
 #include "host/device/device.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
@@ -17,7 +17,7 @@ const SamplerSpec& spec() { return *find_sampler("relaxation-dart-throwing"); }
 
 Parameters parameters(std::initializer_list<std::pair<std::string, ParameterValue>> values)
 {
-    Parameters result;
+    Parameters result(spec().parameters);
     int line = 10;
     for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
     return result;

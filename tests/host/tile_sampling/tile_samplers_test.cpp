@@ -2,6 +2,7 @@
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include "base/geometry/relative_radius.hpp"
+#include "host/config/sampler_registry.hpp"
 #include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"
@@ -20,20 +21,12 @@ using testing::StartsWith;
 
 using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
 
-Parameters parameters(Values values)
+Parameters parameters(const SamplerSpec& spec, Values values)
 {
-    Parameters result;
+    Parameters result(spec.parameters);
     int line = 10;
     for (const auto& [key, value] : values) result.set(key, value, {"test.toml", line++});
     return result;
-}
-
-SamplerSpec spec_of(const std::string& name)
-{
-    for (SamplerSpec& spec : tile_samplers()) {
-        if (spec.name == name) return spec;
-    }
-    throw std::runtime_error("no sampler " + name);
 }
 
 ParameterValue whole(std::int64_t value) { return value; }
@@ -47,17 +40,23 @@ protected:
     std::unique_ptr<Sampler> create(const std::string& name, Values values, std::size_t points,
                                     Engine engine = Engine::opencl)
     {
-        const SamplerSpec spec = spec_of(name);
-        return spec.create(parameters(values), {points, spec.dimensions.front(), 7}, engine,
+        const SamplerSpec& spec = *find_sampler(name);
+        return spec.create(parameters(spec, values), {points, spec.dimensions.front(), 7}, engine,
                            [this]() -> Device& { return device_; });
     }
 
     static std::string refusal(const std::string& name, Values values)
     {
-        const SamplerSpec spec = spec_of(name);
+        const SamplerSpec& spec = *find_sampler(name);
         return refusal_of([&] {
-            spec.check(parameters(values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
+            spec.check(parameters(spec, values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
         });
+    }
+
+    static bool is_deterministic(const std::string& name, const std::string& key, std::int64_t value)
+    {
+        const SamplerSpec& spec = *find_sampler(name);
+        return spec.is_deterministic(parameters(spec, {{key, value}}));
     }
 
 private:
@@ -124,9 +123,9 @@ TEST_F(TileSamplers, MakeTheNumberOfPointsThatIsNearest)
 
 TEST_F(TileSamplers, OfOneTileAreDeterministic)
 {
-    EXPECT_TRUE(spec_of("corner-tiles").is_deterministic(parameters({{"colors", whole(1)}})));
-    EXPECT_FALSE(spec_of("corner-tiles").is_deterministic(parameters({{"colors", whole(2)}})));
-    EXPECT_TRUE(spec_of("template-tiles").is_deterministic(parameters({{"tiles", whole(1)}})));
+    EXPECT_TRUE(is_deterministic("corner-tiles", "colors", 1));
+    EXPECT_FALSE(is_deterministic("corner-tiles", "colors", 2));
+    EXPECT_TRUE(is_deterministic("template-tiles", "tiles", 1));
 }
 
 TEST_F(TileSamplers, RefuseWhatCannotBe)

@@ -19,6 +19,7 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
     stored.sampler = stored.label = sampler;
     stored.name = sampler + std::to_string(stored_.size());
     stored.parameters = parameters;
+    if (sampler.ends_with("-tiles")) stored.defaults = {{"points_per_tile", "64"}, {"relative_radius", "0.75"}};
     stored.points = points;
     stored.realizations = 10;
     ReportSeries& series = series_.emplace_back();

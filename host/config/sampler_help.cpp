@@ -1,0 +1,88 @@
+#include "host/config/sampler_help.hpp"
+
+#include "host/config/parameter_values.hpp"
+#include "host/config/sampler_registry.hpp"
+#include "host/config/sampler_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+
+namespace poissonlab {
+namespace {
+
+/// What holds where a parameter is not given, as a part of a sentence.
+std::string without_it(const ParameterSpec& spec)
+{
+    if (spec.otherwise) return "default " + default_text(spec);
+    return spec.unless_given.empty() ? "needed" : spec.unless_given;
+}
+
+std::string meaning_of(const ParameterSpec& spec)
+{
+    return spec.unit.empty() ? spec.help : fmt::format("{}, in {}", spec.help, spec.unit);
+}
+
+std::string parameter_text(const ParameterSpec& spec)
+{
+    return fmt::format("    {} = {}\n        {}; {}\n", spec.key, allowed_values(spec), meaning_of(spec),
+                       without_it(spec));
+}
+
+std::string parameter_row(const ParameterSpec& spec)
+{
+    return fmt::format("| `{}` | {} | {} | {} |\n", spec.key, allowed_values(spec),
+                       spec.otherwise ? default_text(spec) : without_it(spec), meaning_of(spec));
+}
+
+std::string dimensions_of(const SamplerSpec& sampler)
+{
+    return fmt::format("{}D{}", fmt::join(sampler.dimensions, "D, "), sampler.deterministic ? ", deterministic" : "");
+}
+
+}
+
+std::string default_text(const ParameterSpec& spec)
+{
+    if (!spec.otherwise) return {};
+    const SamplerChoice* sampler = as_sampler(*spec.otherwise);
+    return sampler ? sampler->spec->name : to_string(*spec.otherwise);
+}
+
+std::string samplers_text()
+{
+    std::string text = "Samplers of a [[method]] table, and their parameters. A list of values makes one series a "
+                       "value.\nEvery table can have\n    label = a text in quotes\n        what the report calls the "
+                       "series\n" +
+                       parameter_text(points_parameter());
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        text += fmt::format("\n{}: {} ({})\n    {}\n", sampler.name, sampler.title, dimensions_of(sampler),
+                            sampler.summary);
+        for (const ParameterSpec& parameter : sampler.parameters) text += parameter_text(parameter);
+    }
+    return text;
+}
+
+std::string samplers_markdown()
+{
+    std::string text = "| sampler, parameters | | default | |\n| --- | --- | --- | --- |\n";
+    std::map<std::string, std::string> shown; // rows, and the sampler that had them first
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        text += fmt::format("| **`{}`** | {} | | {} |\n", sampler.name, dimensions_of(sampler), sampler.summary);
+        std::map<std::string, std::vector<std::string>> same_as; // samplers, and the parameters that are theirs as well
+        for (const ParameterSpec& parameter : sampler.parameters) {
+            const std::string row = parameter_row(parameter);
+            const auto [first, is_new] = shown.try_emplace(row, sampler.name);
+            if (is_new)
+                text += row;
+            else
+                same_as[first->second].push_back(parameter.key);
+        }
+        for (const auto& [other, keys] : same_as)
+            text += fmt::format("| `{}` | as of `{}` | | |\n", fmt::join(keys, "`, `"), other);
+    }
+    return text;
+}
+
+}
