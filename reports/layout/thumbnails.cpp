@@ -3,11 +3,8 @@
 #include "base/images/png_file.hpp"
 #include "reports/layout/small_pictures.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace poissonlab {
 
@@ -56,25 +53,6 @@ GreyImage smaller_image(const GreyImage& image, int largest)
     GreyImage result(small.width, small.height, 0);
     result.pixels = small.values;
     return result;
-}
-
-std::string radial_thumbnail_svg(const Curve& curve, const CurveScales& scales)
-{
-    constexpr double width = 160, height = 120;
-    const auto y = [&](double power) { return height * (1 - std::min(power, scales.max_power) / scales.max_power); };
-    std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:g}\" height=\"{1:g}\" viewBox=\"0 0 {0:g} {1:g}\">\n"
-        "<path fill=\"none\" stroke=\"#777\" stroke-dasharray=\"4 3\" d=\"M0 {2:.1f}H{0:g}\"/>\n"
-        "<path fill=\"none\" stroke=\"#000\" stroke-linejoin=\"round\" d=\"",
-        width, height, y(1));
-    char command = 'M';
-    for (const auto& bin : curve.bins) {
-        if (!std::isfinite(bin.power) || bin.frequency > curve.max_frequency) continue;
-        fmt::format_to(std::back_inserter(svg), "{}{:.1f} {:.1f}", command, width * bin.frequency / curve.max_frequency,
-                       y(bin.power));
-        command = 'L';
-    }
-    return svg + "\"/>\n</svg>\n";
 }
 
 void draw_run_thumbnail(const ReportRun& run)
