@@ -254,6 +254,7 @@ void CommandLine::add_report()
     report_ = app_.add_subcommand("report", "Build a report again, or one over several output folders");
     report_->add_option("DIR", o.folders, "Folders that `run` or `analyze` wrote")->required();
     report_->add_option("--out", o.out, "Where the report goes; default: DIR, where there is one")->option_text("DIR");
+    report_->add_flag("--print", o.print, "Draw curves as PNG for print as well; pages need only the SVG");
     report_->add_flag("--quiet", o.quiet, "Print nothing but errors and the report's path");
 }
 

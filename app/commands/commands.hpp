@@ -3,6 +3,7 @@
 
 #include "host/config/collection.hpp"
 #include "host/run/progress.hpp"
+#include "reports/plots/print_pictures.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -47,6 +48,7 @@ struct ReportOptions
 {
     std::vector<std::filesystem::path> folders;
     std::filesystem::path out; ///< empty: the folder, where there is one
+    bool print = false;        ///< PNG of curves as well
     bool quiet = false;
 };
 
@@ -133,6 +135,6 @@ void merge_command(const MergeOptions& options);
 
 /// Writes the report and prints the path of its page, the last line of every command that makes one.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   Progress& progress);
+                   Progress& progress, PrintPictures print = PrintPictures::none);
 
 }

@@ -10,7 +10,7 @@ void report_command(const ReportOptions& options)
         throw InputError("report: --out is missing: with several folders it must say where the report goes");
     Progress progress(Progress::detect(options.quiet));
     const auto out = options.out.empty() ? options.folders.front() : options.out;
-    finish_report(options.folders, out, progress);
+    finish_report(options.folders, out, progress, options.print ? PrintPictures::drawn : PrintPictures::none);
 }
 
 }

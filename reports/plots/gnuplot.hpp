@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reports/images/picture_store.hpp"
+#include "reports/plots/print_pictures.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,13 +17,6 @@ struct GnuplotPicture
     int width = 0; ///< of the SVG; the PNG has twice as many pixels
     int height = 0;
     std::filesystem::path stem; ///< its files are stem.svg and stem.png
-};
-
-/// Whether plots are drawn as PNG as well. A PNG takes gnuplot ten times as long as an SVG.
-enum class PrintPictures
-{
-    none, ///< those of earlier reports stay where they show the same, and go where they do not
-    drawn,
 };
 
 /// Draws all pictures, but for those that the store has, without a shell: with as many gnuplot processes for each kind

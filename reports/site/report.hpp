@@ -1,7 +1,7 @@
 // The report: a small static site with the field's classic figure for every series, made from stored results only.
 #pragma once
 
-#include "reports/plots/gnuplot.hpp"
+#include "reports/plots/print_pictures.hpp"
 
 #include <filesystem>
 #include <functional>
