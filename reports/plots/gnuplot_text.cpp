@@ -15,9 +15,9 @@ constexpr auto mark_color = "#33373d"; // of lines and words that mark something
 constexpr auto frame_color = "#555a61";
 constexpr auto grid_color = "#e3e5e8";
 
-constexpr int key_line_height = 18;
-constexpr int room_below_axis = 48; // for the numbers and the words of the horizontal axis
-constexpr std::size_t most_key_characters = 64;
+constexpr int key_line_height = 16;
+constexpr int room_below_axis = 56; // for the numbers and the words of the horizontal axis
+constexpr std::size_t most_key_characters = 68;
 
 std::string line_style(std::size_t index)
 {
