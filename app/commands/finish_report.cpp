@@ -6,12 +6,13 @@
 namespace poissonlab {
 
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   Progress& progress)
+                   Progress& progress, PrintPictures print)
 {
-    write_report(folders, out, [&](const std::string& step) {
+    const auto say = [&](const std::string& step) {
         stop_if_interrupted();
         progress.step("report: " + step);
-    });
+    };
+    write_report(folders, out, say, print);
     progress.report((out / "index.html").string());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/run/progress.hpp"
+#include "reports/plots/print_pictures.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -10,6 +11,6 @@ namespace poissonlab {
 
 /// Writes the report and prints the path of its page.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   Progress& progress);
+                   Progress& progress, PrintPictures print = PrintPictures::none);
 
 }

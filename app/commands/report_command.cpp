@@ -10,6 +10,7 @@ struct ReportOptions
 {
     std::vector<std::filesystem::path> folders;
     std::filesystem::path out; ///< empty: the folder, where there is one
+    bool print = false;        ///< PNG of curves as well
     bool quiet = false;
 };
 
@@ -19,7 +20,7 @@ void report(const ReportOptions& options)
         throw InputError("report: --out is missing: with several folders it must say where the report goes");
     Progress progress(Progress::detect(options.quiet));
     const auto out = options.out.empty() ? options.folders.front() : options.out;
-    finish_report(options.folders, out, progress);
+    finish_report(options.folders, out, progress, options.print ? PrintPictures::drawn : PrintPictures::none);
 }
 
 }
@@ -31,6 +32,7 @@ Command report_command()
             "Build a report again, or one over several output folders",
             {{"DIR", &o->folders, "Folders that `run` or `analyze` wrote"},
              {"--out", &o->out, "Where the report goes; default: DIR, where there is one", "DIR"},
+             {"--print", &o->print, "Draw curves as PNG for print as well; pages need only the SVG"},
              {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
             "",
             action_on(o, report)};

@@ -3,9 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "reports/diff/comparison_text.hpp"
-#include "reports/layout/series_pictures.hpp"
 #include "reports/layout/site.hpp"
 #include "reports/pages/page_frame.hpp"
+#include "reports/plots/gnuplot_text.hpp"
 
 #include <fmt/format.h>
 
@@ -74,19 +74,17 @@ void draw_curves(const std::vector<const SeriesComparison*>& changed, const fs::
 {
     std::vector<GnuplotPicture> pictures;
     for (std::size_t i = 0; i < changed.size(); ++i) {
-        std::vector<Curve> curves;
-        for (const bool is_old : {true, false}) {
-            ReportSeries series;
-            series.run = is_old ? changed[i]->run_before : changed[i]->run_after;
-            series.stored = is_old ? changed[i]->before : changed[i]->after;
-            series.label = is_old ? "old" : "new";
-            read_curves(series);
-            series.curve.index = curves.size();
-            curves.push_back(series.curve);
-        }
-        pictures.push_back(overlay_radial_power(curves, common_scales(curves), out / plot_stem(i)));
+        ReportSeries before, after;
+        before.run = changed[i]->run_before;
+        before.stored = changed[i]->before;
+        after.run = changed[i]->run_after;
+        after.stored = changed[i]->after;
+        for (ReportSeries* series : {&before, &after}) series->curve = read_curve(*series->run, *series->stored);
+        const auto both = with_points_in_names({{&before, "old"}, {&after, "new"}});
+        const auto plot = power_plot(frequency_curves(both), common_unit(both));
+        pictures.push_back(gnuplot_picture(together(plot), out / plot_stem(i)));
     }
-    if (!pictures.empty()) draw_with_gnuplot(pictures);
+    if (!pictures.empty()) draw_with_gnuplot(pictures, PrintPictures::drawn);
 }
 
 PageData plots(const std::vector<const SeriesComparison*>& changed)
@@ -137,7 +135,7 @@ void write_comparison_page(const RunComparison& comparison, const fs::path& befo
     page.set("others", rows({first_unchanged, lines.end()}));
     page.set("plots", plots(changed));
     page.set("has_plots", !changed.empty());
-    const Site site{out, title_of(comparison), {}, {{diff_page, "Difference"}}};
+    const Site site{out, title_of(comparison), {}, {}, {{diff_page, "Difference"}}};
     write_assets(site);
     write_whole_file(out / diff_page, render_in_frame(site, {out / diff_page, title_of(comparison), {}}, "diff", page));
 }

@@ -27,12 +27,22 @@ GreyScale::GreyScale(const ToneMapping& tone_mapping)
             (tone_mapping.grey(middle) > i ? high : low) = middle;
         least_power_[i] = high;
     }
+    first_bucket_ = bucket_of(least_power_.front());
+    const std::uint64_t last = bucket_of(least_power_.back());
+    for (std::uint64_t bucket = first_bucket_; bucket <= last; ++bucket) {
+        const auto least = std::bit_cast<double>(bucket << 46);
+        least_grey_.push_back(
+            static_cast<std::uint8_t>(std::ranges::upper_bound(least_power_, least) - least_power_.begin()));
+    }
 }
 
 std::uint8_t GreyScale::operator()(double power) const
 {
-    if (!(power > 0)) return 0;
-    return static_cast<std::uint8_t>(std::ranges::upper_bound(least_power_, power) - least_power_.begin());
+    if (!(power >= least_power_.front())) return 0;
+    if (power >= least_power_.back()) return 255;
+    std::uint8_t grey = least_grey_[bucket_of(power) - first_bucket_];
+    while (power >= least_power_[grey]) ++grey;
+    return grey;
 }
 
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <vector>
 
 namespace poissonlab {
 
@@ -33,7 +35,12 @@ public:
     std::uint8_t operator()(double power) const;
 
 private:
+    /// Buckets of powers, 64 an octave: each has one grey or two.
+    static std::uint64_t bucket_of(double power) { return std::bit_cast<std::uint64_t>(power) >> 46; }
+
     std::array<double, 255> least_power_; ///< [i]: the smallest power with grey i + 1
+    std::uint64_t first_bucket_ = 0;
+    std::vector<std::uint8_t> least_grey_; ///< of each bucket
 };
 
 /// Fixed, so that images of different reports compare as well.

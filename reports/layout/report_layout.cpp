@@ -1,12 +1,9 @@
 #include "reports/layout/report_layout.hpp"
 
-#include "base/geometry/relative_radius.hpp"
 #include "reports/words/number_format.hpp"
 
-#include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace poissonlab {
@@ -35,10 +32,6 @@ std::vector<fs::path> picture_roots(const std::vector<Run>& runs, const fs::path
     }
     return roots;
 }
-
-}
-
-namespace {
 
 ReportRun lay_out_run(const Run& run, const fs::path& root)
 {
@@ -75,126 +68,6 @@ std::vector<ReportRun> lay_out(const std::vector<Run>& runs, const fs::path& out
         for (auto& series : run.series)
             if (uses[series.label] > 1) series.full_label += " (" + run.root.filename().string() + ")";
     return result;
-}
-
-bool sizes_differ(const std::vector<ReportSeries>& series)
-{
-    std::vector<Curve> curves;
-    for (const auto& entry : series) curves.push_back(entry.curve);
-    return sizes_differ(curves);
-}
-
-std::vector<Curve> frequency_curves(const std::vector<ReportSeries>& series)
-{
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        if (!series[i].stored->has_spectrum()) continue;
-        curves.push_back(series[i].curve);
-        curves.back().index = i;
-    }
-    return curves;
-}
-
-namespace {
-
-// What the key of a plot of all series calls a series: with its number of points where sizes differ.
-std::string key_label(const ReportSeries& series, bool with_points)
-{
-    return with_points ? label_with_points(series.label, series.stored->points) : series.label;
-}
-
-}
-
-std::vector<PairCorrelationCurve> pair_correlation_curves(const std::vector<ReportSeries>& series)
-{
-    const bool with_points = sizes_differ(series);
-    std::vector<PairCorrelationCurve> curves;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        if (series[i].pair_correlation.empty()) continue;
-        const double unit = max_min_distance(series[i].stored->points, series[i].run->dimension);
-        std::optional<double> radius;
-        if (series[i].stored->relative_radius) radius = series[i].stored->relative_radius->mean;
-        curves.push_back({i, key_label(series[i], with_points), unit, radius, series[i].pair_correlation});
-    }
-    return curves;
-}
-
-namespace {
-
-// What series that differ only in N have in common.
-auto method_of(const ReportSeries& series)
-{
-    NamedTexts parameters = series.stored->parameters;
-    std::erase_if(parameters, [](const auto& entry) { return entry.first == "points"; });
-    return std::tuple(series.run, series.stored->sampler, parameters,
-                      label_without_points(series.label, series.stored->points));
-}
-
-// The number of the first series of each series' method.
-std::vector<std::size_t> first_of_method(const std::vector<ReportSeries>& series)
-{
-    std::map<decltype(method_of(series.front())), std::size_t> firsts;
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < series.size(); ++i)
-        result.push_back(firsts.try_emplace(method_of(series[i]), i).first->second);
-    return result;
-}
-
-}
-
-std::vector<IntegrationCurve> integration_curves(const std::vector<ReportSeries>& series)
-{
-    const auto firsts = first_of_method(series);
-    std::vector<IntegrationCurve> curves;
-    std::map<std::pair<std::size_t, std::string>, std::size_t> places;
-    for (std::size_t i = 0; i < series.size(); ++i)
-        for (const auto& integral : series[i].stored->measures.integration) {
-            const auto place = places.try_emplace({firsts[i], integral.integrand}, curves.size()).first->second;
-            if (place == curves.size())
-                curves.push_back({firsts[i],
-                                  label_without_points(series[i].label, series[i].stored->points),
-                                  integral.integrand,
-                                  {}});
-            curves[place].samples.push_back(
-                {static_cast<double>(series[i].stored->points), integral.rms_error, integral.standard_error});
-        }
-    for (auto& curve : curves) std::ranges::sort(curve.samples, {}, &IntegrationSample::points);
-    std::erase_if(curves,
-                  [](const auto& curve) { return curve.samples.front().points == curve.samples.back().points; });
-    std::map<std::size_t, std::size_t> numbers; // of the methods that are left
-    for (auto& curve : curves) curve.index = numbers.try_emplace(curve.index, numbers.size()).first->second;
-    return curves;
-}
-
-std::vector<RegionCurve> region_curves(const std::vector<ReportSeries>& series)
-{
-    std::vector<const Series*> stored;
-    for (const auto& entry : series) stored.push_back(entry.stored);
-    return region_curves(stored);
-}
-
-std::vector<IterationCurve> iteration_curves(const std::vector<ReportSeries>& series)
-{
-    const bool with_points = sizes_differ(series);
-    std::vector<IterationCurve> curves;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        const auto& stored = *series[i].stored;
-        if (!stored.iterations) continue;
-        curves.push_back({i, key_label(series[i], with_points), series[i].run->dimension, &*stored.iterations});
-    }
-    return curves;
-}
-
-std::vector<ZonePlateCurve> zone_plate_curves(const std::vector<ReportSeries>& series)
-{
-    const bool with_points = sizes_differ(series);
-    std::vector<ZonePlateCurve> curves;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-        const auto& stored = *series[i].stored;
-        if (!stored.zone_plate) continue;
-        curves.push_back({i, key_label(series[i], with_points), stored.zone_plate->size, series[i].zone_plate});
-    }
-    return curves;
 }
 
 }

@@ -1,7 +1,7 @@
 // A report as a small site: which pages there are, and what all of them share.
 #pragma once
 
-#include "reports/layout/report_layout.hpp"
+#include "reports/layout/series_curves.hpp"
 
 #include <filesystem>
 #include <string>
@@ -16,12 +16,13 @@ struct SitePage
     std::string text;
 };
 
-/// Everything that pages are made of. Series have been read and drawn before pages are rendered.
+/// Everything that pages are made of, and all pictures as values. Neither drawing nor rendering changes it.
 struct Site
 {
     std::filesystem::path out; ///< the report's folder
     std::string title;
     std::vector<ReportRun> runs;
+    std::vector<Panel> overlays; ///< plots of the series of all runs; of one run, those of the run
     std::vector<SitePage> pages; ///< in the order of the navigation
 
     bool has_several_runs() const { return runs.size() > 1; }
@@ -43,11 +44,11 @@ inline constexpr auto asset_folder = "site";
 std::filesystem::path page_of(const ReportSeries& series);
 std::filesystem::path page_of(const ReportRun& run);
 
-/// The runs laid out, with their curves read. `title` may be empty: it is made of the runs'. Throws InputError.
+/// The runs laid out, with all that is to be drawn. `title` may be empty: it is made of the runs'. Throws InputError.
 Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title);
 
-/// Copies of the series of all runs, with labels that tell them apart.
-std::vector<ReportSeries> all_series_with_full_labels(const Site& site);
+/// The series of all runs under names that tell them apart.
+SeriesList series_of(const Site& site);
 
 /// Writes the style sheet and the scripts.
 void write_assets(const Site& site);

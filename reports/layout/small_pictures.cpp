@@ -1,16 +1,19 @@
 #include "reports/layout/small_pictures.hpp"
 
+#include <algorithm>
+
 namespace poissonlab {
 
 std::vector<SmallPicture> small_pictures(const ReportSeries& series)
 {
     std::vector<SmallPicture> result;
-    if (!series.stored->spectrum_file.empty())
-        result.push_back({"spectrum", "Spectrum", "spectrum-thumbnail.png", "framed"});
-    if (series.stored->zone_plate) result.push_back({"plate", "Zone plate", "zone-plate-thumbnail.png", "framed"});
-    if (series.stored->has_spectrum())
-        result.push_back({"radial", "Radial power", "radial-thumbnail.svg", "ink framed"});
-    result.push_back({"points", "Points", "points-thumbnail.png", "ink framed"});
+    for (const char* kind : {"spectrum", "plate", "radial", "points"}) {
+        const auto is_kind = [&](const Panel& panel) { return panel.thumbnail && panel.thumbnail->kind == kind; };
+        const auto panel = std::ranges::find_if(series.panels, is_kind);
+        if (panel == series.panels.end()) continue;
+        const bool is_ink = panel->image_class.starts_with("ink");
+        result.push_back({kind, panel->thumbnail->name, thumbnail_file(*panel), is_ink ? "ink framed" : "framed"});
+    }
     return result;
 }
 

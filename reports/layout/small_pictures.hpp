@@ -11,10 +11,10 @@ namespace poissonlab {
 /// One small picture of a series, beside its others.
 struct SmallPicture
 {
-    const char* kind;        ///< "spectrum", "plate", "radial" or "points"
-    const char* name;        ///< for readers
-    const char* file;        ///< in the series' folder
-    const char* image_class; ///< how the style sheet shows it
+    std::string kind; ///< as in Thumbnail
+    std::string name;
+    std::string file;        ///< in the series' folder
+    std::string image_class; ///< how the style sheet shows it
 };
 
 /// Those that a series has, the most telling first. A series has points at least.

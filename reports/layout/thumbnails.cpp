@@ -43,21 +43,6 @@ void write_thumbnail(const fs::path& path, Drawing drawing, int largest)
     write_drawing_png(path, drawing, static_cast<int>(wide));
 }
 
-Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales)
-{
-    constexpr double width = 160, height = 120, dash = 4, gap = 3;
-    const auto y = [&](double power) { return height * (1 - std::min(power, scales.max_power) / scales.max_power); };
-    Drawing drawing{width, height, {}};
-    for (double x = 0; x < width; x += dash + gap)
-        drawing.shapes.push_back({Line{{{x, y(1)}, {x + dash, y(1)}}}, {}, "#777777", 1});
-    Line power;
-    for (const auto& bin : curve.bins)
-        if (std::isfinite(bin.power) && bin.frequency <= curve.max_frequency)
-            power.points.push_back({width * bin.frequency / curve.max_frequency, y(bin.power)});
-    drawing.shapes.push_back({std::move(power), {}, "#000000", 1});
-    return drawing;
-}
-
 void draw_run_thumbnail(const ReportRun& run)
 {
     write_thumbnail(run.root / run_thumbnail, drawing_of(read_png(run_picture(run))), run_thumbnail_size);

@@ -20,9 +20,6 @@ void write_thumbnail(const std::filesystem::path& path, Drawing drawing, int lar
 /// Pixels as a drawing.
 Drawing drawing_of(PngPixels pixels);
 
-/// The radially averaged power: no words, the dashed line is 1.
-Drawing draw_radial_thumbnail(const Curve& curve, const CurveScales& scales);
-
 /// Writes run_thumbnail: of the run's middle series, whose small pictures must have been drawn, or of its first tiling
 /// or construction.
 void draw_run_thumbnail(const ReportRun& run);

@@ -1,5 +1,4 @@
 // The compare page: curves of all series as data for its script, and what works without it.
-#include "reports/layout/plots.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
@@ -11,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 
@@ -58,11 +56,10 @@ std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& ser
 // Numbers with five digits, each on its own so that none is written with more; null where there is no number.
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null"; }
 
-template <class Bins, class Value>
-std::string short_numbers(const Bins& bins, const Value& value)
+std::string short_numbers(const std::vector<double>& values)
 {
     std::string text;
-    for (const auto& bin : bins) text += (text.empty() ? "" : ",") + short_number(std::invoke(value, bin));
+    for (const double value : values) text += (text.empty() ? "" : ",") + short_number(value);
     return "[" + text + "]";
 }
 
@@ -91,36 +88,79 @@ std::string quoted(const std::string& text)
     return result;
 }
 
-std::string series_json(const Site& site, const ReportSeries& series, std::size_t run, Abscissae& abscissae)
+// A plot that the reader chooses, with the curves of all series over unit lengths or cycles per unit length.
+struct ChosenPlot
 {
-    const Curve& curve = series.curve;
-    auto text =
-        fmt::format("{{\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", quoted(series.label), run,
-                    curve.dimension, curve.points, quoted(relative_link(site.out, page_of(series))));
-    if (curve.principal_frequency) text += ",\"principal\":" + short_number(*curve.principal_frequency);
-    if (!curve.bins.empty())
-        text += fmt::format(",\"frequencies\":{},\"background\":{},\"power\":{},\"anisotropy\":{}",
-                            abscissae.number_of(short_numbers(curve.bins, &RadialBin::frequency)),
-                            short_number(curve.background_db), short_numbers(curve.bins, &RadialBin::power),
-                            short_numbers(curve.bins, &RadialBin::anisotropy_db));
-    if (const auto& pairs = series.pair_correlation; !pairs.empty())
-        text += fmt::format(",\"distances\":{},\"pairs\":{}",
-                            abscissae.number_of(short_numbers(pairs, &PairCorrelationBin::distance)),
-                            short_numbers(pairs, &PairCorrelationBin::value));
-    return text + "}";
+    std::string title;
+    std::string abscissa; // what the data of series call its horizontal axis
+    Plot plot;
+};
+
+std::vector<ChosenPlot> chosen_plots(const Site& site)
+{
+    const auto series = series_of(site);
+    const auto frequencies = frequency_curves(series);
+    auto pairs = pair_correlation_curves(series);
+    for (auto& curve : pairs) curve.unit = 1;
+    std::vector<ChosenPlot> plots = {
+        {"Radially averaged power", "frequencies", power_plot(frequencies, LengthUnit::absolute)},
+        {"Anisotropy", "frequencies", anisotropy_plot(frequencies, LengthUnit::absolute)},
+        {"Pair correlation", "distances", pair_correlation_plot(pairs, distance_words(LengthUnit::absolute))}};
+    std::erase_if(plots, [](const ChosenPlot& chosen) { return chosen.plot.curves.empty(); });
+    return plots;
 }
 
-std::string site_json(const Site& site)
+// What plots look like, whichever curves are in them.
+std::string plots_json(const std::vector<ChosenPlot>& plots)
+{
+    std::vector<std::string> parts;
+    for (const auto& [title, abscissa, plot] : plots) {
+        const bool has_reference = plot.key != "anisotropy"; // whose line differs from series to series
+        parts.push_back(fmt::format("\"{}\":{{\"abscissa\":\"{}\",\"label\":{},\"reference\":{},\"most\":{},"
+                                    "\"floor\":{}}}",
+                                    plot.key, abscissa, quoted(plot.y.label), has_reference ? "1" : "null",
+                                    short_number(plot.y.most), short_number(plot.y.floor)));
+    }
+    return fmt::format("{{{}}}", fmt::join(parts, ","));
+}
+
+template <class Words>
+std::string axis_json(const Words& words)
+{
+    return fmt::format(
+        R"({{"absolute":{},"spacing":{},"principal":{}}})", quoted(plain_words(words(LengthUnit::absolute))),
+        quoted(plain_words(words(LengthUnit::spacing))), quoted(plain_words(words(LengthUnit::principal))));
+}
+
+std::string series_json(const Site& site, const ReportSeries& series, std::size_t run)
+{
+    const Curve& curve = series.curve;
+    auto text = fmt::format("\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", quoted(series.label),
+                            run, curve.dimension, curve.points, quoted(relative_link(site.out, page_of(series))));
+    if (curve.principal_frequency) text += ",\"principal\":" + short_number(*curve.principal_frequency);
+    return text;
+}
+
+std::string site_json(const Site& site, const std::vector<ChosenPlot>& plots)
 {
     Abscissae abscissae;
     std::vector<std::string> series;
     std::vector<std::string> runs;
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
         runs.push_back(quoted(site.runs[i].stored->title));
-        for (const auto& entry : site.runs[i].series) series.push_back(series_json(site, entry, i, abscissae));
+        for (const auto& entry : site.runs[i].series) series.push_back(series_json(site, entry, i));
     }
-    return fmt::format("{{\"runs\":[{}],\n\"series\":[\n{}],\n\"abscissae\":{}}}", fmt::join(runs, ","),
-                       fmt::join(series, ",\n"), abscissae.text());
+    for (const auto& chosen : plots)
+        for (const auto& curve : chosen.plot.curves)
+            series.at(curve.index) +=
+                fmt::format(",\"{}\":{},\"{}\":{}", chosen.abscissa, abscissae.number_of(short_numbers(curve.x)),
+                            chosen.plot.key, short_numbers(curve.y));
+    return fmt::format("{{\"runs\":[{}],\n\"plots\":{},\n\"axes\":{{\"frequencies\":{},\"distances\":{}}},\n"
+                       "\"principalUnits\":{},\"colors\":{},\"dashes\":{},\"mostAtFirst\":{},\n"
+                       "\"series\":[\n{{{}}}],\n\"abscissae\":{}}}",
+                       fmt::join(runs, ","), plots_json(plots), axis_json(frequency_words), axis_json(distance_words),
+                       principal_units_shown, palette().size(), Json(dash_patterns()).dump(), most_shown_at_first,
+                       fmt::join(series, "},\n{"), abscissae.text());
 }
 
 // The boxes to tick, a group a run.
@@ -150,22 +190,15 @@ PageData groups(const Site& site)
     return list;
 }
 
-// What there are curves of.
-PageData quantities(const Site& site)
+PageData quantities(const std::vector<ChosenPlot>& plots)
 {
     PageData list{PageData::type::list};
-    const auto add = [&](const char* value, const char* text, const auto& has) {
-        const auto series = site.series();
-        if (!std::ranges::any_of(series, has)) return;
+    for (const auto& chosen : plots) {
         PageData quantity;
-        quantity.set("value", value);
-        quantity.set("text", text);
+        quantity.set("value", chosen.plot.key);
+        quantity.set("text", chosen.title);
         list << quantity;
-    };
-    const auto has_spectrum = [](const ReportSeries* series) { return series->stored->has_spectrum(); };
-    add("power", "Radially averaged power", has_spectrum);
-    add("anisotropy", "Anisotropy", has_spectrum);
-    add("pairs", "Pair correlation", [](const ReportSeries* series) { return !series->pair_correlation.empty(); });
+    }
     return list;
 }
 
@@ -180,14 +213,13 @@ std::string render_compare_page(const Site& site)
     page.set("title", "Compare");
     page.set("report", site.title);
     page.set("groups", groups(site));
-    page.set("quantities", quantities(site));
+    const auto plots = chosen_plots(site);
+    page.set("quantities", quantities(plots));
     page.set("both_dimensions", has_dimension(runs, 2) && has_dimension(runs, 3));
-    page.set("json", site_json(site));
-    set_dimension_words(page, runs);
-    const auto series = all_series_with_full_labels(site);
-    const auto plots = site.has_several_runs() ? site.out : site.runs.front().root;
-    page.set("overlays", overlays(series, {plots, site.out}));
-    page.set("overlaid", overlays_are_drawn(series));
+    page.set("json", site_json(site, plots));
+    const auto folder = site.has_several_runs() ? site.out : site.runs.front().root;
+    page.set("overlays", overlays(site.overlays, series_of(site), {folder, site.out}));
+    page.set("overlaid", !site.overlays.empty());
     return render_in_frame(site, {site.out / compare_page, "Compare · " + site.title, {"compare.js"}}, "compare", page);
 }
 

@@ -3,6 +3,8 @@
 #include "reports/layout/page_template.hpp"
 #include "reports/pages/relative_link.hpp"
 
+#include <stdexcept>
+
 namespace poissonlab {
 
 namespace {
@@ -14,9 +16,23 @@ std::string template_text(const std::string& name)
 
 void add_partials(PageData& data)
 {
-    for (const std::string name : {"panel", "guide", "provenance"})
+    for (const std::string name : {"panel", "overlay", "guide", "provenance"})
         data.set(name, PageData(kainjow::mustache::partial([name] { return template_text(name); })));
 }
+
+// Every field that a template names must be set, to false where a section is left out: else that of a section around it
+// would show.
+class StrictContext : public kainjow::mustache::context<std::string>
+{
+public:
+    using context::context;
+
+    const PageData* get(const std::string& name) const override
+    {
+        if (const PageData* found = context::get(name)) return found;
+        throw std::logic_error("a page has no field \"" + name + "\" for its template");
+    }
+};
 
 PageData navigation(const Site& site, const PageFrame& frame)
 {
@@ -37,7 +53,8 @@ std::string render_template(const std::string& name, PageData& data)
 {
     add_partials(data);
     kainjow::mustache::mustache text{template_text(name)};
-    return text.render(data);
+    StrictContext context(&data);
+    return text.render(context);
 }
 
 std::string render_in_frame(const Site& site, const PageFrame& frame, const std::string& name, PageData& data)

@@ -1,6 +1,6 @@
 // What identifies a series wherever it is mentioned, and how quantities over its realizations are shown.
 #include "reports/pages/page_parts.hpp"
-#include "reports/plots/plot_style.hpp"
+#include "reports/plots/plot.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>

@@ -32,53 +32,19 @@ std::string shown_range(const Statistic& value, int digits);
 /// Name, value with error, and meaning of each measure.
 PageData measures_list(const ReportSeries& series);
 
-/// What the guide tells about: one of the names in templates/guide.mustache. False for nothing.
-PageData guide_kind(const std::string& kind);
-
-/// The files of a series' panel, and how it looks.
-struct PanelPicture
-{
-    std::string shown;  ///< on the page
-    std::string linked; ///< at full size
-    std::string guide;  ///< guide_kind()
-    std::string image_class = "ink";
-    std::string figure_class = {};
-};
-
-/// Title, caption, alternative text, the picture, and a link to it at full size.
-PageData picture_panel(const ReportSeries& series, const PanelPicture& picture, const std::string& title,
-                       const std::string& caption);
-
-/// The panel of Voronoi cells; false in 3D.
-PageData cells_panel(const ReportSeries& series);
-
-/// The panels of relative radius and energy over iterations; false for methods without any.
-PageData relative_radius_panel(const ReportSeries& series);
-PageData energy_panel(const ReportSeries& series);
-
-/// The panels of the sampling test; false for series without.
-PageData zone_plate_panel(const ReportSeries& series);
-PageData zone_plate_error_panel(const ReportSeries& series);
-
-/// The picture that those of all series of a run are compared with; false where there is none.
-PageData zone_plate_reference_panel(const ReportRun& run, const std::filesystem::path& page_folder);
+/// A picture of a series' page, and links to its files.
+PageData panel_data(const ReportSeries& series, const Panel& panel);
+PageData panel_files(const ReportSeries& series, const Panel& panel);
 
 /// Where plots of several series lie, and the page that shows them.
-struct OverlayPlace
+struct PlotPlace
 {
     std::filesystem::path plots;
     std::filesystem::path page_folder;
 };
 
-/// The plots of all series, without those that fewer than two series are in.
-PageData overlays(const std::vector<ReportSeries>& series, const OverlayPlace& place);
-
-/// The plots of integration errors against the number of points, one an integrand; an empty list where there
-/// are none.
-PageData integration_panels(const std::vector<ReportSeries>& series, const OverlayPlace& place);
-
-/// The plot of points in regions of tiles; false where there is none.
-PageData region_panel(const std::vector<ReportSeries>& series, const OverlayPlace& place);
+/// Plots of several curves with legends, which lead to the series' pages where `series` is not empty.
+PageData overlays(const std::vector<Panel>& panels, const SeriesList& series, const PlotPlace& place);
 
 /// One tile set or tiling: facts, pictures, how random its colours are.
 PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder);

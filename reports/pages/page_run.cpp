@@ -52,6 +52,16 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
+PageData zone_plate_reference(const ReportRun& run, const std::filesystem::path& page_folder)
+{
+    const auto curves = zone_plate_curves(series_of(run));
+    if (curves.empty()) return false;
+    PageData data;
+    data.set("link", relative_link(page_folder, run.root / zone_plate_reference_picture));
+    data.set("size", format_count(static_cast<std::uint64_t>(curves.front().size)));
+    return data;
+}
+
 // To the compare page with this run's series ticked.
 PageData compare_link(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder)
 {
@@ -73,7 +83,7 @@ PageData neighbour(const Site& site, std::size_t index, const std::filesystem::p
 
 std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder, PageData& page)
 {
-    const OverlayPlace place{run.root, page_folder};
+    const PlotPlace place{run.root, page_folder};
     set_dimension_words(page, {&run});
     page.set("matrices", matrices(run, page_folder));
     page.set("has_matrices", std::ranges::any_of(run.series, is_in_matrix));
@@ -81,11 +91,12 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("cards", cards(run, page_folder));
     page.set("compared", run.series.size() > 1);
     page.set("compare_link", compare_link(site, run, page_folder));
-    page.set("overlays", overlays(run.series, place));
-    page.set("integration", integration_panels(run.series, place));
-    page.set("integrated", !integration_curves(run.series).empty());
-    page.set("regions", region_panel(run.series, place));
-    page.set("plate", zone_plate_reference_panel(run, page_folder));
+    page.set("overlays", overlays(run.overlays, series_of(run), place));
+    page.set("integration", overlays(run.integration, {}, place));
+    page.set("integrated", !run.integration.empty());
+    page.set("regions", overlays(run.regions, {}, place));
+    page.set("has_regions", !run.regions.empty());
+    page.set("plate", zone_plate_reference(run, page_folder));
     page.set("tilings", tiling_sections(run, page_folder));
     page.set("has_tilings", !run.tilings.empty());
     page.set("constructions", construction_sections(run, page_folder));

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <future>
 #include <limits>
 #include <thread>
@@ -19,7 +18,7 @@ namespace poissonlab {
 
 namespace {
 
-// The two kinds of picture, and how gnuplot is told about them.
+// A kind of picture, and how gnuplot is told about it.
 struct Terminal
 {
     std::string extension;
@@ -27,8 +26,8 @@ struct Terminal
     int scale;
 };
 
-const std::array terminals = {Terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1},
-                              Terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2}};
+const Terminal svg_terminal{"svg", "svg enhanced font 'sans-serif,12' linewidth 1", 1};
+const Terminal png_terminal{"png", "pngcairo enhanced font 'sans-serif,12' fontscale 2 linewidth 2", 2};
 
 std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture)
 {
@@ -39,7 +38,7 @@ std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture
 // What gnuplot ends with where it finds no fonts.
 constexpr int status_without_letters = 77;
 
-// Without fonts gnuplot draws pictures without letters and says nothing. It leaves no margin for them either, which
+// Without fonts gnuplot draws PNG files without letters and says nothing. It leaves no margin for them either, which
 // shows. SVG files leave the letters to the browser.
 std::string font_check()
 {
@@ -59,7 +58,7 @@ struct Part
 std::string script_for(const Terminal& terminal, const std::vector<GnuplotPicture>& pictures, const Part& part)
 {
     std::string script = "set encoding utf8\n";
-    if (part.first == 0 && terminal.extension == "png") script += font_check();
+    if (part.first == 0 && terminal.scale > 1) script += font_check();
     for (std::size_t i = part.first; i < pictures.size(); i += part.step)
         script += fmt::format("reset session\n{}set output '{}.{}'\n{}\nset output\n",
                               set_terminal(terminal, pictures[i]), i, terminal.extension, pictures[i].commands);
@@ -126,18 +125,9 @@ std::filesystem::path file_of(const GnuplotPicture& picture, const Terminal& ter
 }
 
 // All that a picture depends on.
-std::string input_of(const GnuplotPicture& picture)
+std::string input_of(const GnuplotPicture& picture, const Terminal& terminal)
 {
-    std::string input;
-    for (const auto& terminal : terminals) input += set_terminal(terminal, picture);
-    return input + picture.commands;
-}
-
-std::vector<std::filesystem::path> files_of(const GnuplotPicture& picture)
-{
-    std::vector<std::filesystem::path> files;
-    for (const auto& terminal : terminals) files.push_back(file_of(picture, terminal));
-    return files;
+    return set_terminal(terminal, picture) + picture.commands;
 }
 
 // A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one; `target` is what
@@ -160,43 +150,64 @@ std::string drawn_picture(const std::filesystem::path& file, const std::filesyst
     return picture;
 }
 
-// Runs all processes at once and waits for them.
-void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures)
+// Runs all processes of a terminal at once and waits for them.
+void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures,
+                 const Terminal& terminal)
 {
     if (!find_program("gnuplot", folder))
         throw StorageError("gnuplot is not installed; the report's curves need it: install the package gnuplot-nox");
     std::vector<std::future<void>> processes;
-    for (const auto& terminal : terminals) {
-        const std::size_t most = terminal.scale > 1 ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-        const std::size_t count = std::min(most, pictures.size());
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto script = fmt::format("script.{}{}", terminal.extension, i);
-            write_whole_file(folder / script, script_for(terminal, pictures, {i, count}));
-            processes.push_back(std::async(std::launch::async, run_script, folder, script));
-        }
+    const std::size_t count = std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), pictures.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto script = fmt::format("script.{}{}", terminal.extension, i);
+        write_whole_file(folder / script, script_for(terminal, pictures, {i, count}));
+        processes.push_back(std::async(std::launch::async, run_script, folder, script));
     }
     for (auto& process : processes) process.get();
 }
 
-}
-
-void draw_with_gnuplot(const std::vector<GnuplotPicture>& all, PictureStore* store)
+void draw_files(const std::vector<GnuplotPicture>& all, const Terminal& terminal, PictureStore* store)
 {
     std::vector<GnuplotPicture> pictures;
     for (const auto& picture : all)
-        if (!store || !store->is_current(files_of(picture), input_of(picture))) pictures.push_back(picture);
+        if (!store || !store->is_current({file_of(picture, terminal)}, input_of(picture, terminal)))
+            pictures.push_back(picture);
     if (!pictures.empty()) {
         const ScratchFolder folder;
-        run_gnuplot(folder.path(), pictures);
-        for (std::size_t i = 0; i < pictures.size(); ++i)
-            for (const auto& terminal : terminals) {
-                const auto drawn = folder.path() / (std::to_string(i) + "." + terminal.extension);
-                const auto target = file_of(pictures[i], terminal);
-                write_whole_file(target, drawn_picture(drawn, target));
-            }
+        run_gnuplot(folder.path(), pictures, terminal);
+        for (std::size_t i = 0; i < pictures.size(); ++i) {
+            const auto target = file_of(pictures[i], terminal);
+            write_whole_file(target,
+                             drawn_picture(folder.path() / fmt::format("{}.{}", i, terminal.extension), target));
+        }
     }
     if (store)
-        for (const auto& picture : all) store->note(files_of(picture), input_of(picture));
+        for (const auto& picture : all) store->note({file_of(picture, terminal)}, input_of(picture, terminal));
+}
+
+// Keeps the pictures of an earlier report that show the same, and removes the others.
+void keep_current_files(const std::vector<GnuplotPicture>& pictures, const Terminal& terminal, PictureStore& store)
+{
+    for (const auto& picture : pictures) {
+        const auto file = file_of(picture, terminal);
+        const auto input = input_of(picture, terminal);
+        std::error_code ignored;
+        if (store.is_current({file}, input))
+            store.note({file}, input);
+        else
+            std::filesystem::remove(file, ignored);
+    }
+}
+
+}
+
+void draw_with_gnuplot(const std::vector<GnuplotPicture>& pictures, PrintPictures print, PictureStore* store)
+{
+    draw_files(pictures, svg_terminal, store);
+    if (print == PrintPictures::drawn)
+        draw_files(pictures, png_terminal, store);
+    else if (store)
+        keep_current_files(pictures, png_terminal, *store);
 }
 
 std::string gnuplot_quoted(const std::string& text)

@@ -1,12 +1,7 @@
 #include "reports/plots/integration_curves.hpp"
 
-#include "reports/plots/plot_style.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace poissonlab {
 
@@ -24,33 +19,6 @@ struct Extent
     }
 };
 
-std::string data_block(const IntegrationCurve& curve)
-{
-    std::string block = fmt::format("$errors{} << END\n", curve.index);
-    for (const auto& sample : curve.samples)
-        if (sample.rms_error > 0)
-            fmt::format_to(std::back_inserter(block), "{} {:.6g} {:.6g}\n", sample.points, sample.rms_error,
-                           sample.standard_error);
-    return block + "END\n";
-}
-
-std::string logarithmic_axes(const Extent& points, const Extent& errors)
-{
-    const double bottom = std::pow(10, std::floor(std::log10(errors.low)));
-    const double top = std::pow(10, std::ceil(std::log10(errors.high)));
-    return axes("number of points N", points.low, points.high, {"RMS error of the integral", bottom, top, 10, 0}) +
-           "set logscale xy\nset xtics 4\nset format y '10^{%L}'\nset lmargin 9\nset rmargin 4\n";
-}
-
-// Slope -1/2 from the upper left: how errors of random points fall.
-std::string monte_carlo_guide(const Extent& points, const Extent& errors)
-{
-    return fmt::format("set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3:.6g} nohead back lw 0.8 dt (6,4) lc rgb '{4}'\n"
-                       "set label 'N^{{−1/2}}' at {2:.6g}, {3:.6g} right offset 0,0.8 textcolor rgb '{4}'\n",
-                       points.low, errors.high, points.high, errors.high * std::sqrt(points.low / points.high),
-                       mark_color);
-}
-
 }
 
 std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curves)
@@ -61,29 +29,39 @@ std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curv
     return names;
 }
 
-GnuplotPicture plot_integration_error(const std::vector<IntegrationCurve>& curves, const std::string& integrand,
-                                      const std::filesystem::path& stem)
+Plot integration_error_plot(const std::vector<IntegrationCurve>& curves, const std::string& integrand)
 {
+    Plot plot;
     Extent points, errors;
-    std::string data;
-    std::string plot;
-    std::vector<KeyEntry> key;
-    for (const auto& curve : curves) {
-        if (curve.integrand != integrand) continue;
-        for (const auto& sample : curve.samples) {
+    for (const auto& source : curves) {
+        if (source.integrand != integrand) continue;
+        PlotCurve curve{source.index, source.label};
+        curve.has_bars = true;
+        for (const auto& sample : source.samples) {
             points.add(sample.points);
-            if (sample.rms_error > 0) errors.add(sample.rms_error);
+            curve.end = std::max(curve.end, sample.points);
+            if (!(sample.rms_error > 0)) continue;
+            errors.add(sample.rms_error);
+            curve.x.push_back(sample.points);
+            curve.y.push_back(sample.rms_error);
+            curve.low.push_back(sample.rms_error - sample.standard_error);
+            curve.high.push_back(sample.rms_error + sample.standard_error);
         }
-        data += data_block(curve);
-        plot +=
-            fmt::format("{0}$errors{1} using 1:2 with lines {2} notitle, $errors{1} using 1:2 with points pt 7 "
-                        "ps 0.3 lc rgb '{3}' notitle, $errors{1} using 1:($2-$3):(0):(2*$3) with vectors nohead "
-                        "lw 2.5 lc rgb '{3}' notitle",
-                        plot.empty() ? "plot " : ", ", curve.index, line_style(curve.index), curve_color(curve.index));
-        key.push_back({curve.index, curve.label});
+        curve.dots = curve.y;
+        plot.curves.push_back(std::move(curve));
     }
     if (!(errors.low > 0)) errors = {1, 1};
-    return with_key(logarithmic_axes(points, errors) + monte_carlo_guide(points, errors) + data, plot, key, stem);
+    plot.x = {.label = "number of points N", .low = points.low, .step = 4, .logarithmic = true};
+    plot.y = {.label = "RMS error of the integral",
+              .low = std::pow(10, std::floor(std::log10(errors.low))),
+              .high = std::pow(10, std::ceil(std::log10(errors.high))),
+              .step = 10,
+              .logarithmic = true};
+    // Errors of random points fall with slope -1/2, here from the upper left.
+    plot.slope = {errors.high, errors.high * std::sqrt(points.low / points.high), "N^{−1/2}"};
+    plot.left_margin = 9;
+    plot.right_margin = 4;
+    return together(std::move(plot));
 }
 
 }

@@ -2,10 +2,9 @@
 // sizes.
 #pragma once
 
-#include "reports/plots/gnuplot.hpp"
+#include "reports/plots/plot.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,9 +30,8 @@ struct IntegrationCurve
 /// The integrands of the curves, each once, in their order.
 std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curves);
 
-/// All curves of an integrand in one plot with logarithmic axes, bars of one standard error and a key. Errors
-/// of 0 are left out.
-GnuplotPicture plot_integration_error(const std::vector<IntegrationCurve>& curves, const std::string& integrand,
-                                      const std::filesystem::path& stem);
+/// All curves of an integrand in one plot with logarithmic axes and bars of one standard error. Errors of 0 are left
+/// out.
+Plot integration_error_plot(const std::vector<IntegrationCurve>& curves, const std::string& integrand);
 
 }

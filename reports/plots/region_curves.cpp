@@ -1,12 +1,9 @@
 #include "reports/plots/region_curves.hpp"
 
-#include "reports/plots/plot_style.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -36,15 +33,6 @@ std::string label_of(const std::string& region, const NamedTexts& method, const 
                                               : fmt::format(", {} = {}", parameter.first, parameter.second);
     }
     return label;
-}
-
-std::string data_block(const RegionCurve& curve)
-{
-    std::string block = fmt::format("$regions{} << END\n", curve.index);
-    for (const auto& sample : curve.samples)
-        fmt::format_to(std::back_inserter(block), "{} {:.6g} {:.6g}\n", sample.points_per_tile, sample.points,
-                       sample.expected);
-    return block + "END\n";
 }
 
 }
@@ -77,30 +65,26 @@ std::vector<RegionCurve> region_curves(const std::vector<const Series*>& series)
     return curves;
 }
 
-GnuplotPicture plot_region_points(const std::vector<RegionCurve>& curves, const std::filesystem::path& stem)
+Plot region_points_plot(const std::vector<RegionCurve>& curves)
 {
+    Plot plot;
     double most_points = 1;
-    double largest_tile = 1;
-    std::string data;
-    std::string plot;
-    std::vector<KeyEntry> key;
-    for (const RegionCurve& curve : curves) {
-        for (const RegionSample& sample : curve.samples) {
+    for (const RegionCurve& source : curves) {
+        PlotCurve curve{source.index, source.label};
+        for (const RegionSample& sample : source.samples) {
             most_points = std::max({most_points, sample.points, sample.expected});
-            largest_tile = std::max(largest_tile, sample.points_per_tile);
+            curve.x.push_back(sample.points_per_tile);
+            curve.y.push_back(sample.expected);
+            curve.dots.push_back(sample.points);
+            curve.end = std::max(curve.end, sample.points_per_tile);
         }
-        data += data_block(curve);
-        plot +=
-            fmt::format("{0}$regions{1} using 1:3 with lines {2} notitle, $regions{1} using 1:2 with points pt 7 "
-                        "ps 0.4 lc rgb '{3}' notitle",
-                        plot.empty() ? "plot " : ", ", curve.index, line_style(curve.index), curve_color(curve.index));
-        key.push_back({curve.index, curve.label});
+        plot.curves.push_back(std::move(curve));
     }
     const double step = most_points > 10 ? 4 : most_points > 4 ? 2 : 1;
-    const double top = step * std::ceil(most_points / step);
-    return with_key(axes("points per tile N", 0, largest_tile, {"points in the regions of a tile", 0, top, step, 0}) +
-                        "set rmargin 4\n" + data,
-                    plot, key, stem);
+    plot.x = {.label = "points per tile N"};
+    plot.y = {.label = "points in the regions of a tile", .high = step * std::ceil(most_points / step), .step = step};
+    plot.right_margin = 4;
+    return together(std::move(plot));
 }
 
 }

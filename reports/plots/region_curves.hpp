@@ -3,11 +3,10 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figure 6.24.
 #pragma once
 
-#include "reports/plots/gnuplot.hpp"
+#include "reports/plots/plot.hpp"
 #include "results/run.hpp"
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,7 +31,7 @@ struct RegionCurve
 /// Curves of all regions but interiors. Empty where no tile sets differ in the number of points a tile alone.
 std::vector<RegionCurve> region_curves(const std::vector<const Series*>& series);
 
-/// All curves in one plot with a key: points as they were counted, lines as their areas let expect.
-GnuplotPicture plot_region_points(const std::vector<RegionCurve>& curves, const std::filesystem::path& stem);
+/// All curves in one plot: dots are points as they were counted, lines as many as their areas let expect.
+Plot region_points_plot(const std::vector<RegionCurve>& curves);
 
 }

@@ -6,8 +6,7 @@
 #include "reports/claims/paper_claims.hpp"
 #include "reports/images/picture_store.hpp"
 #include "reports/images/zone_plate_image.hpp"
-#include "reports/layout/plots.hpp"
-#include "reports/layout/series_pictures.hpp"
+#include "reports/layout/draw_panels.hpp"
 #include "reports/layout/site.hpp"
 #include "reports/layout/thumbnails.hpp"
 #include "reports/pages/page.hpp"
@@ -17,9 +16,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_invoke.h>
-
-#include <algorithm>
-#include <iterator>
 
 namespace poissonlab {
 
@@ -48,31 +44,29 @@ constexpr auto picture_keys = "pictures.txt";
 // What perfect sampling makes of the plate, in the size of the run's first picture.
 void draw_zone_plate_reference(const ReportRun& run)
 {
-    const auto curves = zone_plate_curves(run.series);
+    const auto curves = zone_plate_curves(series_of(run));
     if (curves.empty()) return;
     write_png(run.root / zone_plate_reference_picture, draw_zone_plate(zone_plate_reference(curves.front().size)));
 }
 
 std::vector<GnuplotPicture> all_plots(const Site& site)
 {
-    std::vector<GnuplotPicture> pictures;
-    const auto add = [&](std::vector<GnuplotPicture> more) { std::ranges::move(more, std::back_inserter(pictures)); };
+    std::vector<GnuplotPicture> plots;
     for (const auto& run : site.runs) {
-        add(series_plots(run.series));
-        add(overlay_plots(run.series, run.root));
+        for (const auto& series : run.series)
+            for (const auto& panel : series.panels) add_plot(panel, series.pictures, plots);
+        for (const auto* panels : {&run.overlays, &run.integration, &run.regions})
+            for (const auto& panel : *panels) add_plot(panel, run.root, plots);
     }
-    if (site.has_several_runs()) add(overlay_plots(all_series_with_full_labels(site), site.out));
-    return pictures;
+    if (site.has_several_runs())
+        for (const auto& panel : site.overlays) add_plot(panel, site.out, plots);
+    return plots;
 }
 
-void draw_images(ReportRun& run, PictureStore& store)
+void draw_images(const ReportRun& run, PictureStore& store)
 {
-    const auto scales = common_scales(frequency_curves(run.series));
-    tbb::parallel_for_each(run.series, [&](ReportSeries& series) {
-        draw_points_pictures(series, store);
-        draw_spectrum_pictures(series, store);
-        write_radial_thumbnail(series, scales);
-        draw_zone_plate_picture(series, store);
+    tbb::parallel_for_each(run.series, [&](const ReportSeries& series) {
+        for (const auto& panel : series.panels) draw_panel(panel, series.pictures, store);
     });
     tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
     tbb::parallel_for_each(run.constructions,
@@ -106,7 +100,7 @@ void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
 }
 
 void write_report(const std::vector<fs::path>& result_folders, const fs::path& out,
-                  const std::function<void(const std::string&)>& progress)
+                  const std::function<void(const std::string&)>& progress, PrintPictures print)
 {
     const auto say = [&](const std::string& step) {
         if (progress) progress(step);
@@ -122,10 +116,9 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
 
     say("drawing pictures");
     PictureStore store(out, out / asset_folder / picture_keys);
-    const auto plots = all_plots(site); // before the images: drawing those changes the series
     // gnuplot works in its own processes while this one draws the images.
-    tbb::parallel_invoke([&] { draw_with_gnuplot(plots, &store); },
-                         [&] { tbb::parallel_for_each(site.runs, [&](ReportRun& run) { draw_images(run, store); }); });
+    tbb::parallel_invoke([&] { draw_with_gnuplot(all_plots(site), print, &store); },
+                         [&] { tbb::parallel_for_each(site.runs, [&](const auto& run) { draw_images(run, store); }); });
     store.save();
 
     const auto claims = judge_claims(site.series());

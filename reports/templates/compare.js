@@ -6,28 +6,7 @@ const element = (id) => document.getElementById(id);
 const boxes = Array.from(document.querySelectorAll("input[data-series]"));
 const svgNamespace = "http://www.w3.org/2000/svg";
 const view = { width: 860, height: 480, left: 64, right: 16, top: 14, bottom: 52 };
-const mostAtFirst = 12;
-const colorCount = 7;
-const dashes = ["", "8 4", "2 3", "10 3 2 3"];
-
-// What can be plotted: where a series has it, its words, and how far the vertical axis goes at most.
-const quantities = {
-  power: { abscissa: "frequencies", label: "radially averaged power", reference: 1, most: 5, floor: 1e-3 },
-  anisotropy: { abscissa: "frequencies", label: "anisotropy (dB)", most: 30 },
-  pairs: { abscissa: "distances", label: "pair correlation", reference: 1, most: 5, floor: 1e-2 },
-};
-const axisLabels = {
-  frequencies: {
-    absolute: "frequency (cycles per unit length)",
-    spacing: "frequency (cycles per mean spacing of the points)",
-    principal: "frequency (in units of the principal frequency 1/d_min)",
-  },
-  distances: {
-    absolute: "distance (unit lengths)",
-    spacing: "distance (mean spacings of the points)",
-    principal: "distance (in units of d_min)",
-  },
-};
+const quantities = report.plots; // what can be plotted
 
 let curves = []; // of the ticked series, in order
 let scales = null; // of the chart that is shown
@@ -103,7 +82,7 @@ function verticalScale(quantity) {
 
 function makeScales() {
   const highest = curves.reduce((a, curve) => Math.max(a, curve.x[curve.x.length - 1]), 0);
-  const end = element("axis").value === "principal" ? Math.min(highest, 4) : highest;
+  const end = element("axis").value === "principal" ? Math.min(highest, report.principalUnits) : highest;
   return { x: linearScale(0, end, view.left, view.width - view.right), y: verticalScale(element("quantity").value) };
 }
 
@@ -129,7 +108,7 @@ function drawAxes(svg) {
     draw(svg, "line", { class: "reference", x1: view.left, x2: right, y1: scales.y.at(quantity.reference), y2: scales.y.at(quantity.reference) });
   draw(svg, "path", { class: "frame", d: `M${view.left} ${view.top}V${bottom}H${right}` });
   draw(svg, "text", { class: "title", x: (view.left + right) / 2, y: view.height - 12, "text-anchor": "middle" },
-    axisLabels[quantity.abscissa][element("axis").value]);
+    report.axes[quantity.abscissa][element("axis").value]);
   const middle = (view.top + bottom) / 2;
   draw(svg, "text", { class: "title", x: 16, y: middle, "text-anchor": "middle", transform: `rotate(-90 16 ${middle})` }, quantity.label);
 }
@@ -150,7 +129,7 @@ function pathOf(curve) {
 }
 
 function lineStyle(slot) {
-  return { style: `stroke: var(--curve-${slot % colorCount})`, "stroke-dasharray": dashes[Math.floor(slot / colorCount) % dashes.length] };
+  return { style: `stroke: var(--curve-${slot % report.colors})`, "stroke-dasharray": report.dashes[Math.floor(slot / report.colors) % report.dashes.length] };
 }
 
 function drawCurves(svg) {
@@ -311,9 +290,9 @@ function startWithRun() {
   if (!match) return;
   const seriesOf = (box) => report.series[Number(box.dataset.series)];
   const own = boxes.filter((box) => seriesOf(box).run === Number(match[1]));
-  const step = (i) => Math.floor((i * mostAtFirst) / own.length);
+  const step = (i) => Math.floor((i * report.mostAtFirst) / own.length);
   for (const box of boxes) box.checked = false;
-  own.forEach((box, i) => (box.checked = own.length <= mostAtFirst || step(i + 1) > step(i)));
+  own.forEach((box, i) => (box.checked = own.length <= report.mostAtFirst || step(i + 1) > step(i)));
   if (own.length && element("dimension")) element("dimension").value = String(seriesOf(own[0]).dimension);
 }
 

@@ -67,6 +67,7 @@ TEST_F(ZonePlateRun, WritesEverythingThatTheDocumentationLists)
 {
     const Outcome outcome = run();
     ASSERT_EQ(outcome.status, 0) << outcome.error;
+    ASSERT_EQ(run({"report", "out/plate", "--print"}).status, 0);
     const auto json = nlohmann::json::parse(content_of(out_ / "results.json"));
     for (const auto& series : json["series"]) {
         const auto folder = out_ / series["name"].get<std::string>();

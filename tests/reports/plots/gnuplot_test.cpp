@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 std::string error_of(const std::vector<GnuplotPicture>& pictures)
 {
-    return message_of<StorageError>([&] { draw_with_gnuplot(pictures); });
+    return message_of<StorageError>([&] { draw_with_gnuplot(pictures, PrintPictures::drawn); });
 }
 
 TEST(Gnuplot, DrawsSvgAndPng)
@@ -26,7 +26,8 @@ TEST(Gnuplot, DrawsSvgAndPng)
     const TemporaryFolder folder;
     draw_with_gnuplot(
         {{"plot x title " + gnuplot_quoted("it's <x> & ü") + " noenhanced", 300, 200, folder.path() / "a"},
-         {"plot x**2", 200, 300, folder.path() / "b"}});
+         {"plot x**2", 200, 300, folder.path() / "b"}},
+        PrintPictures::drawn);
     const auto svg = read_whole_file(folder.path() / "a.svg");
     EXPECT_TRUE(svg.find("it's &lt;x> &amp; ü") != std::string::npos); // escaped
     EXPECT_TRUE(svg.find("& ü") == std::string::npos);
@@ -34,6 +35,26 @@ TEST(Gnuplot, DrawsSvgAndPng)
     EXPECT_EQ(picture.width, 400);
     EXPECT_EQ(picture.height, 600);
     EXPECT_GT(picture.variance(), 1);
+}
+
+/// A PNG of an earlier report must not show something else than the SVG beside it.
+TEST(Gnuplot, PrintPicturesStayWhileTheyShowTheSame)
+{
+    const TemporaryFolder folder;
+    const auto png = folder.path() / "a.png";
+    const auto draw = [&](const char* commands, PrintPictures print) {
+        PictureStore store(folder.path(), folder.path() / "keys.txt");
+        draw_with_gnuplot({{commands, 300, 200, folder.path() / "a"}}, print, &store);
+        store.save();
+    };
+    draw("plot x", PrintPictures::none);
+    EXPECT_FALSE(std::filesystem::exists(png));
+    draw("plot x", PrintPictures::drawn);
+    const auto first = read_whole_file(png);
+    draw("plot x", PrintPictures::none);
+    EXPECT_EQ(read_whole_file(png), first);
+    draw("plot x**2", PrintPictures::none);
+    EXPECT_FALSE(std::filesystem::exists(png));
 }
 
 TEST(Gnuplot, TellsWhatGnuplotSaid)

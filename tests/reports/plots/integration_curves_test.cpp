@@ -2,10 +2,13 @@
 #include "reports/plots/integration_curves.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "reports/layout/report_layout.hpp"
+#include "reports/layout/series_curves.hpp"
+#include "reports/plots/gnuplot_text.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
+
+#include <deque>
 
 namespace poissonlab {
 namespace {
@@ -30,15 +33,15 @@ protected:
 
     std::vector<IntegrationCurve> curves()
     {
-        std::vector<ReportSeries> series;
+        std::deque<ReportSeries> series;
+        SeriesList list;
         for (const auto& stored : stored_) {
-            ReportSeries entry;
+            ReportSeries& entry = series.emplace_back();
             entry.run = &run_;
             entry.stored = &stored;
-            entry.label = stored.label;
-            series.push_back(entry);
+            list.push_back({&entry, stored.label});
         }
-        return integration_curves(series);
+        return integration_curves(list);
     }
 
     poissonlab::Run run_;
@@ -82,7 +85,8 @@ TEST_F(IntegrationCurves, AreDrawnWithBothAxes)
     add("exact", "Exact, N = 64", "", 64, 0);
     add("exact", "Exact, N = 256", "", 256, 0);
     const TemporaryFolder folder;
-    draw_with_gnuplot({plot_integration_error(curves(), "disk", folder.path() / "all")});
+    draw_with_gnuplot({gnuplot_picture(integration_error_plot(curves(), "disk"), folder.path() / "all")},
+                      PrintPictures::none);
     const auto svg = read_whole_file(folder.path() / "all.svg");
     for (const char* text : {">number of points N<", ">RMS error of the integral<", ">Random<", ">Exact<"})
         EXPECT_THAT(svg, testing::HasSubstr(text)) << "errors of 0 do not stop the plot";

@@ -33,7 +33,7 @@ protected:
     {
         folder_ = new TemporaryFolder;
         results_ = new nlohmann::json(test::write_synthetic_results(folder_->path()));
-        write_report({folder_->path()}, folder_->path());
+        write_report({folder_->path()}, folder_->path(), {}, PrintPictures::drawn);
     }
     static void TearDownTestSuite()
     {
@@ -155,6 +155,38 @@ TEST_F(ReportTest, DescribesTheToneMapping)
     EXPECT_THAT(page("random/index.html"), HasSubstr("power 0.01 is black, power 10 is white, logarithmic"));
 }
 
+TEST_F(ReportTest, PlotsOfAllSeriesHaveLegendsThatLeadToTheSeries)
+{
+    const auto text = page();
+    const auto begin = text.find("<ul class=\"legend\">");
+    const auto legend = text.substr(begin, text.find("</ul>", begin) - begin);
+    EXPECT_THAT(test::attribute_values(legend, "href"),
+                ElementsAre("random/index.html", "jittered/index.html", "regular/index.html"));
+    EXPECT_THAT(test::attribute_values(legend, "stroke"), ElementsAre(curve_color(0), curve_color(1), curve_color(2)));
+    EXPECT_THAT(legend, HasSubstr("Random &lt;b&gt;bold&lt;/b&gt; &amp; &quot;quoted&quot;"));
+}
+
+TEST_F(ReportTest, PrintPicturesOfCurvesAreDrawnWhenAskedFor)
+{
+    const TemporaryFolder other;
+    test::write_synthetic_results(other.path());
+    write_report({other.path()}, other.path());
+    EXPECT_EQ(test::site_errors(other.path()), "");
+    for (const char* stem : {"radial-all", "random/radial", "random/anisotropy"}) {
+        EXPECT_TRUE(fs::exists(other.path() / (stem + std::string(".svg")))) << stem;
+        EXPECT_FALSE(fs::exists(other.path() / (stem + std::string(".png")))) << stem;
+        EXPECT_TRUE(fs::exists(folder() / (stem + std::string(".png")))) << stem;
+    }
+    EXPECT_THAT(test::attribute_values(page("random/index.html"), "href"), testing::Contains("radial.png"));
+}
+
+TEST_F(ReportTest, ColoursOfCurvesStandInTheStyleSheetForBothGrounds)
+{
+    const auto css = page("site/report.css");
+    for (const char* rule : {"--curve-0: #0072b2;", "--curve-0: #4aa8e8;", "--curve-6: #555555;"})
+        EXPECT_THAT(css, HasSubstr(rule));
+}
+
 /// All files of a folder with their bytes.
 std::map<std::string, std::string> bytes_below(const fs::path& folder)
 {
@@ -169,7 +201,7 @@ TEST_F(ReportTest, IsTheSameEveryTime)
 {
     const TemporaryFolder other;
     test::write_synthetic_results(other.path());
-    write_report({other.path()}, other.path());
+    write_report({other.path()}, other.path(), {}, PrintPictures::drawn);
     const auto first = bytes_below(folder());
     const auto second = bytes_below(other.path());
     ASSERT_EQ(first.size(), second.size());

@@ -24,7 +24,7 @@ protected:
     std::string page()
     {
         write_results_json(path(), json_);
-        write_report({path()}, path());
+        write_report({path()}, path(), {}, PrintPictures::drawn);
         EXPECT_EQ(site_errors(path()), "");
         auto pages = pages_below(path());
         auto text = pages.extract("index.html").mapped();

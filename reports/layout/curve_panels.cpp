@@ -1,0 +1,201 @@
+// The plots of a series: radially averaged power, anisotropy, pair correlation, iterations, and the sampling test with
+// its picture.
+#include "base/geometry/relative_radius.hpp"
+#include "reports/layout/series_panels.hpp"
+#include "reports/words/number_format.hpp"
+#include "results/radial_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+std::string power_caption(const Curve& curve)
+{
+    const auto peak = peak_power(curve.bins);
+    auto text =
+        fmt::format("Highest {} at frequency {}. ", format_significant(peak.power, 3), format_exact(peak.frequency));
+    if (!curve.principal_frequency) return text + "There is no principal frequency.";
+    return text + fmt::format("Principal frequency {}{}.", format_significant(*curve.principal_frequency, 4),
+                              curve.has_principal_in_sight() ? "" : ", beyond the axis");
+}
+
+Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    const char* rings = series.run->dimension == 3 ? "spherical shells" : "rings";
+    return {.stem = "radial",
+            .picture = power_alone(plots.power, index, series.curve),
+            .title = "Radially averaged power",
+            .caption = power_caption(series.curve),
+            .guide =
+                fmt::format("The spectrum's mean over {} of one frequency; the band is one standard error. The lower "
+                            "its left part, the less coarse noise; a single gentle peak at the principal frequency "
+                            "1/d<sub>min</sub> (dotted), then 1, is a Poisson disk set. More peaks mean more order.",
+                            rings),
+            .stored = {{"csv", series.run->folder / series.stored->radial_file}},
+            .thumbnail = Thumbnail{"radial", "Radial power"}};
+}
+
+Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    const bool in_space = series.run->dimension == 3;
+    return {.stem = "anisotropy",
+            .picture = anisotropy_alone(plots.anisotropy, index, series.curve),
+            .title = "Anisotropy",
+            .caption = fmt::format("Dashed: what noise alone gives, −10 log₁₀ K = {} dB for K\u00a0=\u00a0{}.",
+                                   format_fixed(series.curve.background_db, 1), series.curve.realizations),
+            .guide =
+                fmt::format("How much power varies along each {}. Chance alone gives −10 log₁₀ <i>K</i> dB (dashed). "
+                            "On the line: no direction is preferred. Far above it: a grid, tiles, or rows. The "
+                            "first few {} hold few samples and scatter.",
+                            in_space ? "shell" : "ring", in_space ? "spherical shells" : "rings"),
+            .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
+}
+
+Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    const auto& bins = series.pair_correlation;
+    const auto peak = *std::ranges::max_element(bins, {}, &PairCorrelationBin::value);
+    const double unit = max_min_distance(series.stored->points, series.run->dimension);
+    return {
+        .stem = "pair-correlation",
+        .picture = pair_correlation_alone(
+            plots.pairs, index,
+            series.stored->relative_radius ? std::optional(series.stored->relative_radius->mean) : std::nullopt),
+        .title = "Pair correlation",
+        .caption = fmt::format("Highest {} at {} of the largest possible minimum distance, {}.",
+                               format_significant(peak.value, 3), format_fixed(peak.distance / unit, 2),
+                               format_significant(unit, 4)),
+        .guide =
+            "How many points there are at each distance from a point, over how many random points would have there "
+            "(dashed). 0 up to the minimum distance (dotted); a peak says that many points have their neighbours at "
+            "that distance, waves after it that order reaches far. The band is one standard error.",
+        .stored = {{"csv", series.run->folder / series.stored->pair_correlation_file}}};
+}
+
+// "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
+std::string means_of_what(const Iterations& iterations)
+{
+    const auto first = static_cast<std::uint64_t>(iterations.realizations.front());
+    const auto last = static_cast<std::uint64_t>(iterations.realizations.back());
+    if (first == 1) return "Of one set.";
+    auto text = fmt::format("Mean over {} sets, in the band from the least to the largest", format_count(first));
+    if (last < first)
+        text += fmt::format("; {} of them went on to the end, and means are over those that did", format_count(last));
+    return text + ".";
+}
+
+std::string from_to(const IterationSpread& spread, std::size_t count)
+{
+    return fmt::format("From {} to {} in {} iteration{}. ", format_fixed(spread.mean.front(), 4),
+                       format_fixed(spread.mean.back(), 4), format_count(count), count == 1 ? "" : "s");
+}
+
+std::string radius_caption(const Iterations& iterations)
+{
+    const auto& means = iterations.relative_radius.mean;
+    const auto best = std::ranges::max_element(means);
+    auto text = from_to(iterations.relative_radius, iterations.count());
+    if (best != means.end() - 1)
+        text += fmt::format("Largest {} after {}. ", format_fixed(*best, 4),
+                            format_count(static_cast<std::uint64_t>(best - means.begin())));
+    return text + means_of_what(iterations);
+}
+
+// "0.3035", and "(0.3021 to 0.3049)" where realizations differ visibly.
+std::string with_range(const Statistic& value)
+{
+    const auto low = format_fixed(value.min, 4);
+    const auto high = format_fixed(value.max, 4);
+    const auto mean = format_fixed(value.mean, 4);
+    return low == high ? mean : fmt::format("{} ({} to {})", mean, low, high);
+}
+
+Panel plate_panel(const ReportRun& run, const ReportSeries& series)
+{
+    const auto& plate = *series.stored->zone_plate;
+    const auto file = series.run->folder / plate.file;
+    const auto reference = (run.root / zone_plate_reference_picture).lexically_relative(series.pictures);
+    return {.stem = "zone-plate",
+            .picture = ZonePlatePicture{file, plate.size},
+            .title = "Zone plate",
+            .caption =
+                fmt::format("{0} × {0} pixels, {1} samples{2}.", format_count(static_cast<std::uint64_t>(plate.size)),
+                            format_count(series.stored->points_of_first()), first_of_several(series)),
+            .guide =
+                fmt::format("Rings that get finer with the distance from the lower left corner, as the set samples "
+                            "them. Good: rings that stay clear far out, then even grey noise. Rings around other "
+                            "places are false, the mark of regular points. Compare with <a href=\"{}\">what perfect "
+                            "sampling gives</a>. A picture that is shown smaller than it is invents rings, too: full "
+                            "size is one click away.",
+                            reference.generic_string()),
+            .stored = {{"exr", file}},
+            .thumbnail = Thumbnail{"plate", "Zone plate"},
+            .image_class = "plate framed",
+            .figure_class = "wide"};
+}
+
+Panel plate_error_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    const auto& plate = *series.stored->zone_plate;
+    auto caption = fmt::format("RMS error {} over the picture", with_range(plate.rms_error));
+    if (plate.resolved_rms_error)
+        caption += fmt::format(", {} up to half a cycle per pixel", with_range(*plate.resolved_rms_error));
+    return {.stem = "zone-plate-error",
+            .picture = zone_plate_alone(*plots.plate, index, plate.size),
+            .title = "Zone plate error",
+            .caption = caption + ".",
+            .guide = "The root mean square difference from perfect sampling over the fineness of the rings. The curve "
+                     "leaves 0 where the set begins to fail; half a cycle per pixel (dotted) is the finest that pixels "
+                     "can show. Means over the <i>K</i> sets.",
+            .stored = {{"csv", series.run->folder / plate.error_file}}};
+}
+
+}
+
+void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels)
+{
+    if (series.stored->has_spectrum()) {
+        panels.push_back(power_panel(series, index, plots));
+        panels.push_back(anisotropy_panel(series, index, plots));
+    }
+    if (!series.pair_correlation.empty()) panels.push_back(pair_correlation_panel(series, index, plots));
+}
+
+void add_iteration_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots,
+                          std::vector<Panel>& panels)
+{
+    if (!series.stored->iterations) return;
+    const auto& iterations = *series.stored->iterations;
+    const StoredFile csv{"csv", series.run->folder / iterations.file};
+    panels.push_back({.stem = "relative-radius",
+                      .picture = alone(*plots.radius, index),
+                      .title = "Relative radius over iterations",
+                      .caption = radius_caption(iterations),
+                      .guide =
+                          "How the smallest distance grows while the method moves its points; 0 is where it started. "
+                          "Level: nothing more to gain. The line is the mean over the <i>K</i> sets that got so far, "
+                          "the band reaches from the least to the largest.",
+                      .stored = {csv}});
+    panels.push_back({.stem = "energy",
+                      .picture = alone(*plots.energy, index),
+                      .title = "Energy over iterations",
+                      .caption = from_to(iterations.energy, iterations.count()) + means_of_what(iterations),
+                      .guide = "The mean squared distance from anywhere to the nearest point, times "
+                               "<i>N</i><sup>2/<i>d</i></sup>: what the method makes smaller. The dashed line is the "
+                               "perfect lattice; random points have about 0.32 in 2D and 0.35 in 3D.",
+                      .stored = {csv}});
+}
+
+void add_zone_plate_panels(const ReportRun& run, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels)
+{
+    const ReportSeries& series = run.series[index];
+    if (!series.stored->zone_plate) return;
+    panels.push_back(plate_panel(run, series));
+    panels.push_back(plate_error_panel(series, index, plots));
+}
+
+}

@@ -1,0 +1,107 @@
+#include "reports/layout/series_panels.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+namespace {
+
+PointSet first_realization(const ReportSeries& series)
+{
+    const auto file = series.run->folder / series.stored->point_files.front();
+    auto sets = read_points(file);
+    const std::size_t points = series.stored->points_of_first();
+    if (sets.empty() || sets.front().size() != points || sets.front().dimension != series.run->dimension)
+        throw InputError(file.string() + ": must hold " + std::to_string(points) + " points with " +
+                         std::to_string(series.run->dimension) + " coordinates, as results.json says");
+    return std::move(sets.front());
+}
+
+Panel points_panel(const ReportSeries& series, const PointSet& points)
+{
+    const auto view = choose_points_view(points);
+    const auto side = format_significant(view.window, 2);
+    auto caption = view.shown() == view.total
+                       ? fmt::format("All {} points", format_count(view.total))
+                       : fmt::format("{} of {} points", format_count(view.shown()), format_count(view.total));
+    std::string guide =
+        "A good set looks even but not orderly. Clumps and holes waste samples; rows and repetition show "
+        "up in a picture as patterns that are not there.";
+    if (points.dimension == 3) {
+        caption += fmt::format(": a slab of the cube, z below {}, seen along z", format_significant(view.depth, 2));
+        guide += " Of a cube, a slab is shown that is as thick as the smallest distance could be at most: points that "
+                 "lie over one another may touch.";
+    }
+    if (view.window < 1) caption += fmt::format(": the window of {} × {} at the lower left", side, side);
+    return {.stem = "points",
+            .picture = view,
+            .title = "Points",
+            .caption = caption + first_of_several(series) + ".",
+            .guide = guide,
+            .thumbnail = Thumbnail{"points", "Points"},
+            .image_class = "ink framed"};
+}
+
+Panel cells_panel(const ReportSeries& series, const PointSet& points)
+{
+    const auto view = choose_cells_view(points);
+    auto caption = fmt::format("Neighbours of {} cells", format_count(view.cells.size()));
+    if (view.window < 1)
+        caption += fmt::format(" in the window of {0} × {0} at the lower left", format_significant(view.window, 2));
+    caption += series.stored->measures.voronoi ? "; shares are of all cells of the set" : "; shares are of these cells";
+    return {.stem = "cells",
+            .picture = view,
+            .title = "Voronoi cells",
+            .caption = caption + first_of_several(series) + ".",
+            .guide =
+                "The cell of a point is what lies nearer to it than to any other. In a hexagonal lattice every cell "
+                "has 6 neighbours. Cells with 5 and 7 break rows up: a good set has many, mixed evenly and about as "
+                "many of either; long chains of them are borders between regions that lie in rows.",
+            .image_class = "framed"};
+}
+
+}
+
+std::string first_of_several(const ReportSeries& series)
+{
+    const int realizations = series.stored->realizations;
+    return realizations > 1 ? fmt::format(" (first of {} realizations)", realizations) : std::string();
+}
+
+RunPlots run_plots(const ReportRun& run)
+{
+    const auto series = series_of(run);
+    const auto frequencies = frequency_curves(series);
+    RunPlots plots{power_plot(frequencies, LengthUnit::absolute),
+                   anisotropy_plot(frequencies, LengthUnit::absolute),
+                   pair_correlation_plot(pair_correlation_curves(series), packing_distance),
+                   {},
+                   {},
+                   {}};
+    if (const auto curves = iteration_curves(series); !curves.empty()) {
+        plots.radius = relative_radius_plot(curves);
+        plots.energy = energy_plot(curves);
+    }
+    if (const auto curves = zone_plate_curves(series); !curves.empty()) plots.plate = zone_plate_plot(curves);
+    return plots;
+}
+
+std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const RunPlots& plots)
+{
+    const ReportSeries& series = run.series[index];
+    const PointSet points = first_realization(series);
+    std::vector<Panel> panels{points_panel(series, points)};
+    add_spectrum_panel(series, panels);
+    add_curve_panels(series, index, plots, panels);
+    if (points.dimension == 2) panels.push_back(cells_panel(series, points));
+    add_space_panels(series, panels);
+    add_iteration_panels(series, index, plots, panels);
+    add_zone_plate_panels(run, index, plots, panels);
+    return panels;
+}
+
+}

@@ -1,0 +1,107 @@
+// The pictures of spectra: the plane, or planes and the cube of a 3D one.
+#include "reports/images/spectrum_image.hpp"
+#include "reports/layout/series_panels.hpp"
+#include "reports/words/number_format.hpp"
+
+#include "analysis/spectra/spectrum_planes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+using Part = SpectrumPicture::Part;
+
+SpectrumPicture picture(const ReportSeries& series, Part part)
+{
+    const auto& stored = *series.stored;
+    return {series.run->folder / stored.spectrum_file, stored.spectrum_size, series.run->dimension, part};
+}
+
+std::string caption(const ReportSeries& series)
+{
+    const int size = series.stored->spectrum_size;
+    const auto side = format_count(static_cast<std::uint64_t>(size));
+    const bool in_space = series.run->dimension == 3;
+    auto text = series.stored->is_estimate ? fmt::format("Mean of {} periodograms of", series.stored->realizations)
+                                           : std::string("Of one set,");
+    text += fmt::format(" {} × {} frequencies", side, in_space ? side + " × " + side : side);
+    if (in_space)
+        text += fmt::format(": the planes through frequency 0, from {} to {} along each axis",
+                            format_fixed(-size / 2, 0), format_fixed(size / 2 - 1, 0));
+    if (const int block = spectrum_page_block(size, series.run->dimension); block > 1)
+        text += fmt::format("; a pixel here is the mean of {0} × {0}, full size one click away", block);
+    return text + ".";
+}
+
+std::string guide(bool in_space)
+{
+    std::string text =
+        "Each place is a wave, slow in the middle and fast outside, and its grey is how strongly the points "
+        "answer to that wave. Good: a dark disk, one even ring, then even grey. Spikes are grids; rays are "
+        "preferred directions.";
+    if (in_space)
+        text += " In 3D these are slices through a dark ball and its even shell: the three planes through the middle, "
+                "named by their axes.";
+    return text;
+}
+
+}
+
+std::vector<int> spectrum_slices(int spectrum_size)
+{
+    std::vector<int> frequencies;
+    for (const PlanePlace& place : shown_planes(spectrum_size))
+        if (place.frequency > 0) frequencies.push_back(place.frequency);
+    return frequencies;
+}
+
+void add_spectrum_panel(const ReportSeries& series, std::vector<Panel>& panels)
+{
+    const auto& stored = *series.stored;
+    if (stored.spectrum_file.empty()) return;
+    Panel panel{.stem = "spectrum",
+                .picture = picture(series, Part::whole),
+                .title = stored.is_estimate ? "Power spectrum estimate" : "Periodogram",
+                .caption = caption(series),
+                .guide = guide(series.run->dimension == 3),
+                .stored = {{"exr", series.run->folder / stored.spectrum_file}},
+                .thumbnail = Thumbnail{"spectrum", "Spectrum"},
+                .image_class = "framed"};
+    if (!stored.volume_file.empty()) panel.stored.push_back({"volume exr", series.run->folder / stored.volume_file});
+    panels.push_back(std::move(panel));
+}
+
+void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels)
+{
+    const auto& stored = *series.stored;
+    if (series.run->dimension == 2 || stored.spectrum_file.empty()) return;
+    panels.push_back({.stem = "spectrum-cube",
+                      .picture = picture(series, Part::cube),
+                      .title = "Cube of frequencies",
+                      .caption =
+                          "x to the lower left, y to the lower right, z upwards; the eighth where all are positive "
+                          "is cut away down to frequency 0.",
+                      .image_class = ""});
+    if (const auto slices = spectrum_slices(stored.spectrum_size); !slices.empty())
+        panels.push_back({.stem = "spectrum-slices",
+                          .picture = picture(series, Part::slices),
+                          .title = "Slices",
+                          .caption = fmt::format("Planes where the frequency along z is {}.", fmt::join(slices, ", ")),
+                          .image_class = "",
+                          .figure_class = "row"});
+    const int reach = std::max(1, 5 * stored.spectrum_size / 16);
+    panels.push_back({.stem = "spectrum-close-ups",
+                      .picture = picture(series, Part::close_ups),
+                      .title = "Close-ups",
+                      .caption = fmt::format("The middle of the planes through frequency 0, from {} to {}.",
+                                             format_fixed(-reach, 0), format_fixed(reach - 1, 0)),
+                      .image_class = "",
+                      .figure_class = "row"});
+}
+
+}
