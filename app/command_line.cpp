@@ -18,7 +18,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes = R"(Examples:
+constexpr auto main_notes = R"(Examples:
   poissonlab run configs/quick.toml                        an experiment and its report, in out/quick
   poissonlab run configs/quick.toml --set seed=2 --out a   the same with another seed, in a
   poissonlab analyze points-*.dat --label "My method" --out mine
@@ -116,7 +116,7 @@ std::string typed_command(int argc, const char* const* argv)
 void add_everything(CLI::App& app, const std::string& typed, std::vector<Action>& called)
 {
     app.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
-    app.footer(notes);
+    app.footer(main_notes);
     for (const Command& command : all_commands(typed)) add_command(app, command, called);
     // For lists of commands and `help --help`; see explanation().
     app.add_subcommand("help", "Explain a command, or the samplers")

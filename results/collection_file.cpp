@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* format_name = "poissonlab-collection";
-constexpr int format_version = 1;
+constexpr const char* collection_format = "poissonlab-collection";
+constexpr int collection_format_version = 1;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& member, const std::string& problem)
 {
@@ -49,8 +49,8 @@ std::vector<std::string> runs_of(const nlohmann::json& json, const fs::path& fil
 
 void write_collection_file(const fs::path& folder, const CollectionFile& collection)
 {
-    const Json json = {{"format", format_name},
-                       {"format_version", format_version},
+    const Json json = {{"format", collection_format},
+                       {"format_version", collection_format_version},
                        {"title", collection.title},
                        {"command", collection.command},
                        {"runs", collection.runs}};
@@ -64,10 +64,10 @@ std::optional<CollectionFile> read_collection_file(const fs::path& folder)
     std::error_code error;
     if (!fs::exists(file, error)) return std::nullopt;
     const nlohmann::json json = read_json_file(file);
-    if (!json.is_object() || json.value("format", nlohmann::json()) != format_name)
-        fail(file, "format", std::string("must be \"") + format_name + "\"; this file is of another kind");
-    if (json.value("format_version", nlohmann::json()) != format_version)
-        fail(file, "format_version", "this program reads version " + std::to_string(format_version));
+    if (!json.is_object() || json.value("format", nlohmann::json()) != collection_format)
+        fail(file, "format", std::string("must be \"") + collection_format + "\"; this file is of another kind");
+    if (json.value("format_version", nlohmann::json()) != collection_format_version)
+        fail(file, "format_version", "this program reads version " + std::to_string(collection_format_version));
     return CollectionFile{text_at(json, file, "title"), text_at(json, file, "command"), runs_of(json, file)};
 }
 

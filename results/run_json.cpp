@@ -55,8 +55,8 @@ void members(JsonMembers& m, Stored<Run> auto& run)
 
 namespace {
 
-constexpr const char* format_name = "poissonlab-results";
-constexpr int format_version = 1;
+constexpr const char* run_format = "poissonlab-results";
+constexpr int run_format_version = 1;
 
 void check_places(const StoredObject& root, const Run& run)
 {
@@ -77,10 +77,10 @@ void check_places(const StoredObject& root, const Run& run)
 
 void check_format(const StoredObject& root)
 {
-    if (!root.has("format") || root.text("format") != format_name)
-        throw root.error("format", std::string("must be \"") + format_name + "\"; this file is of another kind");
-    if (const auto version = root.integer("format_version", 1); version != format_version)
-        throw root.error("format_version", "this program reads version " + std::to_string(format_version));
+    if (!root.has("format") || root.text("format") != run_format)
+        throw root.error("format", std::string("must be \"") + run_format + "\"; this file is of another kind");
+    if (const auto version = root.integer("format_version", 1); version != run_format_version)
+        throw root.error("format_version", "this program reads version " + std::to_string(run_format_version));
 }
 
 }
@@ -88,8 +88,8 @@ void check_format(const StoredObject& root)
 std::string run_json(const Run& run)
 {
     const auto write = [&](JsonMembers& root) {
-        root.member("format", format_name);
-        root.member("format_version", format_version);
+        root.member("format", run_format);
+        root.member("format_version", run_format_version);
         members(root, run);
     };
     return json_text(write, 2) + "\n";

@@ -9,7 +9,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto analyze_notes =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
 a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
@@ -67,7 +67,7 @@ Command analyze_command(const std::string& typed)
              {"--set", &o->overrides, "Set a key of [analysis]; may be repeated", "analysis.KEY=VALUE"},
              {"--threads", &o->threads, "Use so many threads; default: all", "N"},
              {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},
-            notes,
+            analyze_notes,
             action_on(o, analyze)};
 }
 

@@ -7,7 +7,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto diff_notes =
     R"(OLD and NEW are output folders of the same experiment, or collections of such. Prints the numbers that changed
 beyond their error over realizations (Welch's test, corrected for the number of tests: one false alarm in a hundred
 comparisons), better or worse where that is known, and series that are new or missing. Numbers without chance are
@@ -48,7 +48,7 @@ Command diff_command()
              {"--out", &o->out, "Write a page there, diff.html", "DIR"},
              {"--json", &o->json, "Print JSON"},
              {"--all", &o->all, "List numbers that did not change as well"}},
-            notes,
+            diff_notes,
             [o] { return diff(*o); }};
 }
 

@@ -10,7 +10,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto merge_notes =
     R"(Copies what is stored in DIR/.units and not in OUT/.units; what is damaged is left out. Then the same run writes
 the results:
   poissonlab merge out/shard-1 out/shard-2 out/shard-3 --out out/all
@@ -50,7 +50,7 @@ Command merge_command()
             {{"DIR", &o->folders, "Output folders of `run --shard`"},
              {"--out", &o->out, "The output folder that gets it", "OUT REQUIRED", required},
              {"--quiet", &o->quiet, "Print nothing but errors"}},
-            notes,
+            merge_notes,
             action_on(o, merge)};
 }
 

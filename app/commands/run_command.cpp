@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto run_notes =
     R"(CONFIG is a TOML file; configs/quick.toml explains every key. `poissonlab samplers` lists the methods.
 --set changes the config without editing it; keys have dots, methods count from 0:
   --set seed=2   --set analysis.points=4096   --set engine=reference
@@ -215,7 +215,7 @@ Command run_command(const std::string& typed)
           .target = &o->json,
           .help = "Print progress as JSON objects, one a line",
           .excludes = "--quiet"}},
-        notes,
+        run_notes,
         action_on(o, run)};
 }
 

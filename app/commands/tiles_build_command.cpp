@@ -21,7 +21,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto tiles_build_notes =
     R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good
 for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
@@ -152,7 +152,7 @@ Command tiles_build_command()
              {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
              {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
              {"--quiet", &o->quiet, "Print nothing but errors"}},
-            notes,
+            tiles_build_notes,
             action_on(o, build_tiles)};
 }
 

@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto tiles_points_notes =
     R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
 from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
 The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
@@ -91,7 +91,7 @@ Command tiles_points_command()
              {"--out", &o->out, "The point file", "FILE", required},
              {"--seed", &o->seed, "Which tiling; default: 1", "S"},
              {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"}},
-            notes,
+            tiles_points_notes,
             action_on(o, write_tile_points)};
 }
 

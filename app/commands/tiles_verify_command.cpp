@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto tiles_verify_notes =
     R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
 for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
 damaged, tiles do not fit together, or it promises more than is proven.
@@ -154,7 +154,7 @@ Command tiles_verify_command()
     return {"verify",
             "Check a tile set's file and prove its minimum distance",
             {{"FILE", &o->file, "The tile set (.ptiles, .json)"}, {"--json", &o->json, "Print JSON"}},
-            notes,
+            tiles_verify_notes,
             action_on(o, verify_tiles)};
 }
 

@@ -14,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto notes =
+constexpr auto tiling_notes =
     R"(Prints tile indices, a row of tiles a line, north first; cubes: layer after layer from the bottom, with an empty
 line between them. A tile's coordinates are those of its lower left corner; they may be negative, of 64 bits.
 An index is the number whose digits are the colours: N E S W (wang), NE SE SW NW (corner); the same at the top and
@@ -129,7 +129,7 @@ Command tiling_command()
               "X Y W H (cube: X Y Z W H D)", required, 6},
              {"--period", &o->period, "The tiling closes after so many tiles; 0: it does not", "MX [MY [MZ]]", optional,
               3}},
-            notes,
+            tiling_notes,
             action_on(o, print_tiling)};
 }
 

@@ -11,6 +11,10 @@
 
 namespace poissonlab {
 
+/// The points of the sets of chapter 6: of those with spectra, and of those that sample the zone plate.
+inline constexpr std::size_t usual_points = 16384;
+inline constexpr std::size_t plate_points = 262144;
+
 /// What a claim is about.
 struct SeriesQuery
 {

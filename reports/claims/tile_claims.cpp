@@ -13,10 +13,7 @@ namespace {
 
 using Needs = SeriesQuery::Needs;
 using Outcome = std::optional<ClaimOutcome>;
-using Series = const ReportSeries*;
-
-constexpr std::size_t usual = 16384;
-constexpr std::size_t plate_points = 262144;
+using SeriesPointer = const ReportSeries*;
 
 /// Above this share of the power on the tiling's lattice a spectrum is called bad here. Without tiles the share is that
 /// of frequencies on the lattice, 0.1 to 0.8 %.
@@ -27,25 +24,25 @@ double points_per_tile(const ReportSeries& series) { return number_parameter(ser
 double mean_peak(const ReportSeries& series) { return series.stored->measures.lattice_peaks->mean_ratio; }
 
 /// Spectra of tilings with their lattice peaks.
-std::vector<Series> spectra(const ClaimSeries& report, const std::string& sampler)
+std::vector<SeriesPointer> spectra(const ClaimSeries& report, const std::string& sampler)
 {
-    auto found = report.all({.sampler = sampler, .points = usual, .needs = Needs::spectrum});
-    std::erase_if(found, [](Series series) {
+    auto found = report.all({.sampler = sampler, .points = usual_points, .needs = Needs::spectrum});
+    std::erase_if(found, [](SeriesPointer series) {
         return !series->stored->measures.lattice_peaks || !tiles_of_set(*series) || series->stored->realizations < 2;
     });
     return found;
 }
 
-std::vector<Series> plates(const ClaimSeries& report, const std::string& sampler)
+std::vector<SeriesPointer> plates(const ClaimSeries& report, const std::string& sampler)
 {
     return report.all({.sampler = sampler, .points = plate_points, .needs = Needs::plate});
 }
 
 /// Pairs of series that differ in one of two numbers only, with no value of the report between: first the smaller one.
 template <typename Same, typename Varied, typename Visit>
-void for_neighbours(std::vector<Series> series, const Same& same, const Varied& varied, const Visit& visit)
+void for_neighbours(std::vector<SeriesPointer> series, const Same& same, const Varied& varied, const Visit& visit)
 {
-    std::ranges::stable_sort(series, {}, [&](Series s) { return std::pair(same(*s), varied(*s)); });
+    std::ranges::stable_sort(series, {}, [&](SeriesPointer s) { return std::pair(same(*s), varied(*s)); });
     for (std::size_t i = 1; i < series.size(); ++i)
         if (same(*series[i - 1]) == same(*series[i]) && varied(*series[i - 1]) < varied(*series[i]))
             visit(*series[i - 1], *series[i]);
@@ -55,17 +52,18 @@ double set_size(const ReportSeries& series) { return *tiles_of_set(series); }
 
 /// Pairs of a series of each list with equal N.
 template <typename Visit>
-void for_equal_points(const std::vector<Series>& first, const std::vector<Series>& second, const Visit& visit)
+void for_equal_points(const std::vector<SeriesPointer>& first, const std::vector<SeriesPointer>& second,
+                      const Visit& visit)
 {
-    for (Series a : first)
-        for (Series b : second)
+    for (SeriesPointer a : first)
+        for (SeriesPointer b : second)
             if (points_per_tile(*a) == points_per_tile(*b)) visit(*a, *b);
 }
 
-std::vector<double> shares(const std::vector<Series>& series)
+std::vector<double> shares(const std::vector<SeriesPointer>& series)
 {
     std::vector<double> values;
-    for (Series s : series) values.push_back(100 * lattice_share(*s).value_or(0));
+    for (SeriesPointer s : series) values.push_back(100 * lattice_share(*s).value_or(0));
     return values;
 }
 
@@ -76,7 +74,7 @@ Outcome tilings_have_peaks(const ClaimSeries& report)
     Tally tally;
     std::vector<double> ratios;
     for (const char* sampler : {"edge-tiles", "template-tiles", "corner-tiles"})
-        for (Series series : spectra(report, sampler)) {
+        for (SeriesPointer series : spectra(report, sampler)) {
             const auto& peaks = *series->stored->measures.lattice_peaks;
             // Powers of K sets at half the peaks (the others are mirror images) are exponential with mean 1.
             const double independent = 0.5 * static_cast<double>(peaks.peaks) * series->stored->realizations;
@@ -157,12 +155,12 @@ Outcome wider_plates(const ClaimSeries& report, bool aliasing)
 /// Times of tilings and of dart throwing from the same machine.
 Outcome tiles_are_fast(const ClaimSeries& report)
 {
-    const auto* darts = report.one({.sampler = "dart-throwing", .points = usual});
+    const auto* darts = report.one({.sampler = "dart-throwing", .points = usual_points});
     if (darts == nullptr || darts->stored->sample_seconds.empty()) return std::nullopt;
     Tally tally;
     std::vector<double> factors;
     for (const char* sampler : {"edge-tiles", "template-tiles", "corner-tiles"})
-        for (Series series : report.all({.sampler = sampler, .points = usual})) {
+        for (SeriesPointer series : report.all({.sampler = sampler, .points = usual_points})) {
             if (series->stored->sample_seconds.empty() || series->run->machine != darts->run->machine) continue;
             factors.push_back(median(darts->stored->sample_seconds) / median(series->stored->sample_seconds));
             tally.add(factors.back() > 1);
@@ -195,12 +193,12 @@ const std::string share_criterion = fmt::format(
     "good: at most {} % of the power is in the peaks of the tiling's lattice", format_exact(100 * bad_share));
 
 template <typename Selected>
-Outcome judged_shares(const std::vector<Series>& all, bool good, const Selected& selected)
+Outcome judged_shares(const std::vector<SeriesPointer>& all, bool good, const Selected& selected)
 {
-    std::vector<Series> chosen;
+    std::vector<SeriesPointer> chosen;
     std::ranges::copy_if(all, std::back_inserter(chosen), selected);
     Tally tally;
-    for (Series series : chosen) tally.add((*lattice_share(*series) <= bad_share) == good);
+    for (SeriesPointer series : chosen) tally.add((*lattice_share(*series) <= bad_share) == good);
     if (tally.empty()) return std::nullopt;
     return ClaimOutcome{
         tally.agreement(),
@@ -246,7 +244,7 @@ Outcome peaks_in_anisotropy(const ClaimSeries& report)
 {
     Tally tally;
     std::vector<double> values;
-    for (Series series : spectra(report, "template-tiles")) {
+    for (SeriesPointer series : spectra(report, "template-tiles")) {
         values.push_back(peak_anisotropy(*series));
         tally.add(values.back() > series->curve.background_db + 10);
     }
@@ -270,7 +268,7 @@ Outcome plates_improve(const ClaimSeries& report)
     return ClaimOutcome{tally.agreement(), joined_words({range_words(ratios, 2) + " times as strong", tally.words()})};
 }
 
-bool is_large(Series series) { return set_size(*series) >= 32 && points_per_tile(*series) >= 32; }
+bool is_large(SeriesPointer series) { return set_size(*series) >= 32 && points_per_tile(*series) >= 32; }
 
 std::vector<PaperClaim> template_claims()
 {
@@ -279,7 +277,7 @@ std::vector<PaperClaim> template_claims()
          "Spectra of template tiles with 16 or 24 points a tile, or with 1 to 16 tiles, are rather bad.",
          share_criterion,
          [](const ClaimSeries& report) {
-             return judged_shares(spectra(report, "template-tiles"), false, [](Series series) {
+             return judged_shares(spectra(report, "template-tiles"), false, [](SeriesPointer series) {
                  return set_size(*series) <= 16 || points_per_tile(*series) <= 24;
              });
          }},
@@ -311,7 +309,7 @@ Outcome counts_of_tiles(const ClaimSeries& report)
     Tally tally;
     std::vector<double> corner;
     for (const char* sampler : {"corner-tiles", "edge-tiles"})
-        for (Series series : report.all({.sampler = sampler})) {
+        for (SeriesPointer series : report.all({.sampler = sampler})) {
             if (!series->stored->tile_set || !tiles_of_set(*series)) continue;
             tally.add(static_cast<double>(series->stored->tile_set->tiles) == set_size(*series));
             if (sampler == std::string("corner-tiles")) corner.push_back(set_size(*series));
@@ -339,10 +337,12 @@ Outcome better_than_edges(const ClaimSeries& report, double fewest_colors, doubl
 }
 
 /// Sets of the same relative radius without tiles: Lloyd relaxation and repulsion.
-Series untiled(const ClaimSeries& report)
+SeriesPointer untiled(const ClaimSeries& report)
 {
-    return report.one(
-        {.sampler = "lloyd", .numbers = {{"until_relative_radius", 0.75}}, .points = usual, .needs = Needs::spectrum});
+    return report.one({.sampler = "lloyd",
+                       .numbers = {{"until_relative_radius", 0.75}},
+                       .points = usual_points,
+                       .needs = Needs::spectrum});
 }
 
 /// Means of the absolute difference over rings of at least 100 samples.
@@ -366,7 +366,7 @@ Outcome radial_like_untiled(const ClaimSeries& report)
     if (reference == nullptr) return std::nullopt;
     Tally tally;
     std::vector<double> values;
-    for (Series series : spectra(report, "corner-tiles")) {
+    for (SeriesPointer series : spectra(report, "corner-tiles")) {
         if (number_parameter(*series, "colors").value_or(0) < 4 || points_per_tile(*series) < 32) continue;
         const auto distance = distance_of_curves(*series, *reference);
         if (!distance) continue;
@@ -420,11 +420,11 @@ std::vector<TimedSeries> timed_corner_tiles()
             timed.push_back({fmt::format("C = {}, N = {}", colors, points),
                              {.sampler = "corner-tiles",
                               .numbers = {{"colors", colors}, {"points_per_tile", points}},
-                              .points = usual}});
+                              .points = usual_points}});
     return timed;
 }
 
-bool is_good_corner_set(Series series)
+bool is_good_corner_set(SeriesPointer series)
 {
     return number_parameter(*series, "colors").value_or(0) >= 3 && points_per_tile(*series) >= 32;
 }
@@ -487,7 +487,7 @@ std::vector<PaperClaim> sphere_claims()
          [spectra_of_spheres](const ClaimSeries& report) -> Outcome {
              Tally tally;
              std::vector<std::string> words;
-             for (Series series : spectra_of_spheres(report)) {
+             for (SeriesPointer series : spectra_of_spheres(report)) {
                  const auto blue = blue_noise(*series);
                  tally.add(blue.holds);
                  words.push_back(blue.words);
@@ -500,7 +500,7 @@ std::vector<PaperClaim> sphere_claims()
          [spectra_of_spheres](const ClaimSeries& report) -> Outcome {
              Tally tally;
              std::vector<double> values;
-             for (Series series : spectra_of_spheres(report)) {
+             for (SeriesPointer series : spectra_of_spheres(report)) {
                  values.push_back(mean_excess_anisotropy(*series));
                  tally.add(values.back() > 0.5);
              }

@@ -16,10 +16,7 @@ namespace {
 using Needs = SeriesQuery::Needs;
 using Outcome = std::optional<ClaimOutcome>;
 
-constexpr std::size_t usual = 16384; ///< points of spectra in chapter 6
-constexpr std::size_t plate_points = 262144;
-
-SeriesQuery darts(double relative_radius, Needs needs = Needs::anything, std::size_t points = usual)
+SeriesQuery darts(double relative_radius, Needs needs = Needs::anything, std::size_t points = usual_points)
 {
     return {.sampler = "dart-throwing",
             .numbers = {{"relative_radius", relative_radius}},
@@ -27,7 +24,8 @@ SeriesQuery darts(double relative_radius, Needs needs = Needs::anything, std::si
             .needs = needs};
 }
 
-SeriesQuery relaxation_darts(double factor, double attempts, Needs needs = Needs::anything, std::size_t points = usual)
+SeriesQuery relaxation_darts(double factor, double attempts, Needs needs = Needs::anything,
+                             std::size_t points = usual_points)
 {
     return {.sampler = "relaxation-dart-throwing",
             .numbers = {{"initial_radius", 0.15}, {"factor", factor}, {"attempts", attempts}},
@@ -176,10 +174,11 @@ std::vector<PaperClaim> dart_throwing_claims()
     const SeriesQuery jittered{.sampler = "jittered", .points = plate_points, .needs = Needs::plate};
     return {
         reach_claim("6.3-radius", "6.3", "Dart throwing reaches relative radii of up to 0.75.",
-                    {.sampler = "dart-throwing", .points = usual}, 0.75),
+                    {.sampler = "dart-throwing", .points = usual_points}, 0.75),
         {"6.3-spectrum", "6.3", "Its radially averaged power is that of blue noise.", blue_noise_criterion,
          [](const ClaimSeries& report) {
-             return all_blue_noise(report.all({.sampler = "dart-throwing", .points = usual, .needs = Needs::spectrum}));
+             return all_blue_noise(
+                 report.all({.sampler = "dart-throwing", .points = usual_points, .needs = Needs::spectrum}));
          }},
         {"6.3-noise", "6.3", "In the zone plate, undersampling causes noise rather than aliasing.",
          "no false plate is stronger than noise makes once in 100 pictures",
@@ -344,7 +343,7 @@ std::vector<const ReportSeries*> relaxed_spectra(const ClaimSeries& report)
     auto found = lloyd_of_darts(report, Needs::spectrum);
     std::erase_if(found, [](const auto* series) {
         const auto iterations = number_parameter(*series, "iterations");
-        return !iterations || *iterations > 32 || series->stored->points != usual;
+        return !iterations || *iterations > 32 || series->stored->points != usual_points;
     });
     std::ranges::stable_sort(found, {}, [](const auto* series) { return *number_parameter(*series, "iterations"); });
     return found;
@@ -403,7 +402,8 @@ PaperClaim lloyd_time_claim()
 {
     std::vector<TimedSeries> timed;
     for (const int i : {1, 2, 4, 8, 16, 32})
-        timed.push_back({std::to_string(i), {.sampler = "lloyd", .numbers = {{"iterations", i}}, .points = usual}});
+        timed.push_back(
+            {std::to_string(i), {.sampler = "lloyd", .numbers = {{"iterations", i}}, .points = usual_points}});
     auto claim =
         time_claim("6.5-time", "6.5",
                    "1, 2, 4, 8, 16, 32 iterations of 16,384 random points take 21.3, 35.7, 64.4, 120.4, 234.1, "

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double edge_length = 32;
 constexpr double gap_size = 16; // more than two disks
-constexpr double margin = 8;
+constexpr double cube_margin = 8;
 constexpr double disk_radius = 5;
 constexpr double ring_width = 2;
 const double half_sqrt3 = std::numbers::sqrt3 / 2;
@@ -118,15 +118,15 @@ std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
     const std::size_t columns = grid.has_gaps ? nx : 1;
     const std::size_t count = grid.has_gaps ? grid.cubes.size() : 1;
     const std::size_t rows = std::max<std::size_t>(1, (count + columns - 1) / columns);
-    drawing.width = 2 * margin + static_cast<double>(columns) * (extent.width + gap_size) - gap_size;
-    drawing.height = 2 * margin + static_cast<double>(rows) * (extent.height + gap_size) - gap_size;
+    drawing.width = 2 * cube_margin + static_cast<double>(columns) * (extent.width + gap_size) - gap_size;
+    drawing.height = 2 * cube_margin + static_cast<double>(rows) * (extent.height + gap_size) - gap_size;
     std::vector<Block> blocks;
     for (std::size_t i = 0; i < count; ++i) {
         const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
-        blocks.push_back(
-            {grid.has_gaps ? Place{1, 1, 1} : grid.size,
-             {margin + column * (extent.width + gap_size), margin + row * (extent.height + gap_size) + extent.ascent},
-             grid.cubes.data() + i});
+        blocks.push_back({grid.has_gaps ? Place{1, 1, 1} : grid.size,
+                          {cube_margin + column * (extent.width + gap_size),
+                           cube_margin + row * (extent.height + gap_size) + extent.ascent},
+                          grid.cubes.data() + i});
     }
     return blocks;
 }

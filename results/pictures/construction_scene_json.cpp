@@ -13,8 +13,8 @@
 namespace poissonlab {
 namespace {
 
-constexpr const char* format_name = "poissonlab-construction";
-constexpr int format_version = 1;
+constexpr const char* scene_format = "poissonlab-construction";
+constexpr int scene_format_version = 1;
 constexpr double largest_place = 1e9; // units; far beyond what is drawn
 constexpr std::int64_t most_columns = 1000;
 
@@ -139,8 +139,8 @@ void check(const StoredObject& root, const Scene& scene)
 std::string scene_json(const Scene& scene)
 {
     const auto write = [&](JsonMembers& root) {
-        root.member("format", format_name);
-        root.member("format_version", format_version);
+        root.member("format", scene_format);
+        root.member("format_version", scene_format_version);
         describe(root, scene);
     };
     return json_text(write) + "\n";
@@ -150,10 +150,10 @@ Scene read_scene(const std::filesystem::path& file)
 {
     const nlohmann::json json = read_json_file(file);
     JsonMembers root(StoredObject(json, file));
-    if (!root.stored().has("format") || root.stored().text("format") != format_name)
+    if (!root.stored().has("format") || root.stored().text("format") != scene_format)
         throw root.stored().error("format",
-                                  std::string("must be \"") + format_name + "\"; this file is of another kind");
-    if (root.stored().integer("format_version", 1) != format_version)
+                                  std::string("must be \"") + scene_format + "\"; this file is of another kind");
+    if (root.stored().integer("format_version", 1) != scene_format_version)
         throw root.stored().error("format_version", "this program reads version 1");
     Scene scene;
     describe(root, scene);
