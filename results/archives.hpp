@@ -7,6 +7,8 @@
 #include "results/records/archive.hpp"
 #include "results/series.hpp"
 
+#include <cereal/types/map.hpp>
+
 namespace poissonlab {
 
 template <class Archive>
@@ -25,6 +27,12 @@ template <class Archive>
 void serialize(Archive& archive, ZonePlateResult& result)
 {
     archive(result.size, result.file, result.error_file, result.rms_error, result.resolved_rms_error);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Estimate& estimate)
+{
+    archive(estimate.value, estimate.standard_error);
 }
 
 /// The measures as results.json has them: what is stored there is all there is to know of them.

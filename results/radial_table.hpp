@@ -4,9 +4,13 @@
 #include "analysis/spectra/radial_statistics.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace poissonlab {
+
+/// The text of the table, numbers in their shortest exact form.
+std::string radial_csv(const std::vector<RadialBin>& bins);
 
 /// Reads columns frequency,power,anisotropy_db,samples,power_error. Anisotropy may be inf or nan (an annulus without
 /// power). Throws InputError with file and line.

@@ -72,6 +72,12 @@ public:
         if (is_there(name, value != T{})) member(name, value);
     }
 
+    /// What is the same for all values: written only.
+    void constant(const std::string& name, std::int64_t value)
+    {
+        if (!read_) put(name, value);
+    }
+
     void folder_name(const std::string& name, const std::string& value) { put(name, value); }
     void folder_name(const std::string& name, std::string& value) { value = stored().folder_name(name); }
     void file_name(const std::string& name, const std::string& value) { put(name, value); }

@@ -6,7 +6,9 @@
 #include "base/images/square_image_file.hpp"
 #include "results/archives.hpp"
 #include "results/file_names.hpp"
-#include "results/result_tables.hpp"
+#include "results/pair_correlation_table.hpp"
+#include "results/radial_table.hpp"
+#include "results/zone_plate_table.hpp"
 
 #include <tbb/parallel_invoke.h>
 
@@ -88,7 +90,7 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
     if (options_.zone_plate) {
         write_square_image(store.file(key, file_names::zone_plate), zone_plate_.first_image(), metadata);
         files.emplace_back(file_names::zone_plate);
-        write_text(file_names::zone_plate_error, zone_plate_.csv());
+        write_text(file_names::zone_plate_error, zone_plate_csv(zone_plate_.curve()));
         result.zone_plate = zone_plate_.result();
         result.analysis_seconds += zone_plate_.seconds();
     }

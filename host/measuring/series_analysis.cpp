@@ -132,6 +132,7 @@ Series SeriesAnalysis::result() const
     series.relative_radius = statistic(&SetMeasures::relative_radius);
     series.covered_fraction = statistic(&SetMeasures::covered_fraction);
     series.measures = measures_;
+    series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
     if (integration_) series.measures.integration = integration_->mean();
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,7 +75,7 @@ public:
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(begin_.points, dimension_, sets_, seconds_, has_pairs_, measures_);
+        archive(begin_.points, dimension_, sets_, seconds_, has_pairs_, measures_, numbers_of_first_);
         if (dimension_ > 0 && !has_started_) start();
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);
@@ -112,11 +113,12 @@ private:
     Begin begin_;
     bool has_started_ = false;
     std::vector<SetMeasures> sets_;
-    Measures measures_;      ///< as far as they are known
-    double seconds_ = 0;     ///< that all of this took
-    int spectrum_size_ = 0;  ///< 0: no spectrum
-    bool has_pairs_ = false; ///< sets of one point have none
-    int dimension_ = 0;      ///< of the first set; 0: there is none
+    Measures measures_;                                ///< as far as they are known
+    std::map<std::string, Estimate> numbers_of_first_; ///< beside measures_.numbers: threads may add to both at a time
+    double seconds_ = 0;                               ///< that all of this took
+    int spectrum_size_ = 0;                            ///< 0: no spectrum
+    bool has_pairs_ = false;                           ///< sets of one point have none
+    int dimension_ = 0;                                ///< of the first set; 0: there is none
     std::optional<SpectrumEstimate> estimate_;
     PointSet first_; ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;

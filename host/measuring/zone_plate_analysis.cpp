@@ -3,8 +3,6 @@
 #include "analysis/zone_plate/zone_plate.hpp"
 #include "results/file_names.hpp"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <utility>
 
@@ -37,14 +35,6 @@ ZonePlateResult ZonePlateAnalysis::result() const
 {
     return {first_.size, file_names::zone_plate, file_names::zone_plate_error,
             statistic_of(rms_errors_).value_or(Statistic{}), statistic_of(resolved_rms_errors_)};
-}
-
-std::string ZonePlateAnalysis::csv() const
-{
-    std::string text = "distance,frequency,rms_error,pixels\n";
-    for (const ErrorBin& bin : error_.curve())
-        text += fmt::format("{},{},{},{}\n", bin.distance, bin.frequency, bin.rms_error, bin.pixels);
-    return text;
 }
 
 }

@@ -4,7 +4,6 @@
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "results/series.hpp"
 
-#include <string>
 #include <vector>
 
 namespace poissonlab {
@@ -23,8 +22,8 @@ public:
     /// The picture of the first realization.
     const SquareImage& first_image() const { return first_; }
 
-    /// The text of zone-plate.csv: distance,frequency,rms_error,pixels; numbers in their shortest exact form.
-    std::string csv() const;
+    /// The error over the distance, of all realizations.
+    std::vector<ErrorBin> curve() const { return error_.curve(); }
 
     ZonePlateResult result() const;
     double seconds() const { return seconds_; }

@@ -75,7 +75,10 @@ private:
     /// several runs.
     void judge_time(NumberComparison& number, const MeasuredValue& before, const MeasuredValue& after) const
     {
-        if (!before.each.empty() && !after.each.empty()) judge_times(number, before.each, after.each);
+        if (!before.each.empty() && !after.each.empty())
+            judge_times(number, before.each, after.each);
+        else if (before.value == after.value)
+            number.verdict = Verdict::identical;
         if (pair_.run_before->machine == pair_.run_after->machine) return;
         number.verdict = Verdict::not_comparable;
         number.note = "other device, driver or threads";

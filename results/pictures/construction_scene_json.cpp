@@ -116,8 +116,7 @@ void describe(JsonMembers& m, Stored<Scene> auto& scene)
     m.check([&](const StoredObject& root) {
         if (scene.dimension > 3) throw root.error("dimension", "must be 2 or 3");
     });
-    std::int32_t units = tile_units;
-    m.or_none("tile_units", units);
+    m.constant("tile_units", tile_units);
     m.member("width", scene.width, 1);
     m.member("radius", scene.radius);
     m.member("solid", scene.is_solid);

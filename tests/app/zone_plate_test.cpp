@@ -3,6 +3,7 @@
 #include "base/images/square_image_file.hpp"
 #include "base/points/point_file.hpp"
 #include "host/measuring/zone_plate_analysis.hpp"
+#include "results/zone_plate_table.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/program.hpp"
 
@@ -42,8 +43,9 @@ TEST(ZonePlateAnalysis, CurveIsACsvOfExactNumbers)
     ZonePlateAnalysis analysis;
     const PointSet point{2, {0.5, 0.5}};
     analysis.add(point); // one pixel, 24 sqrt 2 = 33.94 from the origin
-    EXPECT_EQ(analysis.csv(), fmt::format("distance,frequency,rms_error,pixels\n33.75,{},{},1\n",
-                                          plate_frequency(33.75, 1), analysis.result().rms_error.mean));
+    EXPECT_EQ(zone_plate_csv(analysis.curve()),
+              fmt::format("distance,frequency,rms_error,pixels\n33.75,{},{},1\n", plate_frequency(33.75, 1),
+                          analysis.result().rms_error.mean));
 }
 
 class ZonePlateRun : public testing::Test

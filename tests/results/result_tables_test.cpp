@@ -1,4 +1,5 @@
-#include "results/result_tables.hpp"
+#include "results/pair_correlation_table.hpp"
+#include "results/radial_table.hpp"
 
 #include <gtest/gtest.h>
 

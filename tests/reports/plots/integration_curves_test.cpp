@@ -27,7 +27,7 @@ protected:
         series.label = label;
         series.parameters = {{"points", std::to_string(points)}, {"rho", parameter}};
         series.points = points;
-        series.measures.integration = {{"disk", error, error / 10, 1}, {"step", 2 * error, 0, 1}};
+        series.measures.integration = {{"disk", 0, error, error / 10, 1}, {"step", 0, 2 * error, 0, 1}};
         stored_.push_back(series);
     }
 

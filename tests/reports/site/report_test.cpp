@@ -114,7 +114,7 @@ TEST_F(ReportTest, ShowsTheStoredNumbers)
         shows("relative_radius", radius, format_significant(radius, 4));
         shows("min_distance", distance, format_significant(distance, 4));
         shows("sample_time", 0.0123, "12.3 ms");
-        shows("points_per_second", 256 / 0.0123, format_significant(256e-6 / 0.0123, 3));
+        shows("points_per_second", 256 / 0.0123 / 1e6, format_significant(256e-6 / 0.0123, 3));
         shows("points", 256, "256");
         shows("realizations", series["realizations"], series["realizations"].dump());
         EXPECT_THAT(own, HasSubstr(fmt::format("<data value=\"{}\">", format_exact(covered))));
