@@ -7,8 +7,6 @@
 #include <memory>
 #include <string_view>
 
-struct XXH64_state_s;
-
 namespace poissonlab {
 
 class Xxh64
@@ -23,7 +21,8 @@ public:
     std::uint64_t value() const;
 
 private:
-    std::unique_ptr<XXH64_state_s, void (*)(XXH64_state_s*)> state_;
+    struct State;
+    std::unique_ptr<State, void (*)(State*)> state_;
 };
 
 /// XXH64 of one byte string.
