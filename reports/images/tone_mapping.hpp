@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace poissonlab {
 
@@ -33,7 +34,8 @@ public:
     std::uint8_t operator()(double power) const;
 
 private:
-    std::array<double, 255> least_power_; ///< [i]: the smallest power with grey i + 1
+    std::array<double, 256> least_power_;  ///< [i]: the smallest power with grey i + 1; at last infinity
+    std::vector<std::uint8_t> first_grey_; ///< of each step of powers from the first of these on
 };
 
 /// Fixed, so that images of different reports compare as well.
