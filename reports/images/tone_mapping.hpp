@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace poissonlab {
 
@@ -34,8 +33,7 @@ public:
     std::uint8_t operator()(double power) const;
 
 private:
-    std::array<double, 256> least_power_;  ///< [i]: the smallest power with grey i + 1; at last infinity
-    std::vector<std::uint8_t> first_grey_; ///< of each step of powers from the first of these on
+    std::array<double, 255> least_power_; ///< [i]: the smallest power with grey i + 1
 };
 
 /// Fixed, so that images of different reports compare as well.
