@@ -75,9 +75,10 @@ constexpr int max_drawing_pixels = 32'768;
 /// "#rrggbb", and for sizes and coordinates that are not finite.
 std::string drawing_svg(const Drawing& drawing);
 
-/// A PNG whose bytes depend on the drawing and its size only: grey if all its colours are, else RGB. Pixels are square,
-/// the mean of 4 x 4 samples; the last row may reach beyond the drawing and is white there. Memory grows with the
-/// width, not with the height. Throws InputError for fewer than 1 or more than max_drawing_pixels pixels on a side,
+/// A PNG whose bytes depend on the drawing and its size only: grey if all its colours are, else RGB. Pixels are square;
+/// the last row may reach beyond the drawing and is white there. With polygons, pixels are the mean of 4 x 4 samples,
+/// each of the colour of the last shape there, so that polygons with an edge in common have no seam. Memory grows with
+/// the width, not with the height. Throws InputError for fewer than 1 or more than max_drawing_pixels pixels on a side,
 /// StorageError, and std::logic_error for colours, sizes and coordinates as above.
 void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide);
 

@@ -1,8 +1,8 @@
-// Drawings as PNG: Cairo samples shapes in 4 x 4 places a pixel, a band of rows at a time, and pixels are the mean of
-// their samples.
+// Drawings as PNG: Cairo paints a band of rows at a time.
 //
-// A sample takes the colour of the last shape that it lies in: so shapes that share an edge leave no seam, which
-// Cairo's own smoothing, that blends one over the other, would.
+// Polygons may share edges, where Cairo's own smoothing, which blends one over the other, would leave seams. So where
+// there are some, every shape is sampled in 4 x 4 places a pixel: a sample takes the colour of the last shape that it
+// lies in, and pixels are the mean of their samples. Elsewhere Cairo smoothes, which is faster.
 #include "reports/drawings/drawing.hpp"
 
 #include "base/errors/errors.hpp"
@@ -22,8 +22,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr int samples = 4;           // a pixel in each direction
-constexpr int band_rows = 16;        // of pixels
+constexpr int band_rows = 64;        // of samples
 constexpr int widest_surface = 8000; // pixels: Cairo's images end at 32,767 samples
 
 /// Cairo's coordinates end at some 8 million samples.
@@ -61,23 +60,30 @@ CairoSurface surface_of(const PngPixels& pixels)
 }
 
 /// Sets a row of pixels to the means of samples, rounded; `row` is the first row of these.
-void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
+void write_means(cairo_surface_t* surface, int samples, int row, std::uint8_t* pixel, int columns, int channels)
 {
-    constexpr unsigned count = samples * samples;
-    std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns) * samples);
+    const auto count = static_cast<unsigned>(samples * samples);
+    std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns * samples));
     for (int channel = 0; channel < channels; ++channel) {
         const int shift = 8 * (2 - channel);
-        std::ranges::fill(sums, count / 2 / samples); // halves are rounded up
+        std::ranges::fill(sums, samples / 2); // halves are rounded up
         for (int y = 0; y < samples; ++y) {
             const std::uint32_t* const line = row_of(surface, row + y);
             for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += line[x] >> shift & 0xff;
         }
         for (int x = 0; x < columns; ++x) {
-            const std::uint32_t* const first = &sums[static_cast<std::size_t>(x) * samples];
+            const std::uint32_t* const first = &sums[static_cast<std::size_t>(x * samples)];
             pixel[x * channels + channel] =
                 static_cast<std::uint8_t>(std::accumulate(first, first + samples, 0U) / count);
         }
     }
+}
+
+/// Of a pixel.
+int samples_a_side(const Drawing& drawing)
+{
+    const auto is_polygon = [](const Shape& shape) { return std::holds_alternative<Polygon>(shape.form); };
+    return std::ranges::any_of(drawing.shapes, is_polygon) ? 4 : 1;
 }
 
 /// Paints a drawing, so many rows of pixels at a time.
@@ -85,11 +91,11 @@ class Painter
 {
 public:
     Painter(const Drawing& drawing, const PngLayout& layout)
-        : layout_(layout), scale_(samples * (layout.width / drawing.width)),
-          surface_(surface_of(std::min(layout.width, widest_surface) * samples, layout.rows_at_once * samples)),
+        : layout_(layout), samples_(band_rows / layout.rows_at_once), scale_(samples_ * (layout.width / drawing.width)),
+          surface_(surface_of(std::min(layout.width, widest_surface) * samples_, band_rows)),
           cairo_(cairo_create(surface_.get()), &cairo_destroy)
     {
-        cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
+        cairo_set_antialias(cairo_.get(), samples_ > 1 ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_GOOD);
         cairo_set_line_join(cairo_.get(), CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_cap(cairo_.get(), CAIRO_LINE_CAP_ROUND);
         for (const Shape& shape : drawing.shapes) {
@@ -106,9 +112,9 @@ public:
     void paint(std::uint8_t* pixels, int top, int rows)
     {
         for (int left = 0; left < layout_.width; left += widest_surface) {
-            paint_samples(left * samples, top * samples, (top + rows) * samples);
+            paint_samples(left * samples_, top * samples_, (top + rows) * samples_);
             for (int row = 0; row < rows; ++row)
-                write_means(surface_.get(), row * samples,
+                write_means(surface_.get(), samples_, row * samples_,
                             pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
                             std::min(widest_surface, layout_.width - left), layout_.channels);
         }
@@ -217,6 +223,7 @@ private:
     }
 
     PngLayout layout_;
+    int samples_;  ///< a pixel in each direction
     double scale_; ///< samples a unit
     CairoSurface surface_;
     std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo_;
@@ -250,7 +257,7 @@ void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing
     check_drawing(drawing);
     PngLayout layout{pixels_wide, height_of(path, drawing, pixels_wide)};
     layout.channels = std::ranges::all_of(drawing.shapes, is_grey) ? 1 : 3;
-    layout.rows_at_once = band_rows;
+    layout.rows_at_once = band_rows / samples_a_side(drawing);
     // Few colours: rows compress as they are.
     layout.compression = 3;
     layout.filters = false;
