@@ -111,8 +111,7 @@ std::vector<PaperClaim> tiling_claims()
     return {
         {"6.7-peaks", "6.7",
          "The spectra of all methods that tile have peaks at multiples of the reciprocal of the tile size, which "
-         "cannot be "
-         "eliminated.",
+         "cannot be eliminated.",
          "the mean peak is more than four standard errors above the power around it in every series",
          tilings_have_peaks},
         {"6.7-more-tiles", "6.7", "More tiles make the peaks lower.",
@@ -449,8 +448,7 @@ std::vector<PaperClaim> corner_claims()
          [](const ClaimSeries& report) { return better_than_edges(report, 4, 1e9, 0.5); }},
         {"6.11-radial", "6.11", "The radially averaged power is almost that of sets without tiles (4 colours or more).",
          "mean absolute difference from Lloyd relaxation with repulsion to the same relative radius below 0.1, 32 "
-         "points a "
-         "tile or more",
+         "points a tile or more",
          radial_like_untiled},
         {"6.11-anisotropy", "6.11",
          "The anisotropy still has peaks, but is much smaller than that of other tiles (4 colours or more).",

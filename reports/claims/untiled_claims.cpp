@@ -123,15 +123,13 @@ std::vector<PaperClaim> methodology_claims()
          }},
         {"6.2.2-blue-noise", "6.2.2",
          "A Poisson disk distribution has little power at low frequencies, a sharp rise at the principal frequency, "
-         "and is "
-         "flatter beyond.",
+         "and is flatter beyond.",
          blue_noise_criterion,
          [](const ClaimSeries& report) { return all_blue_noise(report.all(darts(0.75, Needs::spectrum))); }},
         {"6.2.3-aliasing", "6.2.3",
          "A regular pattern aliases: false rings in the zone plate. A stratified one trades them for noise.",
          "the strongest false plate of regular points is at least 100 times as strong as that of jittered ones, of "
-         "which none "
-         "away from the origin is stronger than noise makes once in 100 pictures",
+         "which none away from the origin is stronger than noise makes once in 100 pictures",
          [](const ClaimSeries& report) -> Outcome {
              const auto* regular = report.one({.sampler = "regular", .needs = Needs::plate});
              const auto* jittered = report.one({.sampler = "jittered", .needs = Needs::plate});
@@ -430,8 +428,7 @@ std::vector<PaperClaim> lloyd_claims()
          "the last mean is in this range", settles_high},
         {"6.5-peaks", "6.5", "The peaks of the spectrum grow, and the rise gets steeper, with each iteration.",
          "from one number of iterations to the next the highest radial power grows, and the rise from 0.25 to 0.75 "
-         "gets "
-         "narrower",
+         "gets narrower",
          peaks_grow},
         {"6.5-anisotropy", "6.5", "Relaxation does not increase the anisotropy, or not significantly.",
          "less than 0.5 dB on average over rings of at least 100 samples", anisotropy_stays},

@@ -140,8 +140,7 @@ std::string comparison_summary(const RunComparison& comparison)
     std::size_t total = 0;
     for (const auto& series : comparison.series) total += series.numbers.size();
     auto text = fmt::format(
-        "{} in both. Of {}, {} changed, {} within their error, {} identical, {} without verdict, "
-        "{} not comparable.",
+        "{} in both. Of {}, {} changed, {} within their error, {} identical, {} without verdict, {} not comparable.",
         counted(comparison.series.size(), "series", "series"), counted(total, "number", "numbers"),
         format_count(comparison.count(Verdict::changed)), format_count(comparison.count(Verdict::within_error)),
         format_count(comparison.count(Verdict::identical)), format_count(comparison.count(Verdict::not_judged)),
