@@ -1,4 +1,7 @@
 // A config as a tree of values that know where they were written. No key has a meaning here yet.
+//
+// The tree of toml++ would not do: its values lose their place when they are copied, as --set copies them to methods,
+// they do not keep how a number was typed, which names of series show, and its tables sort their keys.
 #pragma once
 
 #include "base/errors/errors.hpp"
