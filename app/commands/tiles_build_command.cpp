@@ -4,6 +4,9 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/config/nearest_key.hpp"
+#include "host/config/parameter_values.hpp"
+#include "host/config/sampler_help.hpp"
+#include "host/config/sampler_registry.hpp"
 #include "host/run/progress.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -27,15 +30,24 @@ for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is des
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
 
+/// The sampler of the same tiles, whose defaults and ranges these options have as well.
+constexpr auto sampler = "corner-tiles";
+
+const Parameters& otherwise()
+{
+    static const Parameters defaults(find_sampler(sampler)->parameters);
+    return defaults;
+}
+
 struct TilesBuildOptions
 {
     std::string kind; ///< "corner", "edge", "template" or "sphere"
     std::uint32_t colors = 0;
     std::uint32_t tiles = 0; ///< of template tiles
     std::uint32_t points = 0;
-    double relative_radius = 0.75;
-    std::string filling = "relaxation-dart-throwing";
-    std::uint32_t lloyd_iterations = 20;
+    double relative_radius = otherwise().number("relative_radius");
+    std::string filling = otherwise().text("filling");
+    std::uint32_t lloyd_iterations = static_cast<std::uint32_t>(otherwise().integer("lloyd_iterations"));
     bool repulsion = false;
     std::uint64_t seed = 1;
     std::filesystem::path out;
@@ -56,6 +68,10 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     check_word("kind", o.kind, poisson_tile_families.all());
     check_word("--filling", o.filling, tile_fillings.all());
     check_word("--engine", o.engine, engines.all());
+    const ParameterSpec& lloyd = parameter_of(sampler, "lloyd_iterations");
+    if (o.lloyd_iterations > lloyd.maximum)
+        throw invalid_value({"tiles build"}, "--lloyd", fmt::format("{}", o.lloyd_iterations),
+                            "must be " + allowed_values(lloyd));
     const bool is_template = o.kind == "template";
     if (is_template ? o.colors != 0 || o.tiles == 0 : o.tiles != 0 || o.colors == 0)
         throw InputError(fmt::format("tiles build: {} tiles need {} and have no {}", o.kind,
@@ -143,9 +159,9 @@ Command tiles_build_command()
              {"--colors", &o->colors, "Number of colours; not for template tiles", "C"},
              {"--tiles", &o->tiles, "Number of template tiles", "T"},
              {"--points", &o->points, "Points of each tile", "N", required},
-             {"--relative-radius", &o->relative_radius, "That every tiling has at least; default: 0.75", "RHO"},
-             {"--filling", &o->filling, "dart-throwing or relaxation-dart-throwing (the default)", "NAME"},
-             {"--lloyd", &o->lloyd_iterations, "Lloyd iterations of each piece; default: 20", "I"},
+             {"--relative-radius", &o->relative_radius, option_help(parameter_of(sampler, "relative_radius")), "RHO"},
+             {"--filling", &o->filling, option_help(parameter_of(sampler, "filling")), "NAME"},
+             {"--lloyd", &o->lloyd_iterations, option_help(parameter_of(sampler, "lloyd_iterations")), "I"},
              {"--repulsion", &o->repulsion, "Push apart what Lloyd relaxation leaves too close"},
              {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
              {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},

@@ -7,10 +7,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <map>
 
 namespace poissonlab {
 namespace {
+
+/// The default as help says it: 0.75, random.
+std::string default_text(const ParameterSpec& spec)
+{
+    const SamplerChoice* sampler = as_sampler(*spec.otherwise);
+    return sampler ? sampler->spec->name : to_string(*spec.otherwise);
+}
 
 /// What holds where a parameter is not given, as a part of a sentence.
 std::string without_it(const ParameterSpec& spec)
@@ -43,11 +51,11 @@ std::string dimensions_of(const SamplerSpec& sampler)
 
 }
 
-std::string default_text(const ParameterSpec& spec)
+std::string option_help(const ParameterSpec& spec)
 {
-    if (!spec.otherwise) return {};
-    const SamplerChoice* sampler = as_sampler(*spec.otherwise);
-    return sampler ? sampler->spec->name : to_string(*spec.otherwise);
+    std::string text = fmt::format("{}: {}", meaning_of(spec), allowed_values(spec));
+    text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return spec.otherwise ? fmt::format("{}; default: {}", text, default_text(spec)) : text;
 }
 
 std::string samplers_text()

@@ -7,8 +7,9 @@
 
 namespace poissonlab {
 
-/// The default as help says it: "0.75", `random`; empty where no value can say it.
-std::string default_text(const ParameterSpec& spec);
+/// What the help of a command says of an option that gives a parameter: "Lloyd iterations of each piece:
+/// an integer from 0 to 100000; default: 20".
+std::string option_help(const ParameterSpec& spec);
 
 /// All samplers with their parameters, for a terminal.
 std::string samplers_text();

@@ -32,6 +32,14 @@ TEST(SamplerHelp, SaysWhatHoldsWhereNothingIsGiven)
     EXPECT_THAT(text, HasSubstr("in units of the torus' side; by default what gives about analysis.points points\n"));
 }
 
+TEST(SamplerHelp, OptionsOfCommandsSayTheSame)
+{
+    EXPECT_EQ(option_help(parameter_of("corner-tiles", "lloyd_iterations")),
+              "Lloyd iterations of each piece: an integer from 0 to 100000; default: 20");
+    EXPECT_EQ(option_help(parameter_of("corner-tiles", "colors")),
+              "C, colours of corners; the set has C^4 tiles: an integer from 1 to 32");
+}
+
 /// A default that the config could not have been given would be a mistake in the description.
 TEST(SamplerHelp, DefaultsAreOfTheKindAndInTheRangeOfTheirParameter)
 {
