@@ -65,7 +65,7 @@ PageData legend(const SeriesList& series, const Plot& plot, const PlotPlace& pla
     for (const auto& curve : plot.curves) {
         PageData entry;
         entry.set("color", curve_color(curve.index));
-        entry.set("dashes", curve_dashes(curve.index));
+        entry.set("dashes", optional_text(curve_dashes(curve.index)));
         entry.set("label", curve.label);
         const bool is_series = !series.empty();
         entry.set("link", is_series ? PageData(relative_link(place.page_folder, page_of(*series[curve.index].series)))
