@@ -15,10 +15,10 @@ public:
     {
         OIIO::ImageSpec spec(layout.width, layout.height, layout.channels, OIIO::TypeDesc::UINT8);
         if (layout.compression >= 0) spec.attribute("png:compressionLevel", layout.compression);
-        if (!layout.filters) {
-            spec.attribute("png:filter", 8);      // PNG_FILTER_NONE: libpng would try all five on each row
-            spec.attribute("compression", "rle"); // noise has nothing but runs: half the time, and smaller files
-        }
+        if (!layout.filters) spec.attribute("png:filter", 8); // PNG_FILTER_NONE: libpng would try all five on each row
+        // Grey values of noise have nothing but runs: half the time, and smaller files. Colours have runs of three
+        // bytes.
+        if (!layout.filters && layout.channels == 1) spec.attribute("compression", "rle");
         const auto output = OIIO::ImageOutput::create("png");
         if (!output) return OIIO::geterror();
         const bool is_written =
