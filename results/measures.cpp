@@ -162,16 +162,16 @@ std::vector<Measure> sizes_and_distances()
                 [](const Series& series) { return value_of(series.relative_radius); })),
         row("min_distance", "minimum distance", "of the torus' side", Better::higher, MeasureKind::per_set,
             significant(4),
-            "The same distance as it is: twice the radius of the disks (3D: spheres). It compares between sets of the "
+            "The same distance as it is: twice the radius of the {disks|spheres}. It compares between sets of the "
             "same number of points.",
             [](const Series& series) { return value_of(series.min_distance); }),
         detail(row("covered_fraction", "covered fraction", "", Better::higher, MeasureKind::per_set, significant(4),
-                   "What disks (3D: balls) around the points cover whose diameter is the minimum distance: at most "
-                   "0.907 (3D: 0.740).",
+                   "What {disks|balls} around the points cover whose diameter is the minimum distance: at most "
+                   "{0.907|0.740}.",
                    [](const Series& series) { return value_of(series.covered_fraction); })),
         row("largest_empty", "largest empty circle", of_largest_distance, Better::lower, MeasureKind::first,
             significant(4),
-            "The radius of the largest circle (3D: ball) without a point inside, of the first realization: at least "
+            "The radius of the largest {circle|ball} without a point inside, of the first realization: at least "
             "0.577 in 2D. A gap above the relative radius has room for another point.",
             from(&Measures::largest_empty, &LargestEmptyBall::relative_radius)),
     };
@@ -184,8 +184,8 @@ std::vector<Measure> spectral_measures()
         row("oscillation", "oscillation", "power", Better::lower, MeasureKind::estimate, significant(3),
             "How much the power goes up and down beyond its first rise, with its standard error.",
             from(&Measures::oscillation, &Oscillation::value, &Oscillation::standard_error)),
-        number("effective_nyquist", "effective Nyquist frequency", "√N / 2 (3D: ∛N / 2)", Better::higher,
-               MeasureKind::estimate, significant(3),
+        number("effective_nyquist", "effective Nyquist frequency", "{√N|∛N} / 2", Better::higher, MeasureKind::estimate,
+               significant(3),
                "The frequency up to which the mean power stays below 0.1, with its standard error: what lies below it "
                "is sampled almost without noise."),
         detail(row("low_frequency_exponent", "low-frequency exponent", "", Better::neither, MeasureKind::estimate,
@@ -196,7 +196,8 @@ std::vector<Measure> spectral_measures()
                    decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
                    from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),
         row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
-            "The largest anisotropy of a ring of at least 100 samples, with its standard error: chance alone stays "
+            "The largest anisotropy of a {ring|shell} of at least 100 samples, with its standard error: chance alone "
+            "stays "
             "near −10 log₁₀ K dB, grids and repeated tiles rise far above it.",
             from(&Measures::peak_anisotropy, &PeakAnisotropy::db, &PeakAnisotropy::standard_error_db)),
         row("lattice_peaks", "mean lattice peak", "power over that around", Better::lower, MeasureKind::estimate,
@@ -268,6 +269,20 @@ const char* kind_words(MeasureKind kind)
 
 }
 
+std::string in_dimension(const std::string& text, int dimension)
+{
+    std::string result;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t open = text.find('{', at), bar = text.find('|', open), close = text.find('}', open);
+        result += text.substr(at, open - at);
+        if (close == std::string::npos) break;
+        const std::string plane = text.substr(open + 1, bar - open - 1), space = text.substr(bar + 1, close - bar - 1);
+        result += dimension == 3 ? space : dimension == 2 ? plane : plane + " (3D: " + space + ")";
+        at = close + 1;
+    }
+    return result;
+}
+
 std::string Measure::title() const
 {
     std::string text = name;
@@ -299,7 +314,7 @@ std::string measures_table()
     std::string text = "| key | measure | unit | better | error |\n| --- | --- | --- | --- | --- |\n";
     constexpr std::array better{"higher", "lower", ""};
     for (const Measure& row : measures())
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, row.name, row.unit,
+        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", row.key, in_dimension(row.name), in_dimension(row.unit),
                             better.at(static_cast<std::size_t>(row.better)), kind_words(row.kind));
     return text;
 }

@@ -55,6 +55,11 @@ struct MeasuredValue
     std::string remark = {};                         ///< a word beside the value
 };
 
+/// A text of a measure in the words of a dimension: of "{disks|balls}" the first in 2D, the second in 3D, and
+/// "disks (3D: balls)" where both are meant.
+std::string in_dimension(const std::string& text, int dimension = 0);
+
+/// Texts may have words for either dimension, see in_dimension().
 struct Measure
 {
     std::string key;

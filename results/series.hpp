@@ -74,7 +74,7 @@ struct Series
     std::string defaults_json;          ///< the others, empty where there are none; results of older versions have none
     NamedTexts parameters;              ///< both as shown; what is read has texts and objects
     NamedTexts defaults;
-    std::optional<GridPlace> place;     ///< in the grid of its method; none: not of a method of a config
+    std::optional<GridPlace> place; ///< in the grid of its method; none: not of a method of a config
     bool deterministic = false;
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
     std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each

@@ -1,7 +1,7 @@
 // The sampler "dart-throwing": what the config can ask of dart throwing, and what it is told when that is
 // impossible.
 #include "base/geometry/relative_radius.hpp"
-#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/device_sampler.hpp"
 

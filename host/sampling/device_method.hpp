@@ -19,7 +19,6 @@ public:
     DeviceMethod(DeviceMethod&&) noexcept = default;
 
 protected:
-
     /// `work_group_size` 0: the default.
     DeviceMethod(Device device, std::size_t work_group_size, std::shared_ptr<Buffers> buffers)
         : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size),

@@ -1,15 +1,14 @@
 // Runs the kernels of Lloyd relaxation.
 #include "host/sampling/lloyd_relaxation.hpp"
 
-#include "host/sampling/domain_buffers.hpp"
+#include "host/sampling/cells/domain_buffers.hpp"
+#include "host/sampling/cells/point_grid.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
-#include "host/sampling/point_grid.hpp"
 #include "host/sampling/point_summary.hpp"
-#include "host/sampling/voronoi_cells.hpp"
 
 namespace poissonlab {
 namespace {
-
 
 class DeviceState
 {

@@ -5,7 +5,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/device.hpp"
-#include "host/sampling/domain.hpp"
+#include "host/sampling/cells/domain.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>

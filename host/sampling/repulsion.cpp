@@ -2,8 +2,8 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/needed_buffers.hpp"
-#include "host/sampling/domain_buffers.hpp"
-#include "host/sampling/point_grid.hpp"
+#include "host/sampling/cells/domain_buffers.hpp"
+#include "host/sampling/cells/point_grid.hpp"
 #include "host/sampling/point_summary.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "host/sampling/cells/domain.hpp"
 #include "host/sampling/device_method.hpp"
-#include "host/sampling/domain.hpp"
 
 #include <cstddef>
 #include <cstdint>

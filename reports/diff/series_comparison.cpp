@@ -41,7 +41,7 @@ private:
              const std::optional<MeasuredValue>& after)
     {
         if (!before && !after) return;
-        NumberComparison number = named(measure.name, measure.unit, measure.better);
+        NumberComparison number = named(in_dimension(measure.name), in_dimension(measure.unit), measure.better);
         if (before) number.before = mean_of(measure, *before, *pair_.before);
         if (after) number.after = mean_of(measure, *after, *pair_.after);
         if (before && after)

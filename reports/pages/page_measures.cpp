@@ -14,11 +14,12 @@ PageData measures_list(const ReportSeries& series)
         const MeasureWords words = words_of(measure, *value);
         PageData data;
         data.set("key", measure.key);
-        data.set("name", measure.title() + (measure.unit.empty() ? "" : " (" + measure.unit + ")"));
+        const auto in_words = [&](const std::string& text) { return in_dimension(text, series.run->dimension); };
+        data.set("name", in_words(measure.title() + (measure.unit.empty() ? "" : " (" + measure.unit + ")")));
         data.set("value", words.shown);
         data.set("exact", format_exact(value->value));
         data.set("error", optional_text(words.spread));
-        data.set("meaning", measure.meaning);
+        data.set("meaning", in_words(measure.meaning));
         list << data;
     }
     return list;

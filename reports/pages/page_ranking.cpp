@@ -138,7 +138,8 @@ PageData columns_data(const Site& site, const std::vector<const Measure*>& colum
     list << column_data("series", "Series", "", Better::neither, true);
     if (site.has_several_runs()) list << column_data("run", "Run", "", Better::neither, true);
     for (const auto* column : columns)
-        list << column_data(column->key, column->title(), column->unit, column->better, false, column->is_detail);
+        list << column_data(column->key, in_dimension(column->title()), in_dimension(column->unit), column->better,
+                            false, column->is_detail);
     if (from.machines.any()) list << column_data("device", "Machine", "", Better::neither, true);
     if (from.versions.any()) list << column_data("version", "Version", "", Better::neither, true);
     return list;
@@ -183,12 +184,13 @@ PageData notes(const std::vector<const Measure*>& columns)
     PageData list{PageData::type::list};
     for (std::size_t i = 0; i < columns.size();) {
         const std::string& meaning = columns[i]->meaning;
-        std::string names = columns[i]->title();
-        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i) names += "; " + columns[i]->title();
+        std::string names = in_dimension(columns[i]->title());
+        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i)
+            names += "; " + in_dimension(columns[i]->title());
         if (meaning.empty()) continue;
         PageData note;
         note.set("name", names);
-        note.set("text", meaning);
+        note.set("text", in_dimension(meaning));
         list << note;
     }
     return list;

@@ -1,5 +1,5 @@
-// gnuplot as a child process: many plots in one go, each as SVG and, for print, as PNG. Its bytes are stable and its axes
-// good, which libraries for plots (PLplot, Matplotlib) do no better.
+// gnuplot as a child process: many plots in one go, each as SVG and, for print, as PNG. Its bytes are stable and its
+// axes good, which libraries for plots (PLplot, Matplotlib) do no better.
 #pragma once
 
 #include "reports/images/picture_store.hpp"

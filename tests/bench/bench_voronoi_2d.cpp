@@ -1,7 +1,7 @@
 // One Lloyd iteration in 2D: kernels against CGAL.
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/dart_throwing.hpp"
-#include "host/sampling/voronoi_cells.hpp"
 #include "tests/bench/cgal_lloyd_2d.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/point_patterns.hpp"

@@ -1,5 +1,5 @@
 // Voronoi cells in 3D: one Lloyd step's cells by the kernels, against voro++ on one thread.
-#include "host/sampling/voronoi_cells.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 
 #ifdef POISSONLAB_VOROPP

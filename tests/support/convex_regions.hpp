@@ -1,7 +1,7 @@
 // Boxes, polygons and prisms as regions that points must not enter.
 #pragma once
 
-#include "host/sampling/domain.hpp"
+#include "host/sampling/cells/domain.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Dart throwing, plain and sequential: what the kernels must reproduce.
 #include "host/sampling/dart_throwing.hpp"
 #include "base/geometry/torus.hpp"
-#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,8 +1,8 @@
 // Lloyd relaxation by CGAL's Voronoi cells.
 #include "host/sampling/lloyd_relaxation.hpp"
 
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
-#include "host/sampling/voronoi_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Voronoi cells from CGAL's periodic Delaunay triangulations: what the kernels are held against.
-#include "host/sampling/voronoi_cells.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 
 #include "base/geometry/torus_delaunay.hpp"
 #include "host/sampling/reference/coincident_points.hpp"

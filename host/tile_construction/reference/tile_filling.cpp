@@ -1,7 +1,7 @@
 // Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
 #include "host/tile_construction/tile_filling.hpp"
 #include "base/geometry/point_set.hpp"
-#include "host/sampling/voronoi_cells.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "kernels/common/tile_filling.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Kernel dart throwing is unbiased: its statistics are those of the textbook algorithm, which shares no code
 // with it.
 #include "base/geometry/relative_radius.hpp"
-#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/support/set_features.hpp"
 #include "tests/support/textbook_dart_throwing.hpp"

@@ -197,6 +197,7 @@ bool is_sorted_as_said(const nlohmann::json& values, bool descending)
 TEST_F(SiteInBrowser, TheRankingSortsByEachColumn)
 {
     browser_->open(site() / "index.html");
+    browser_->click("#all-measures");
     const auto keys = each("#ranking thead th", "e.dataset.key");
     EXPECT_THAT(keys.get<std::vector<std::string>>(), Contains("relative_radius"));
     for (const std::string key : keys) {

@@ -3,7 +3,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/needed_buffers.hpp"
-#include "host/sampling/point_grid.hpp"
+#include "host/sampling/cells/point_grid.hpp"
 
 #include <cstddef>
 #include <vector>

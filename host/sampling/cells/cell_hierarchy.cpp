@@ -1,4 +1,4 @@
-#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 
 #include <cmath>
 #include <numbers>

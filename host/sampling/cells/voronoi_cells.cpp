@@ -1,4 +1,4 @@
-#include "host/sampling/voronoi_cells.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Movement in domains against closed forms, and against a walk along the way in small steps.
-#include "host/sampling/domain.hpp"
+#include "host/sampling/cells/domain.hpp"
 
 #include "tests/support/convex_regions.hpp"
 

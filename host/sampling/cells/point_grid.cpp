@@ -1,4 +1,4 @@
-#include "host/sampling/point_grid.hpp"
+#include "host/sampling/cells/point_grid.hpp"
 
 #include "base/geometry/lattice.hpp"
 #include "kernels/common/vectors.h"

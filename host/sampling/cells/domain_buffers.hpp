@@ -2,8 +2,8 @@
 #pragma once
 
 #include "host/device/device.hpp"
-#include "host/sampling/domain.hpp"
-#include "host/sampling/point_grid.hpp"
+#include "host/sampling/cells/domain.hpp"
+#include "host/sampling/cells/point_grid.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "host/sampling/domain_buffers.hpp"
+#include "host/sampling/cells/domain_buffers.hpp"
 
 #include <span>
 #include <vector>

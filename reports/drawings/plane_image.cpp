@@ -1,4 +1,4 @@
-#include "reports/images/plane_image.hpp"
+#include "reports/drawings/plane_image.hpp"
 
 #include "reports/images/spectrum_image.hpp"
 

@@ -1,4 +1,4 @@
-#include "host/sampling/domain.hpp"
+#include "host/sampling/cells/domain.hpp"
 
 #include "kernels/common/domain.h"
 
@@ -46,8 +46,8 @@ void enter_region(const ConvexRegion& region, const Vector& start, const Vector&
             exit = std::min(exit, -height / rise);
         }
     }
-    if (nearest_boundary == nullptr) return; // no half-spaces
-    if (nearest < -contract::domain::BOUNDARY_DEPTH) {         // may leave by the nearest boundary, or stay as deep as it is
+    if (nearest_boundary == nullptr) return;           // no half-spaces
+    if (nearest < -contract::domain::BOUNDARY_DEPTH) { // may leave by the nearest boundary, or stay as deep as it is
         entered = nearest_boundary;
         entry = 0;
         if (nearest_rise >= 0) return;
@@ -98,7 +98,8 @@ Vector allowed_displacement(const Domain& domain, const Vector& position, const 
         for (double& m : movement) m *= 1 - contact.part;
         double size = 0;
         for (const double m : movement) size += std::abs(m);
-        const double into = inner_product(movement, contact.normal) - (contract::domain::LIFT_PART * size + contract::domain::LIFT_DISTANCE);
+        const double into = inner_product(movement, contact.normal) -
+                            (contract::domain::LIFT_PART * size + contract::domain::LIFT_DISTANCE);
         for (int k = 0; k < 3; ++k) movement[k] -= into * contact.normal[k];
     }
     return done;

@@ -1,5 +1,5 @@
 // The kernel move_points moves each point bit for bit as the host's allowed_displacement() says.
-#include "host/sampling/domain_buffers.hpp"
+#include "host/sampling/cells/domain_buffers.hpp"
 
 #include "tests/support/convex_regions.hpp"
 #include "tests/support/point_patterns.hpp"

@@ -1,5 +1,5 @@
 // The hierarchy of cells, the Poisson numbers and the exact distance thresholds that dart throwing stands on.
-#include "host/sampling/cell_hierarchy.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"

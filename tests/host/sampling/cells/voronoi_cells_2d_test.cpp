@@ -1,6 +1,6 @@
 // The cells of points on the 2-torus by kernels: against CGAL's, against closed forms, and the same bits
 // whatever the device is told.
-#include "host/sampling/voronoi_cells.hpp"
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>
