@@ -1,6 +1,6 @@
 // Sorts points by the cells of a regular grid on the torus, so that neighbours are found in adjacent cells.
 //
-// A counting sort in four steps; host/sampling/point_grid.cpp runs them:
+// A counting sort in four steps; host/sampling/cells/point_grid.cpp runs them:
 //   count_points   the number of points in each cell, and each point's place among them
 //   scan_counts    numbers to starts, chunk by chunk; scan_totals and add_totals join the chunks
 //   place_points   the points' order by cells

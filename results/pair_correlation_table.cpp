@@ -11,13 +11,13 @@ namespace poissonlab {
 
 namespace {
 
-constexpr const char* header = "distance,pair_correlation,standard_error,pairs";
+constexpr const char* pair_correlation_header = "distance,pair_correlation,standard_error,pairs";
 
 }
 
 std::string pair_correlation_csv(const std::vector<PairCorrelationBin>& bins)
 {
-    std::string text = fmt::format("{}\n", header);
+    std::string text = fmt::format("{}\n", pair_correlation_header);
     for (const PairCorrelationBin& bin : bins)
         text += fmt::format("{},{},{},{}\n", bin.distance, bin.value, bin.standard_error, bin.pairs);
     return text;
@@ -26,7 +26,7 @@ std::string pair_correlation_csv(const std::vector<PairCorrelationBin>& bins)
 std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesystem::path& path)
 {
     std::vector<PairCorrelationBin> bins;
-    for (const auto& row : read_number_table(path, header, "distances")) {
+    for (const auto& row : read_number_table(path, pair_correlation_header, "distances")) {
         if (!std::isfinite(row[2]) || !std::isfinite(row[3]))
             throw InputError(fmt::format("{}:{}: standard_error = {}, pairs = {}: must be finite", path.string(),
                                          bins.size() + 2, row[2], row[3]));

@@ -6,7 +6,7 @@ namespace poissonlab {
 
 namespace {
 
-struct Sample
+struct PowerSample
 {
     double x = 0;
     double y = 0;
@@ -22,13 +22,13 @@ struct Line
 };
 
 /// The line of weighted least squares, about the means; at least three samples with different x.
-Line fit(const std::vector<Sample>& samples)
+Line fit(const std::vector<PowerSample>& samples)
 {
     double weight = 0, x = 0, y = 0;
-    for (const Sample& s : samples) weight += s.weight, x += s.weight * s.x, y += s.weight * s.y;
+    for (const PowerSample& s : samples) weight += s.weight, x += s.weight * s.x, y += s.weight * s.y;
     x /= weight, y /= weight;
     double xx = 0, xy = 0;
-    for (const Sample& s : samples) {
+    for (const PowerSample& s : samples) {
         xx += s.weight * (s.x - x) * (s.x - x);
         xy += s.weight * (s.x - x) * (s.y - y);
     }
@@ -37,7 +37,7 @@ Line fit(const std::vector<Sample>& samples)
     line.intercept = y - line.slope * x;
 
     double squares = 0;
-    for (const Sample& s : samples) {
+    for (const PowerSample& s : samples) {
         const double residual = s.y - y - line.slope * (s.x - x);
         squares += s.weight * residual * residual;
     }
@@ -57,7 +57,7 @@ FrequencyRange low_frequency_range(std::size_t points, int dimension)
 
 std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, const FrequencyRange& range)
 {
-    std::vector<Sample> logarithms, parabola;
+    std::vector<PowerSample> logarithms, parabola;
     LowFrequencyPower result;
     for (const RadialBin& bin : radial) {
         const double f = bin.frequency;

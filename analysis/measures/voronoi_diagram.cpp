@@ -11,8 +11,8 @@ namespace poissonlab {
 
 namespace {
 
-using Position = std::array<double, 2>;
-using Polygon = std::vector<Position>;
+using CellCorner = std::array<double, 2>;
+using Polygon = std::vector<CellCorner>;
 
 /// Some hundred times the rounding of circumcentres, of coordinates up to 1.
 constexpr double shortest_edge = 1e-13;
@@ -22,14 +22,14 @@ constexpr double shortest_edge = 1e-13;
 Polygon tidy(const Polygon& polygon)
 {
     Polygon corners;
-    const auto differ = [&](const Position& p, const Position& q) {
+    const auto differ = [&](const CellCorner& p, const CellCorner& q) {
         return std::hypot(p[0] - q[0], p[1] - q[1]) >= shortest_edge;
     };
-    for (const Position& p : polygon) {
+    for (const CellCorner& p : polygon) {
         if (corners.empty() || differ(p, corners.back())) corners.push_back(p);
     }
     while (corners.size() > 1 && !differ(corners.front(), corners.back())) corners.pop_back();
-    const auto direction = [](const Position& p) { return std::atan2(p[1], p[0]); };
+    const auto direction = [](const CellCorner& p) { return std::atan2(p[1], p[0]); };
     std::rotate(corners.begin(), std::ranges::min_element(corners, {}, direction), corners.end());
     return corners;
 }
@@ -38,8 +38,8 @@ double area_of(const Polygon& polygon)
 {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Position& p = polygon[i];
-        const Position& q = polygon[(i + 1) % polygon.size()];
+        const CellCorner& p = polygon[i];
+        const CellCorner& q = polygon[(i + 1) % polygon.size()];
         twice += p[0] * q[1] - p[1] * q[0];
     }
     return twice / 2;
@@ -53,7 +53,7 @@ VoronoiDiagram voronoi_diagram(const PointSet& points)
     if (points.size() == 0) throw InputError("Voronoi diagram: the point set must not be empty");
 
     // The first point at each position has the cell.
-    std::map<Position, std::size_t> owners;
+    std::map<CellCorner, std::size_t> owners;
     for (std::size_t i = 0; i < points.size(); ++i) owners.try_emplace({points[i][0], points[i][1]}, i);
 
     VoronoiDiagram diagram{std::vector<VoronoiCell>(points.size())};

@@ -14,32 +14,32 @@ namespace poissonlab {
 
 namespace {
 
-constexpr int nodes = 16;
+constexpr int gauss_nodes = 16;
 /// If phases change by at most 2 a over a panel, the relative error of 16 nodes is about
 /// a^32 2^33 16!^4 / (33 32!^3) < 1e-25 for a = 4; the cubic weight adds a few powers of 32 / a.
 constexpr double most_phase_of_a_panel = 8;
 
 struct Quadrature
 {
-    std::array<double, nodes> at; ///< in [-1, 1]
-    std::array<double, nodes> weights;
+    std::array<double, gauss_nodes> at; ///< in [-1, 1]
+    std::array<double, gauss_nodes> weights;
 };
 
 /// Gauss-Legendre: roots of the Legendre polynomial, by Newton's method from Tricomi's approximation.
 Quadrature gauss_legendre()
 {
     Quadrature rule{};
-    for (int k = 0; k < nodes; ++k) {
-        double x = std::cos(std::numbers::pi * (k + 0.75) / (nodes + 0.5));
+    for (int k = 0; k < gauss_nodes; ++k) {
+        double x = std::cos(std::numbers::pi * (k + 0.75) / (gauss_nodes + 0.5));
         double slope = 1;
         for (int step = 0; step < 8; ++step) {
             double before = 1;
             double p = x;
-            for (int n = 2; n <= nodes; ++n) {
+            for (int n = 2; n <= gauss_nodes; ++n) {
                 const double next = ((2 * n - 1) * x * p - (n - 1) * before) / n;
                 before = std::exchange(p, next);
             }
-            slope = nodes * (before - x * p) / (1 - x * x);
+            slope = gauss_nodes * (before - x * p) / (1 - x * x);
             x -= p / slope;
         }
         rule.at[static_cast<std::size_t>(k)] = x;
@@ -57,7 +57,7 @@ std::complex<double> piece(const Quadrature& rule, double from, double to, doubl
     const double half = (to - from) / panels / 2;
     std::complex<double> sum = 0;
     for (int panel = 0; panel < panels; ++panel)
-        for (std::size_t k = 0; k < nodes; ++k) {
+        for (std::size_t k = 0; k < gauss_nodes; ++k) {
             const double u = from + half * (2 * panel + 1 + rule.at[k]);
             const double x = u * pixel;
             sum += rule.weights[k] * mitchell_weight(std::abs(u - centre)) * std::polar(1.0, x * x);
@@ -69,7 +69,7 @@ std::complex<double> piece(const Quadrature& rule, double from, double to, doubl
 double weight_between(const Quadrature& rule, double from, double to, double centre)
 {
     double sum = 0;
-    for (std::size_t k = 0; k < nodes; ++k) {
+    for (std::size_t k = 0; k < gauss_nodes; ++k) {
         const double u = from + (to - from) / 2 * (1 + rule.at[k]);
         sum += rule.weights[k] * mitchell_weight(std::abs(u - centre));
     }

@@ -8,10 +8,10 @@ namespace {
 constexpr std::string_view blanks = " \t\n";
 
 /// Reads words off a text from front to back.
-class WordReader
+class ShellWordReader
 {
 public:
-    explicit WordReader(std::string_view text) : text_(text) {}
+    explicit ShellWordReader(std::string_view text) : text_(text) {}
 
     /// Goes to the next word; false if there is none.
     bool skip_blanks()
@@ -71,7 +71,7 @@ private:
 std::optional<std::vector<std::string>> split_shell_words(const std::string& text)
 {
     std::vector<std::string> words;
-    for (WordReader reader(text); reader.skip_blanks();)
+    for (ShellWordReader reader(text); reader.skip_blanks();)
         if (!reader.read(words.emplace_back())) return std::nullopt;
     return words;
 }

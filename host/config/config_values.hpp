@@ -5,10 +5,14 @@
 #include "host/config/config_tree.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+/// The largest integer of a config: a range up to it is none.
+inline constexpr std::int64_t any_integer = std::numeric_limits<std::int64_t>::max();
 
 /// Each returns `otherwise` where the table lacks the key, and throws InputError with the value's own line
 /// for values of another kind or beyond the ends, which are allowed.

@@ -13,7 +13,6 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t max_side = 64;    // of a window, in tiles
 constexpr std::int64_t max_listed = 256; // pieces or tiles of a picture
 constexpr std::int64_t max_drawn_points = 100'000;
@@ -81,7 +80,7 @@ PoissonTileParameters read_parameters(const ConfigTable& table, const PoissonTil
     if (p.filling == TileFilling::dart_throwing) p.factor = 1;
     p.lloyd_iterations = static_cast<std::uint32_t>(read_integer(table, "lloyd_iterations", 0, 1000, 8));
     p.repulsion = read_flag(table, "repulsion", true);
-    p.seed = static_cast<std::uint64_t>(read_integer(table, "seed", 0, any, static_cast<std::int64_t>(seed)));
+    p.seed = static_cast<std::uint64_t>(read_integer(table, "seed", 0, any_integer, static_cast<std::int64_t>(seed)));
     return p;
 }
 
@@ -98,7 +97,7 @@ void check_parameters(const PoissonTileParameters& parameters, const ConfigTable
 
 TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
 {
-    const auto values = read_integers(table, "window", 4, 4, -any - 1, "[X, Y, width, height]");
+    const auto values = read_integers(table, "window", 4, 4, -any_integer - 1, "[X, Y, width, height]");
     if (values.empty()) return {0, 0, 6, 4};
     const ConfigNode* node = find(table, "window");
     if (values[2] < 1 || values[3] < 1 || values[2] > max_side || values[3] > max_side ||
@@ -107,7 +106,8 @@ TileWindow read_window(const ConfigTable& table, std::uint32_t points_per_tile)
                            fmt::format("must be from 1 to {} tiles wide and high, with at most {} points in all",
                                        max_side, max_drawn_points));
     for (const int k : {0, 1})
-        if (values[k] < -any / 2 || values[k] > any / 2) throw invalid_node("window", *node, "must not be so far away");
+        if (values[k] < -any_integer / 2 || values[k] > any_integer / 2)
+            throw invalid_node("window", *node, "must not be so far away");
     return {values[0], values[1], static_cast<std::uint64_t>(values[2]), static_cast<std::uint64_t>(values[3])};
 }
 

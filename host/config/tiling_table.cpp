@@ -13,12 +13,11 @@ namespace {
 constexpr double largest_regions_2d = 0.2071; // octagons of neighbouring corners meet at (1 + sqrt 2) r = 1/2
 constexpr double largest_regions_3d = 0.1306; // and at (1 + 2 sqrt 2) r = 1/2
 constexpr std::int64_t max_paired_colors = 16;
-constexpr std::int64_t any = std::numeric_limits<std::int64_t>::max();
 
 CubeWindow read_window(const ConfigTable& table, TileKind kind)
 {
     const bool cube = kind == TileKind::cube;
-    const auto w = read_integers(table, "window", cube ? 6 : 4, cube ? 6 : 4, -any - 1,
+    const auto w = read_integers(table, "window", cube ? 6 : 4, cube ? 6 : 4, -any_integer - 1,
                                  cube ? "[X, Y, Z, width, height, depth]" : "[X, Y, width, height]");
     if (w.empty()) return cube ? CubeWindow{0, 0, 0, 4, 4, 4} : CubeWindow{0, 0, 0, 16, 16, 1};
     const std::size_t axes = w.size() / 2;

@@ -117,7 +117,7 @@ std::vector<ParameterSpec> parameters()
     };
 }
 
-std::size_t most_points(const Parameters& parameters, const SampleRequest& request)
+std::size_t most_relaxed_points(const Parameters& parameters, const SampleRequest& request)
 {
     const SamplerChoice& start = parameters.sampler("start");
     return start.spec->most_points ? start.spec->most_points(start.parameters, request) : request.points;
@@ -127,7 +127,7 @@ std::size_t most_points(const Parameters& parameters, const SampleRequest& reque
 DeviceMemory device_memory(const Parameters& parameters, const SampleRequest& request, const DeviceInfo& device)
 {
     const SamplerChoice& start = parameters.sampler("start");
-    DeviceMemory memory = relaxation_memory(parameters, most_points(parameters, request), request.dimension);
+    DeviceMemory memory = relaxation_memory(parameters, most_relaxed_points(parameters, request), request.dimension);
     if (start.spec->device_memory) memory = memory + start.spec->device_memory(start.parameters, request, device);
     return memory;
 }
@@ -152,7 +152,7 @@ SamplerSpec lloyd_sampler()
     spec.parameters = parameters();
     spec.follows_start = true;
     spec.check = check_lloyd;
-    spec.most_points = most_points;
+    spec.most_points = most_relaxed_points;
     spec.device_memory = device_memory;
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {

@@ -13,7 +13,7 @@ namespace poissonlab {
 namespace {
 
 /// A set that needs more darts than this would take weeks.
-constexpr double most_darts = 1e15;
+constexpr double most_relaxation_darts = 1e15;
 
 RelaxationDartThrowingRequest request_for(const Parameters& parameters, const SampleRequest& request)
 {
@@ -38,7 +38,7 @@ double least_darts(const RelaxationDartThrowingRequest& request)
 void check_effort(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
     const double darts = least_darts(request_for(parameters, request));
-    if (darts <= most_darts) return;
+    if (darts <= most_relaxation_darts) return;
     const std::string problem = fmt::format(
         "{} points would take some {:.0e} darts; take a smaller factor or fewer attempts", request.points, darts);
     for (const char* key : {"factor", "attempts"}) {

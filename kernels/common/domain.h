@@ -1,4 +1,4 @@
-// What domain.clh and its host code, host/sampling/domain.cpp and domain_buffers.cpp, agree on.
+// What domain.clh and its host code, host/sampling/cells/domain.cpp and domain_buffers.cpp, agree on.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -10,10 +10,10 @@ namespace poissonlab {
 
 namespace {
 
-constexpr std::size_t most_points_shown_whole = 600;
-constexpr double points_in_window = 400;
+constexpr std::size_t most_cells_shown_whole = 600;
+constexpr double cells_in_window = 400;
 constexpr double margin_in_spacings = 8;
-constexpr double drawing_size = 640;
+constexpr double cells_size = 640;
 constexpr double dot_radius = 2.2; // units of the drawing
 
 using Position = std::array<double, 2>;
@@ -108,8 +108,8 @@ std::optional<CellsView> cut_out_view(const PointSet& points, double window, con
 CellsView choose_cells_view(const PointSet& points)
 {
     const auto total = static_cast<double>(points.size());
-    if (points.size() <= most_points_shown_whole) return whole_view(points, 1);
-    const double window = std::sqrt(points_in_window / total);
+    if (points.size() <= most_cells_shown_whole) return whole_view(points, 1);
+    const double window = std::sqrt(cells_in_window / total);
     const double margin = margin_in_spacings / std::sqrt(total);
     const CutOut cut{margin, window + 2 * margin};
     if (cut.size < 1)
@@ -133,9 +133,9 @@ std::string cell_class_color(std::size_t cell_class)
 
 Drawing draw_cells(const CellsView& view)
 {
-    Drawing drawing{drawing_size, drawing_size, {}};
-    const double scale = drawing_size / view.window;
-    const auto place = [&](const Position& p) -> DrawingPoint { return {scale * p[0], drawing_size - scale * p[1]}; };
+    Drawing drawing{cells_size, cells_size, {}};
+    const double scale = cells_size / view.window;
+    const auto place = [&](const Position& p) -> DrawingPoint { return {scale * p[0], cells_size - scale * p[1]}; };
     for (const auto& cell : view.cells) {
         Polygon outline;
         for (const auto& corner : cell.polygon) outline.push_back(place(corner));

@@ -8,7 +8,7 @@ namespace poissonlab {
 
 namespace {
 
-constexpr double letter_size = 11; // where planes have up to 255 pixels
+constexpr double plane_letter_size = 11; // where planes have up to 255 pixels
 
 // A spectrum with its name above it.
 struct NamedPlane
@@ -33,7 +33,7 @@ Drawing draw_planes(const std::vector<NamedPlane>& planes, const ToneMapping& to
         const GreyImage image = draw_spectrum(plane.spectrum, tone_mapping, block);
         drawing.shapes.push_back({Image{{left, top + strip}, double(size), {size, size, 1, image.pixels}}, {}, {}});
         drawing.shapes.push_back(
-            {Text{{left + scale, top + strip - 3 * scale}, letter_size * scale, plane.name}, "#000000", {}});
+            {Text{{left + scale, top + strip - 3 * scale}, plane_letter_size * scale, plane.name}, "#000000", {}});
     }
     return drawing;
 }

@@ -12,8 +12,8 @@ namespace poissonlab {
 namespace {
 
 constexpr double tile_size = 32;
-constexpr double gap_size = 8;
-constexpr double disk_radius = 11 / tile_size;
+constexpr double tile_gap = 8;
+constexpr double tile_disk_radius = 11 / tile_size;
 constexpr std::size_t arc_steps = 8; // of a quarter of a disk: it is within 0.06 units of round
 
 /// One channel of a saturated colour; `turns` around the colour circle.
@@ -24,7 +24,7 @@ int channel(double turns)
 }
 
 /// From one tile to the next.
-double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? gap_size : 0); }
+double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? tile_gap : 0); }
 
 /// Four triangles that meet in the middle.
 void add_wang_tile(std::vector<Shape>& shapes, const WangTile& tile, const DrawnSquare& square)
@@ -44,7 +44,8 @@ void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const D
         Polygon quarter{square.beside_edge(corner, 0, 0)};
         for (std::size_t step = 0; step <= arc_steps; ++step) {
             const double angle = std::numbers::pi / 2 * static_cast<double>(step) / arc_steps;
-            quarter.push_back(square.beside_edge(corner, disk_radius * std::cos(angle), disk_radius * std::sin(angle)));
+            quarter.push_back(
+                square.beside_edge(corner, tile_disk_radius * std::cos(angle), tile_disk_radius * std::sin(angle)));
         }
         shapes.push_back({std::move(quarter), tile_color(colors[corner]), {}});
     }
@@ -66,7 +67,7 @@ Drawing empty_tile_drawing(const TileGrid& grid)
     if (grid.kind != TileKind::wang && grid.kind != TileKind::corner)
         throw std::logic_error("only Wang and corner tiles are drawn");
     const auto length = [&](std::size_t tiles) {
-        return 2 * gap_size + static_cast<double>(tiles) * pitch(grid) - (pitch(grid) - tile_size);
+        return 2 * tile_gap + static_cast<double>(tiles) * pitch(grid) - (pitch(grid) - tile_size);
     };
     const std::size_t columns = std::max<std::size_t>(1, grid.columns);
     const std::size_t rows = std::max<std::size_t>(1, (grid.tiles.size() + columns - 1) / columns);
@@ -78,7 +79,7 @@ DrawnSquare tile_square(const TileGrid& grid, std::size_t tile)
     const auto column = static_cast<double>(tile % grid.columns);
     const auto row = static_cast<double>(tile / grid.columns);
     return {
-        {gap_size + column * pitch(grid), gap_size + row * pitch(grid) + tile_size}, {tile_size, 0}, {0, -tile_size}};
+        {tile_gap + column * pitch(grid), tile_gap + row * pitch(grid) + tile_size}, {tile_size, 0}, {0, -tile_size}};
 }
 
 void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double width)

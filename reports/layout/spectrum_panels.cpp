@@ -14,9 +14,9 @@ namespace poissonlab {
 
 namespace {
 
-using Part = SpectrumPicture::Part;
+using SpectrumPart = SpectrumPicture::Part;
 
-SpectrumPicture picture(const ReportSeries& series, Part part)
+SpectrumPicture picture(const ReportSeries& series, SpectrumPart part)
 {
     const auto& stored = *series.stored;
     return {series.run->folder / stored.spectrum_file, stored.spectrum_size, series.run->dimension, part};
@@ -65,7 +65,7 @@ void add_spectrum_panel(const ReportSeries& series, std::vector<Panel>& panels)
     const auto& stored = *series.stored;
     if (stored.spectrum_file.empty()) return;
     Panel panel{.stem = "spectrum",
-                .picture = picture(series, Part::whole),
+                .picture = picture(series, SpectrumPart::whole),
                 .title = stored.is_estimate ? "Power spectrum estimate" : "Periodogram",
                 .caption = caption(series),
                 .guide = guide(series.run->dimension == 3),
@@ -81,7 +81,7 @@ void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels)
     const auto& stored = *series.stored;
     if (series.run->dimension == 2 || stored.spectrum_file.empty()) return;
     panels.push_back({.stem = "spectrum-cube",
-                      .picture = picture(series, Part::cube),
+                      .picture = picture(series, SpectrumPart::cube),
                       .title = "Cube of frequencies",
                       .caption =
                           "x to the lower left, y to the lower right, z upwards; the eighth where all are positive "
@@ -89,14 +89,14 @@ void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels)
                       .image_class = ""});
     if (const auto slices = spectrum_slices(stored.spectrum_size); !slices.empty())
         panels.push_back({.stem = "spectrum-slices",
-                          .picture = picture(series, Part::slices),
+                          .picture = picture(series, SpectrumPart::slices),
                           .title = "Slices",
                           .caption = fmt::format("Planes where the frequency along z is {}.", fmt::join(slices, ", ")),
                           .image_class = "",
                           .figure_class = "row"});
     const int reach = std::max(1, 5 * stored.spectrum_size / 16);
     panels.push_back({.stem = "spectrum-close-ups",
-                      .picture = picture(series, Part::close_ups),
+                      .picture = picture(series, SpectrumPart::close_ups),
                       .title = "Close-ups",
                       .caption = fmt::format("The middle of the planes through frequency 0, from {} to {}.",
                                              format_fixed(-reach, 0), format_fixed(reach - 1, 0)),

@@ -17,7 +17,7 @@ namespace poissonlab {
 
 namespace {
 
-constexpr double pixels_a_unit = 2;
+constexpr double tiling_pixels_a_unit = 2;
 
 /// Stored layers begin at the bottom, stored rows in the north.
 CubeGrid cube_grid(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
@@ -81,7 +81,7 @@ std::string autocorrelation_picture(const ColorStatistics& colors)
 void draw_tiling_pictures(const ReportTiling& tiling, PictureStore& store)
 {
     const Drawing drawing = drawing_of(*tiling.stored, read_tiles(tiling.run->folder, *tiling.stored));
-    write_drawing(tiling.pictures / "tiles", drawing, pixels_a_unit * drawing.width, store);
+    write_drawing(tiling.pictures / "tiles", drawing, tiling_pixels_a_unit * drawing.width, store);
     if (!tiling.stored->statistics) return;
     for (const ColorStatistics& colors : tiling.stored->statistics->colors) draw_autocorrelation(tiling, colors);
 }

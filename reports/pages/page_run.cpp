@@ -52,7 +52,7 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
-PageData zone_plate_reference(const ReportRun& run, const std::filesystem::path& page_folder)
+PageData zone_plate_reference_data(const ReportRun& run, const std::filesystem::path& page_folder)
 {
     const auto curves = zone_plate_curves(series_of(run));
     if (curves.empty()) return false;
@@ -96,7 +96,7 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("integrated", !run.integration.empty());
     page.set("regions", overlays(run.regions, {}, place));
     page.set("has_regions", !run.regions.empty());
-    page.set("plate", zone_plate_reference(run, page_folder));
+    page.set("plate", zone_plate_reference_data(run, page_folder));
     page.set("tilings", tiling_sections(run, page_folder));
     page.set("has_tilings", !run.tilings.empty());
     page.set("constructions", construction_sections(run, page_folder));

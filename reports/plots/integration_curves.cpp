@@ -7,7 +7,7 @@ namespace poissonlab {
 
 namespace {
 
-struct Extent
+struct ValueRange
 {
     double low = 0;
     double high = 0;
@@ -32,7 +32,7 @@ std::vector<std::string> integrands_of(const std::vector<IntegrationCurve>& curv
 Plot integration_error_plot(const std::vector<IntegrationCurve>& curves, const std::string& integrand)
 {
     Plot plot;
-    Extent points, errors;
+    ValueRange points, errors;
     for (const auto& source : curves) {
         if (source.integrand != integrand) continue;
         PlotCurve curve{source.index, source.label};
