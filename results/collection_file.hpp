@@ -24,7 +24,7 @@ std::optional<CollectionFile> read_collection_file(const std::filesystem::path& 
 /// The output folders that a folder stands for: itself, or the runs of the collection that it holds. Throws InputError.
 std::vector<std::filesystem::path> output_folders(const std::filesystem::path& folder);
 
-/// Those of several folders, in their order.
+/// The output folders of several folders, in their order.
 std::vector<std::filesystem::path> output_folders(const std::vector<std::filesystem::path>& folders);
 
 }

@@ -9,7 +9,7 @@ namespace poissonlab::file_names {
 inline constexpr const char* results = "results.json";
 inline constexpr const char* collection = "collection.json";
 
-// In the folder of a series.
+/// In the folder of a series.
 inline constexpr const char* spectrum = "spectrum.exr";
 inline constexpr const char* spectrum_volume = "spectrum-volume.exr";
 inline constexpr const char* radial = "radial.csv";
@@ -18,7 +18,7 @@ inline constexpr const char* iterations = "iterations.csv";
 inline constexpr const char* zone_plate = "zone-plate.exr";
 inline constexpr const char* zone_plate_error = "zone-plate.csv";
 
-// In the folder of a tiling or tile set, and of a construction.
+/// In the folder of a tiling or tile set, and of a construction.
 inline constexpr const char* tiles = "tiles.txt";
 inline constexpr const char* construction = "construction.json";
 

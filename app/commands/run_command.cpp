@@ -65,7 +65,7 @@ int threads_of(const RunOptions& options, const Crew& crew)
     return std::max(1, own < all ? own : all / crew_processes_here());
 }
 
-/// Nothing may be lost at the end because it cannot be written.
+/// Throws InputError before any work is done if the results could not be written at the end.
 void check_writable(const fs::path& out)
 {
     std::error_code error;
@@ -98,7 +98,7 @@ private:
     fs::path file_;
 };
 
-/// Whether all processes keep their work in the same folder. Throws InputError in the one that leads.
+/// True if all processes keep their work in the same folder. If they do not, throws InputError in the one that leads.
 bool share_a_folder(Crew& crew, const fs::path& units)
 {
     if (crew.size() == 1) return true;

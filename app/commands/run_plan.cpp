@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace poissonlab {
 namespace {
 
-/// What would run this config alone, with what the collection hands on to it.
+/// The command that would run this config alone, with the settings that the collection hands on to it.
 std::string command_of(const CollectedConfig& collected, const std::string& device, const RunOptions& options)
 {
     std::string command = "poissonlab run " + shell_word(collected.config.file);

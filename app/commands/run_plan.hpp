@@ -1,4 +1,4 @@
-// What `poissonlab run` is going to do.
+// The plan of a `poissonlab run`: its runs, or those of a collection.
 #pragma once
 
 #include "host/run/runner.hpp"

@@ -49,7 +49,7 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
     return block;
 }
 
-/// What the file says of itself; the domain is the square (cube) that the window fits into.
+/// The comment in the file; its domain is the square (cube) that the window fits into.
 std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
 {
     return fmt::format("domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "

@@ -31,7 +31,7 @@ struct TilesVerifyOptions
 
 using Json = nlohmann::ordered_json;
 
-/// What a file says, without its points, and what is proven.
+/// The parameters that a file states, and its certificate.
 struct Verification
 {
     std::string file;
@@ -56,7 +56,7 @@ double distance_of(std::uint64_t squared_distance)
     return std::sqrt(static_cast<double>(squared_distance)) / tile_units;
 }
 
-/// What the regions of cells of a dimension are called.
+/// The name of the regions of cells of a dimension.
 std::string region_name(int cell_dimension, int dimension)
 {
     if (cell_dimension == dimension) return "interior";

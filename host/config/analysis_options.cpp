@@ -21,7 +21,7 @@ int read_spectrum_size(const ConfigTable& table, int dimension)
     return size;
 }
 
-/// How periodograms are computed; nothing where there are none, and then no key that is about them.
+/// The way to compute periodograms; std::nullopt if there are none, and then keys about them are refused.
 std::optional<PeriodogramMethod> read_periodogram_method(const ConfigTable& table)
 {
     switch (read_word(table, "spectrum", {"fast", "exact", "none"})) {

@@ -1,4 +1,4 @@
-// What the analysis of a series is asked for: the keys of [analysis] beyond the size and number of the sets.
+// The options of a series' analysis: the keys of [analysis] beyond the size and number of the sets.
 #pragma once
 
 #include "analysis/spectra/spectrum.hpp"

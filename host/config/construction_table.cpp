@@ -84,7 +84,7 @@ PoissonTileParameters read_parameters(const ConfigTable& table, const PoissonTil
     return p;
 }
 
-/// What the library refuses, at the line of the key that it names.
+/// Checks the parameters as the library does; errors give the line of the key that they name.
 void check_parameters(const PoissonTileParameters& parameters, const ConfigTable& table, const SourceLocation& where)
 {
     try {

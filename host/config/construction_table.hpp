@@ -35,7 +35,7 @@ struct ConstructionConfig
     bool is_tiling() const { return show == "tiling" || show == "points"; }
 };
 
-/// What there is to show of tiles of a kind (kind_name()), the default first.
+/// The pictures that can be shown of tiles of a kind (kind_name()), the default first.
 const std::vector<std::string>& construction_shows(const std::string& kind);
 
 /// Throws InputError with the place of what is wrong. `seed`: of the config, for tables without one.

@@ -80,12 +80,12 @@ const SamplerSpec* sampler_of(const ConfigTable& method, const SamplerRegistry& 
     return name ? find_sampler(*name, registry) : nullptr;
 }
 
-/// Whether a [[method]] table can have a key: those of every method, and its sampler's parameters.
+/// True if a [[method]] table can have the key: it is one of every method, or a parameter of its sampler.
 bool method_takes(const ConfigTable& method, const std::string& key, const SamplerRegistry& registry)
 {
     if (key == "sampler" || key == "label" || key == "points") return true;
     const SamplerSpec* sampler = sampler_of(method, registry);
-    // What is wrong with the sampler's name is said later, at its own line.
+    // A sampler's name that is wrong is refused later, at its own line.
     if (!sampler) return true;
     return std::ranges::any_of(sampler->parameters, [&](const ParameterSpec& spec) { return spec.key == key; });
 }

@@ -1,4 +1,4 @@
-// From config values to sampler parameters: types, ranges, and lists that stand for several series.
+// Config values made into sampler parameters: types, ranges, and lists that stand for several series.
 #pragma once
 
 #include "host/config/config_tree.hpp"
@@ -18,7 +18,7 @@ struct ParameterChoice
     std::string in_name; ///< how names of series show it; empty: as shown
 };
 
-/// What a parameter accepts, as messages and the help say it: "a number greater than 0 and at most 1".
+/// The values that a parameter accepts, in the words of messages and the help: "a number greater than 0 and at most 1".
 std::string allowed_values(const ParameterSpec& spec);
 
 /// The values that a config key gives a parameter: one, or each item of a list. A list of paths is one value;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t longest_name = 100;
 
-/// For example "Dart throwing, rho = 0.70": the user's label and what varies, or the title and all parameters, or what
-/// the sampler itself makes of these.
+/// The label of a series, such as "Dart throwing, rho = 0.70": the user's label and the parameters that vary, or the
+/// sampler's title and all parameters, or the label that the sampler itself makes of these.
 std::string series_label(const MethodConfig& method, const Combination& chosen)
 {
     const std::string values = values_text(method.settings, chosen, !method.label.empty());
@@ -58,7 +58,7 @@ bool is_deterministic(const SamplerSpec& sampler, const Parameters& parameters)
     return any && all;
 }
 
-/// How many realizations there are where files decide that, the series' own or those it starts from.
+/// The number of realizations if files decide it, the series' own or those that it starts from.
 std::optional<std::size_t> available_realizations(const SamplerSpec& sampler, const Parameters& parameters)
 {
     if (sampler.available_realizations) return sampler.available_realizations(parameters);

@@ -1,4 +1,4 @@
-// Whether the device has memory for a plan: asked before work starts.
+// The check, before work starts, that the device has memory for a plan.
 #pragma once
 
 #include "host/config/construction_table.hpp"
@@ -17,7 +17,7 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
 /// The same for constructions, which are made one batch of the same tiles after another.
 void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device);
 
-/// What each of several processes on a machine may take of a device, if all take the same.
+/// The share of a device's memory that each of several processes on a machine may take, if all take the same.
 DeviceInfo share_of(DeviceInfo device, int processes);
 
 }

@@ -15,7 +15,7 @@ namespace poissonlab {
 inline constexpr std::int64_t max_points = std::int64_t{1} << 27;
 inline constexpr std::size_t max_series = 1000;
 
-/// How deep samplers may lie in one another: a [[method]], its start, the start of that ...
+/// The greatest depth to which samplers may lie in one another: a [[method]], its start, the start of that ...
 inline constexpr int max_sampler_depth = 5;
 
 /// A key of such a table, with every value that it takes.
@@ -58,12 +58,12 @@ Parameters chosen_parameters(const SamplerSpec& sampler, const std::vector<Param
 /// The short form of a parameter for names and labels, for example "rho".
 std::string symbol_of(const ParameterSpec& spec);
 
-/// For example "dart-throwing-rho-0.70", "lloyd-i-16-dart-throwing-rho-0.70-repulsion": for names of folders.
+/// A name for a folder, such as "dart-throwing-rho-0.70" or "lloyd-i-16-dart-throwing-rho-0.70-repulsion".
 std::string name_of(const SamplerSpec& sampler, const std::vector<ParameterSetting>& settings,
                     const Combination& chosen);
 
-/// What a label says of the values: "rho = 0.70", "start = Dart throwing (rho = 0.70), repulsion".
-/// `only_varying`: of those that differ between series.
+/// The values in the words of a label: "rho = 0.70", "start = Dart throwing (rho = 0.70), repulsion".
+/// `only_varying`: only those that differ between series.
 std::string values_text(const std::vector<ParameterSetting>& settings, const Combination& chosen,
                         bool only_varying = false);
 

@@ -85,7 +85,7 @@ TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t see
     return config;
 }
 
-/// What the tiles library refuses, said with the table's place.
+/// Makes the tile set as the tiles library does; errors give the table's place.
 void check_tiles(const TilingConfig& config)
 {
     try {

@@ -79,7 +79,7 @@ fs::path folder_of(const Parameters& parameters)
 class OutputFolder
 {
 public:
-    /// What {out} stands for. Programs may add an extension.
+    /// The path for {out}, to which programs may add an extension.
     std::string out() const { return (folder_.path() / "points").string(); }
 
     /// The one file that is there. Throws InputError.
@@ -165,7 +165,7 @@ public:
         }
     }
 
-    // How many points there are is the program's business.
+    // The program decides how many points there are.
     bool sizes_vary() const override { return true; }
 
 private:

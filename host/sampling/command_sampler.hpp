@@ -11,7 +11,7 @@ namespace poissonlab {
 
 SamplerSpec command_sampler();
 
-/// What stands for the fields {points}, {dimension}, {seed}, {realization} and {out} of a command.
+/// The values of the fields {points}, {dimension}, {seed}, {realization} and {out} of a command.
 struct CommandValues
 {
     std::size_t points = 0;

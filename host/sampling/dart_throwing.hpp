@@ -39,7 +39,7 @@ public:
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
-    /// What throw_darts() takes, nearly: the number of darts in a batch is a matter of chance.
+    /// The memory that throw_darts() takes, nearly: chance decides how many darts a batch has.
     static DeviceMemory memory(const DartThrowingRequest& request);
 };
 

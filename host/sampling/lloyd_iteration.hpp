@@ -1,4 +1,4 @@
-// What the two engines of Lloyd relaxation have in common: the course of the iterations.
+// The course of the iterations of Lloyd relaxation, which its two engines have in common.
 #pragma once
 
 #include "base/geometry/relative_radius.hpp"
@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What is measured on an iterate.
+/// The measures of an iterate.
 struct IterateMeasure
 {
     double energy = 0;       ///< integral over the torus of the squared distance to the nearest point

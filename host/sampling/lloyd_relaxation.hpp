@@ -43,7 +43,7 @@ public:
 
     LloydResult relax(const PointSet& points, const Domain& domain, const LloydRequest& request);
 
-    /// What relax() takes on the torus, and gives back.
+    /// The memory that relax() takes on the torus, and gives back.
     static DeviceMemory memory(int dimension, std::size_t points);
 
 private:

@@ -18,7 +18,7 @@ RepulsionRequest repulsion_request(double relative_radius, std::size_t points, i
     return {min_distance_for(relative_radius, points, dimension)};
 }
 
-/// What relaxation takes, or repulsion after it.
+/// The memory of relaxation, or of repulsion after it, whichever is larger.
 DeviceMemory relaxation_memory(const Parameters& parameters, std::size_t points, int dimension)
 {
     const DeviceMemory relaxation = LloydRelaxation::memory(dimension, points);

@@ -1,4 +1,4 @@
-// What a sampler can be told: declared as data, checked in one place, and remembered with its origin.
+// The parameters of samplers: declared as data, checked in one place, and kept with the place that they come from.
 #pragma once
 
 #include "base/errors/errors.hpp"

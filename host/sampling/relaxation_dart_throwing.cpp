@@ -222,8 +222,8 @@ private:
         buffers_.thresholds.write(window_thresholds_);
     }
 
-    /// So many darts that about candidates_a_batch of them become candidates, but not more than go with the
-    /// levels ahead; and levels enough for them. Judged by what the last rounds made of theirs.
+    /// Chooses as many darts as make about candidates_a_batch candidates, judged by the last rounds, but not more than
+    /// go with the levels ahead; and enough levels for these darts.
     void choose_batch(const StateWords& before)
     {
         const auto darts = static_cast<double>(state_[NEXT_DART] - before[NEXT_DART]);

@@ -82,7 +82,7 @@ public:
 
     RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request);
 
-    /// What throw_darts() takes.
+    /// The memory that throw_darts() takes.
     static DeviceMemory memory(const RelaxationDartThrowingRequest& request);
 };
 

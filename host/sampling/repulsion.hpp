@@ -34,8 +34,8 @@ struct RepulsionResult
     bool operator==(const RepulsionResult&) const = default;
 };
 
-/// What one pass looks at: the points in the cells around a point's own, `reach` in each direction, on a grid
-/// of cells_per_axis cells along each axis.
+/// The neighbourhood that one pass looks at: the points in the cells around a point's own, `reach` in each direction,
+/// on a grid of cells_per_axis cells along each axis.
 struct RepulsionPass
 {
     double distance; ///< t: pairs that are closer are pushed apart
@@ -61,7 +61,7 @@ public:
 
     RepulsionResult repel(const PointSet& points, const Domain& domain, const RepulsionRequest& request);
 
-    /// What repel() takes on the torus.
+    /// The memory that repel() takes on the torus.
     static DeviceMemory memory(int dimension, std::size_t points, const RepulsionRequest& request);
 };
 

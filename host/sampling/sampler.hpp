@@ -1,4 +1,4 @@
-// What every method of making point sets looks like to the rest of the laboratory.
+// The interface of every method of making point sets to the rest of the laboratory.
 //
 // To add a method: write a Sampler, describe it by a SamplerSpec, and list that in host/config/sampler_registry.cpp.
 // Config keys, checks, defaults, help, series names and the report follow from the description.
@@ -30,7 +30,7 @@ enum class Engine
 };
 inline constexpr WordTable<Engine, 2> engines{{{{Engine::opencl, "opencl"}, {Engine::reference, "reference"}}}};
 
-/// What the experiment asks of each point set of a series.
+/// The properties that the experiment asks of each point set of a series.
 struct SampleRequest
 {
     std::size_t points = 0; ///< target size; methods that cannot hit it exactly come as near as they can
@@ -65,7 +65,7 @@ public:
     /// The tile set of methods that tile.
     virtual std::optional<TileSetRecord> tile_set() const { return {}; }
 
-    /// Of how many tiles along each axis the sets are made; 0: of none.
+    /// The number of tiles along each axis of which the sets are made; 0: they are not made of tiles.
     virtual std::uint32_t tiles_along_axis() const { return 0; }
 };
 
@@ -106,7 +106,7 @@ struct SamplerSpec
     /// A hash of what decides its sets beside its parameters, such as the contents of files; empty: nothing does.
     std::function<std::uint64_t(const Parameters&)> outside_input;
 
-    /// How many realizations there are, where the method decides that (files); empty: as many as asked.
+    /// The number of realizations, if the method decides it (files); empty: as many as are asked for.
     std::function<std::size_t(const Parameters&)> available_realizations;
 
     /// The most memory that its sampler takes on a device of this kind, at a time, with that of its start; at most

@@ -48,7 +48,7 @@ bool fits(const ReportSeries& series, const SeriesQuery& query)
     return parameters && fits(series, query.needs);
 }
 
-// N^(1/d): frequencies over it are in cycles per mean spacing.
+/// N^(1/d): frequencies over it are in cycles per mean spacing.
 double frequency_unit(const ReportSeries& series)
 {
     return std::pow(static_cast<double>(series.stored->points), 1.0 / series.run->dimension);

@@ -70,8 +70,8 @@ double peak_anisotropy(const ReportSeries& series);
 /// The highest radially averaged power, and its standard error.
 RadialBin power_peak(const ReportSeries& series);
 
-/// How steeply the power rises to its peak: the width of the rise from 0.25 to 0.75, in cycles per mean spacing of the
-/// points. Empty for curves that do not rise so.
+/// The steepness of the power's rise to its peak: the width of the rise from 0.25 to 0.75, in cycles per mean spacing
+/// of the points. Empty for curves that do not rise so.
 std::optional<double> rise_width(const ReportSeries& series);
 
 /// The mean radial power between two frequencies in units of the principal frequency; empty where there are no rings.

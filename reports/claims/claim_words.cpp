@@ -29,7 +29,7 @@ std::string percent_words(double share) { return format_significant(100 * share,
 
 namespace {
 
-// "device, 2 threads"
+/// "device, 2 threads"
 std::string machine_words(const Run& run)
 {
     const auto device = run.machine.text("device"), threads = run.machine.text("threads");

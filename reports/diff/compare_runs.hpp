@@ -1,4 +1,4 @@
-// What `poissonlab diff` does, once its arguments are known.
+// The work of `poissonlab diff`.
 #pragma once
 
 #include <filesystem>

@@ -55,7 +55,7 @@ PageData texts(const std::vector<std::string>& values)
     return list;
 }
 
-// The series whose radial curve changed.
+/// The series whose radial curve changed.
 std::vector<const SeriesComparison*> changed_curves(const RunComparison& comparison)
 {
     std::vector<const SeriesComparison*> found;
@@ -69,7 +69,7 @@ std::vector<const SeriesComparison*> changed_curves(const RunComparison& compari
 
 std::string plot_stem(std::size_t index) { return fmt::format("diff-radial-{:03}", index); }
 
-// Old over new, of each series whose radial curve changed.
+/// Old over new, of each series whose radial curve changed.
 void draw_curves(const std::vector<const SeriesComparison*>& changed, const fs::path& out)
 {
     std::vector<GnuplotPicture> pictures;

@@ -40,7 +40,7 @@ const char* verdict_name(Verdict verdict)
     return "no verdict";
 }
 
-// Worse, changed, better, then what did not change: what a reader must see first.
+/// Worse, changed, better, then what did not change: what a reader must see first.
 int order_of(const NumberComparison& number)
 {
     switch (number.verdict) {
@@ -63,7 +63,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
     return format_count(count) + " " + (count == 1 ? one : many);
 }
 
-// Columns padded to the widest cell, two blanks between them.
+/// Columns padded to the widest cell, two blanks between them.
 std::string in_columns(const std::vector<std::array<std::string, 5>>& rows)
 {
     std::array<std::size_t, 5> widths{};

@@ -19,7 +19,7 @@ constexpr auto tile_set_note = "of another tile set, whose spread is not known";
 
 bool nearly_equal(double a, double b, double scale) { return std::abs(a - b) <= rounding * scale; }
 
-// Where both errors are 0: nothing but rounding may differ.
+/// Where both errors are 0: nothing but rounding may differ.
 void judge_exactly(NumberComparison& number, double scale, const char* note)
 {
     const bool same = nearly_equal(number.before->value, number.after->value, scale);
@@ -27,7 +27,7 @@ void judge_exactly(NumberComparison& number, double scale, const char* note)
     number.note = same ? "rounding" : note;
 }
 
-// Why the spread over realizations does not tell; empty: it does.
+/// Why the spread over realizations does not tell; empty: it does.
 std::string obstacle(const SampleMean& before, const SampleMean& after, const ComparisonTerms& terms)
 {
     if (before.samples < 2 || after.samples < 2) return single_note;
@@ -89,7 +89,7 @@ void judge(NumberComparison& number, std::span<const double> before, std::span<c
 
 namespace {
 
-// How much a point of a curve tells of a difference, the kind of its verdict first.
+//// The order in which points of a curve tell of a difference, the kind of its verdict first.
 struct Telling
 {
     int kind = 0;
@@ -114,7 +114,7 @@ Telling telling_of(const NumberComparison& point)
     }
 }
 
-// `scale` is that of the curve: what is next to nothing beside its peak is rounding.
+/// `scale` is that of the curve: what is next to nothing beside its peak is rounding.
 NumberComparison judged_point(NumberComparison point, const SampleMean& before, const SampleMean& after, double scale,
                               const ComparisonTerms& terms)
 {

@@ -33,11 +33,11 @@ struct NumberComparison
     std::optional<double> p; ///< of the test, where there was one; settled by settle_verdicts()
     std::optional<double> adjusted_p;
 
-    /// For a change: true where the new value is the better one; empty where neither is.
+    /// True for a change to a better value; empty if neither is better.
     std::optional<bool> improved() const;
 };
 
-/// What two series have in common, which says what a difference means.
+/// The settings that two series have in common, which decide what a difference means.
 struct ComparisonTerms
 {
     bool same_seed = false;     ///< and the same engine: the same bytes are promised

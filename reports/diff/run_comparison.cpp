@@ -23,7 +23,7 @@ std::vector<Run> read_runs(const std::filesystem::path& folder)
     return runs;
 }
 
-// The runs by name: the folder's in a collection. One run on either side is matched whatever its folder is called.
+/// The runs by name: the folder's in a collection. One run on either side is matched whatever its folder is called.
 std::map<std::string, const Run*> by_name(const std::vector<Run>& runs)
 {
     std::map<std::string, const Run*> named;
@@ -37,7 +37,7 @@ const Series* find_series(const Run& run, const std::string& name)
     return found == run.series.end() ? nullptr : &*found;
 }
 
-// What a reader must know of two runs before their numbers.
+//// Adds remarks that a reader of two runs needs before their numbers.
 void add_remarks(const std::string& name, const Run& before, const Run& after, std::vector<std::string>& remarks)
 {
     const auto add = [&](const std::string& what, const std::string& a, const std::string& b) {

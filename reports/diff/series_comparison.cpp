@@ -36,7 +36,7 @@ public:
     std::vector<NumberComparison> take() { return std::move(numbers_); }
 
 private:
-    /// Nothing where neither has it; where one has it, listed without a verdict.
+    /// Adds a number if at least one run has it; without a verdict if only one has.
     void add(const Measure& measure, const std::optional<MeasuredValue>& before,
              const std::optional<MeasuredValue>& after)
     {

@@ -18,7 +18,7 @@ constexpr double dot_radius = 2.2; // units of the drawing
 
 using Position = std::array<double, 2>;
 
-// A square of the torus with its lower left corner at (-margin, -margin).
+/// A square of the torus with its lower left corner at (-margin, -margin).
 struct CutOut
 {
     double margin = 0;
@@ -50,7 +50,7 @@ ShownCell moved(const VoronoiCell& cell, const Position& point, double scale)
     return shown;
 }
 
-// All cells of the torus, with images of those that reach across its border.
+/// All cells of the torus, with images of those that reach across its border.
 CellsView whole_view(const PointSet& points, double window)
 {
     const auto diagram = voronoi_diagram(points);
@@ -66,7 +66,7 @@ CellsView whole_view(const PointSet& points, double window)
     return view;
 }
 
-// The points in the cut-out, whose size becomes 1.
+/// The points in the cut-out, whose size becomes 1.
 PointSet points_in(const CutOut& cut, const PointSet& points)
 {
     PointSet inside;
@@ -82,8 +82,8 @@ PointSet points_in(const CutOut& cut, const PointSet& points)
     return inside;
 }
 
-// The view from the cut-out alone. A corner of a cell is right where the circle around it through the cell's point, in
-// which there is no other point, lies inside the cut-out. Nothing where that is not so for all cells that are shown.
+/// The view from the cut-out alone. A corner of a cell is right where the circle around it through the cell's point, in
+/// which there is no other point, lies inside the cut-out. Nothing where that is not so for all cells that are shown.
 std::optional<CellsView> cut_out_view(const PointSet& points, double window, const CutOut& cut)
 {
     const auto inside = points_in(cut, points);

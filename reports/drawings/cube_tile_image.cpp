@@ -107,7 +107,7 @@ std::vector<Face> faces_of(const Block& block, Color colors)
     return faces;
 }
 
-/// What is drawn on its own: the whole block of a tiling, each cube of a set. Gives the drawing its size.
+/// The blocks that are drawn on their own: the whole block of a tiling, each cube of a set. Gives the drawing its size.
 std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
 {
     const auto& [nx, ny, nz] = grid.size;

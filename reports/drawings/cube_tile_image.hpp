@@ -33,9 +33,9 @@ Drawing draw_cubes(const CubeGrid& grid);
 /// The largest Poisson sphere radius for which the regions fit in a unit cube.
 constexpr double max_sphere_region_radius = 1 / (2 * (1 + 2 * std::numbers::sqrt2));
 
-/// What the faces in sight cut out of the Poisson sphere tile regions for a radius r, half the minimum
-/// distance, in units of the cube's side: octagons in the colours of the corners, strips half and half in
-/// the colours of their ends, but paler, and what is left of the faces in white. Throws InputError unless
+/// The faces in sight of the cubes with the Poisson sphere tile regions that they cut, for a radius r, half the
+/// minimum distance, in units of the cube's side: octagons in the colours of the corners, strips half and half in
+/// the colours of their ends, but paler, and the rest of the faces in white. Throws InputError unless
 /// 0 < radius <= max_sphere_region_radius, std::logic_error as above.
 Drawing draw_cube_regions(const CubeGrid& grid, double radius);
 

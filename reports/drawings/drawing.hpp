@@ -57,7 +57,7 @@ struct Shape
     double stroke_width = 0; ///< in units of the drawing
 };
 
-/// From (0, 0) at the upper left to (width, height). Later shapes lie over earlier ones.
+/// Shapes between (0, 0) at the upper left and (width, height). Later shapes lie over earlier ones.
 struct Drawing
 {
     double width = 1;

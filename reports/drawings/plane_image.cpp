@@ -10,7 +10,7 @@ namespace {
 
 constexpr double plane_letter_size = 11; // where planes have up to 255 pixels
 
-// A spectrum with its name above it.
+/// A spectrum with its name above it.
 struct NamedPlane
 {
     const Spectrum& spectrum;

@@ -45,7 +45,7 @@ public:
         shapes_.insert(shapes_.end(), outlines.begin(), outlines.end());
     }
 
-    /// What is nearer to a corner than the radius, where regions are not modified and nothing lies over them.
+    /// Adds the circle of the radius around each corner, if regions are not modified and nothing lies over them.
     void add_corner_circles()
     {
         if (panel_.modified || panel_.has_points()) return;

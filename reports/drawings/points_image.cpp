@@ -15,7 +15,7 @@ constexpr double dot_per_disk = 1.0 / 3.0;
 constexpr double largest_dot = 0.02; // of the window
 constexpr double drawing_size = 1000;
 
-// A window side that holds about `points_in_window` of `points`, with two significant digits.
+/// A window side that holds about `points_in_window` of `points`, with two significant digits.
 double window_side(double points)
 {
     if (points <= most_points_shown_whole) return 1;

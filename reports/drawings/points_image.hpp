@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// What a picture shows: points with x and y in [0, window), and in 3D z in [0, depth).
+/// The part of a set that a picture shows: points with x and y in [0, window), and in 3D z in [0, depth).
 struct PointsView
 {
     double window = 1;

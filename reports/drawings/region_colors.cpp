@@ -10,7 +10,7 @@ namespace {
 const std::string no_color = "#dcdcdc";
 const std::string white = "#ffffff";
 
-// Shares of white.
+/// Shares of white.
 constexpr double own_color = 0.55;
 constexpr double shared_color = 0.72;
 constexpr double interior_color = 0.82;
@@ -23,8 +23,7 @@ std::string pale(const ScenePiece& piece, std::uint32_t color, int dimension)
     return mixed_color(tile_color(color), white, share);
 }
 
-/// Of a corner in the colours of the edges that leave it north, east, south and west: a wedge on each one's
-/// side.
+/// The wedges of a corner, each on the side and in the colour of an edge that leaves it north, east, south or west.
 std::vector<ColoredPart> wedges(const ScenePiece& piece)
 {
     constexpr std::array<std::array<double, 2>, 4> ways{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};

@@ -21,7 +21,7 @@ struct ColoredPart
 /// All parts of a piece's region.
 std::vector<ColoredPart> colored_parts(const ScenePiece& piece, int dimension);
 
-/// Of the lines around a piece's region: its colour, dark; grey where it has several.
+/// The colour of the lines around a piece's region: the piece's, but dark; grey if it has several.
 std::string wire_color(const ScenePiece& piece);
 
 /// The colour of points, and what it is called.

@@ -14,7 +14,7 @@ namespace {
 constexpr double darkest_shade = 0.34; // the share of black on faces without light
 constexpr double farthest_paleness = 0.6;
 
-/// Of the radius, by class, so that spheres do not hide what is made.
+/// The drawn parts of the radius, by class of point, so that spheres do not hide the piece that is made.
 constexpr std::array<double, stored_point_classes.size()> sphere_parts{0.3, 0.3, 0.5, 0.65};
 const std::string body_outline = "#505050";
 const std::string cube_outline = "#a0a0a0";
@@ -109,7 +109,7 @@ public:
         }
     }
 
-    /// Of pieces that are there already, what is in sight; it stays behind the spheres.
+    /// Adds the lines in sight of pieces that are there already; they stay behind the spheres.
     void add_held_wires()
     {
         for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -117,7 +117,7 @@ public:
                 add_edges(bodies_[i], true, mixed_color(wire_color(*pieces_[i]), "#ffffff", 0.45), 0.7);
     }
 
-    /// Of the piece that is made, those before or behind the spheres.
+    /// Adds the lines of the piece that is made: those before or those behind the spheres.
     void add_made_wires(bool in_sight)
     {
         for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -125,7 +125,7 @@ public:
                 add_edges(bodies_[i], in_sight, in_sight ? "#303030" : "#909090", in_sight ? 1.3 : 0.9);
     }
 
-    /// Those behind first, and paler.
+    /// Adds the spheres, those behind first, and paler.
     void add_spheres()
     {
         struct Sphere
@@ -172,7 +172,7 @@ private:
             if (edge.in_sight == in_sight) shapes_.push_back({Line{{at(edge.a), at(edge.b)}}, {}, color, width});
     }
 
-    /// How near the farthest and the nearest corner of the window are.
+    /// The nearness of the farthest and the nearest corner of the window.
     std::array<double, 2> ends_of_sight() const
     {
         std::array<double, 2> ends{};

@@ -102,7 +102,7 @@ std::vector<std::size_t> back_to_front(const std::vector<RegionShape>& bodies)
     std::vector<std::size_t> order;
     std::vector<bool> done(bodies.size());
     while (order.size() < bodies.size()) {
-        // Of those that hide none of the rest, the farthest; should all hide some, the farthest of all.
+        // Next is the farthest of those that hide none of the rest; should all hide some, the farthest of all.
         std::size_t next = bodies.size();
         double best = std::numeric_limits<double>::infinity();
         bool is_free = false;

@@ -16,13 +16,13 @@ namespace poissonlab {
 /// Where a place is drawn: units as in space, x to the right, y downwards.
 DrawingPoint projected(const ShapeVector& place);
 
-/// How near to the viewer a place is; larger is nearer.
+/// The nearness of a place to the viewer; larger is nearer.
 double nearness(const ShapeVector& place);
 
 /// Does a face with this normal show its outer side?
 bool is_in_sight(const ShapeVector& normal);
 
-/// How much light falls on such a face, 0 to 1: it comes from above, on the viewer's left.
+/// The light that falls on such a face, 0 to 1: it comes from above, on the viewer's left.
 double light_on(const ShapeVector& normal);
 
 /// The numbers of convex bodies that do not overlap, each after all that it may hide.

@@ -9,7 +9,7 @@ const std::string outline_color = "#606060";
 constexpr double outline_width = 0.4;
 constexpr double paleness = 0.6;
 
-/// From `start` to `end` along an edge.
+/// The strip along an edge from `start` to `end`.
 std::vector<DrawingPoint> strip(const DrawnSquare& square, std::size_t edge, double start, double end, double width)
 {
     return {square.beside_edge(edge, start, 0), square.beside_edge(edge, end, 0), square.beside_edge(edge, end, width),

@@ -23,7 +23,7 @@ int channel(double turns)
     return static_cast<int>(std::lround(255 * std::min(1.0, std::max(0.0, distance - 1))));
 }
 
-/// From one tile to the next.
+/// The distance from one tile to the next.
 double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? tile_gap : 0); }
 
 /// Four triangles that meet in the middle.

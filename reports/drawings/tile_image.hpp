@@ -33,12 +33,12 @@ std::string tile_color(Color color);
 /// std::logic_error for other tiles.
 Drawing draw_tiles(const TileGrid& grid);
 
-// For other pictures of the same tiles at the same places:
+// Parts for other pictures of the same tiles at the same places:
 
-/// With the size of the grid's picture and no shapes. Throws std::logic_error as above.
+/// A drawing with the size of the grid's picture and no shapes. Throws std::logic_error as above.
 Drawing empty_tile_drawing(const TileGrid& grid);
 
-/// Where a tile of the grid lies.
+/// The place of a tile of the grid.
 DrawnSquare tile_square(const TileGrid& grid, std::size_t tile);
 
 /// Appends black lines around the tiles, `width` units wide.

@@ -12,13 +12,13 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// The view: the cube is [-1, 1]^3, the viewer far away along (1, 1, 1).
+/// The view: the cube is [-1, 1]^3, the viewer far away along (1, 1, 1).
 const double across = 1 / std::numbers::sqrt2;
 const double up = 1 / std::sqrt(6.0);
 const double width = 2 * std::numbers::sqrt2; // of the projected cube
 const double height = 4 * std::sqrt(2.0 / 3.0);
 
-/// What is seen at a place of the picture: where on the surface, and which axis it is perpendicular to.
+/// The place of the cube's surface that is seen at a place of the picture, and the axis that it is perpendicular to.
 struct Hit
 {
     Vector position{};

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Another build may draw other pictures.
+/// Another build may draw other pictures.
 std::string program_hash()
 {
     try {

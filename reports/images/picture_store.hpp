@@ -18,7 +18,7 @@ public:
     /// `list` is the file of keys, which may be missing or damaged: then everything is drawn.
     PictureStore(std::filesystem::path folder, std::filesystem::path list);
 
-    /// Whether all files are there and were drawn from that input.
+    /// True if all files are there and were drawn from that input.
     bool is_current(const std::vector<std::filesystem::path>& files, std::string_view input) const;
 
     /// Takes a note that the files have been drawn from that input.

@@ -6,7 +6,7 @@ namespace {
 
 constexpr int largest_page_picture = 512;
 
-// The mean power of the block whose lowest frequencies are (fx, fy), without DC.
+/// The mean power of the block whose lowest frequencies are (fx, fy), without DC.
 double mean_power(const Spectrum& spectrum, int fx, int fy, int block)
 {
     double sum = 0;

@@ -76,7 +76,7 @@ Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, cons
         .stored = {{"csv", series.run->folder / series.stored->pair_correlation_file}}};
 }
 
-// "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
+/// "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
 std::string means_of_what(const Iterations& iterations)
 {
     const auto first = static_cast<std::uint64_t>(iterations.realizations.front());
@@ -105,7 +105,7 @@ std::string radius_caption(const Iterations& iterations)
     return text + means_of_what(iterations);
 }
 
-// "0.3035", and "(0.3021 to 0.3049)" where realizations differ visibly.
+/// "0.3035", and "(0.3021 to 0.3049)" where realizations differ visibly.
 std::string with_range(const Statistic& value)
 {
     const auto low = format_fixed(value.min, 4);

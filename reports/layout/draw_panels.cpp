@@ -29,7 +29,7 @@ constexpr int thumbnail_size = 256; // pixels
 constexpr int points_pixels = 1024;
 constexpr int cells_pixels = 1024;
 
-// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
+/// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
 std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
 {
     auto planes = read_spectrum_planes(picture.file);
@@ -62,7 +62,7 @@ Drawing draw_close_ups(const std::vector<Spectrum>& planes)
     return draw_plane_row(middles, {"xy", "xz", "yz"}, report_tone_mapping);
 }
 
-// The picture at full size, as the page shows it, and the thumbnail.
+/// The picture at full size, as the page shows it, and the thumbnail.
 void draw_whole_spectrum(const SpectrumPicture& picture, const Panel& panel, const fs::path& folder)
 {
     const auto planes = read_planes(picture);

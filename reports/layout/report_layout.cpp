@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The last part of a folder's full name, also for "." and "results/".
+/// The last part of a folder's full name, also for "." and "results/".
 std::string folder_name(const fs::path& folder)
 {
     const auto full = fs::weakly_canonical(folder);

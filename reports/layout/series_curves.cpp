@@ -12,7 +12,7 @@ namespace poissonlab {
 
 namespace {
 
-// What series that differ only in N have in common.
+/// What series that differ only in N have in common.
 auto method_of(const NamedSeries& named)
 {
     const ReportSeries& series = *named.series;
@@ -22,7 +22,7 @@ auto method_of(const NamedSeries& named)
                       label_without_points(named.label, series.stored->points));
 }
 
-// The number of the first series of each series' method.
+/// The number of the first series of each series' method.
 std::vector<std::size_t> first_of_method(const SeriesList& series)
 {
     std::map<decltype(method_of(series.front())), std::size_t> firsts;

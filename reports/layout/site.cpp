@@ -37,7 +37,7 @@ void read_curves(ReportSeries& series)
     if (stored.zone_plate) series.zone_plate = read_zone_plate_table(folder / stored.zone_plate->error_file);
 }
 
-// Everything that a run's pages show, as values.
+/// Everything that a run's pages show, as values.
 void lay_out_panels(ReportRun& run)
 {
     tbb::parallel_for_each(run.series, read_curves);

@@ -28,7 +28,7 @@ struct Site
     bool has_several_runs() const { return runs.size() > 1; }
     std::vector<const ReportSeries*> series() const;
 
-    /// Whether there is a compare page: at least two series have curves.
+    /// True if there is a compare page: at least two series have curves.
     bool has_curves_to_compare() const;
 };
 

@@ -17,7 +17,7 @@ struct SmallPicture
     std::string image_class; ///< how the style sheet shows it
 };
 
-/// Those that a series has, the most telling first. A series has points at least.
+/// The small pictures of a series, the most telling first. Every series has at least that of its points.
 std::vector<SmallPicture> small_pictures(const ReportSeries& series);
 
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int run_thumbnail_size = 144;
 
-// The file of the run's picture: the first small picture of the series in the middle, which a grid's extremes are not.
+/// The file of the run's picture: the first small picture of the series in the middle, which a grid's extremes are not.
 fs::path run_picture(const ReportRun& run)
 {
     if (!run.series.empty()) {

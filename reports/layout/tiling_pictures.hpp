@@ -18,7 +18,7 @@ struct ReportTiling
     std::filesystem::path pictures; ///< folder of its pictures
 };
 
-/// What autocorrelation pictures show in black and white: z from -6 to 6.
+/// The range of autocorrelation pictures from black to white: z from -6 to 6.
 inline constexpr double shown_z = 6;
 
 /// The picture of an autocorrelation, for example "corners-autocorrelation.png".

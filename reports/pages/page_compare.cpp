@@ -21,7 +21,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t most_shown_at_first = 12;
 
-// The number of points in the middle of all: curves of far fewer or more would not lie over the others.
+/// The number of points in the middle of all: curves of far fewer or more would not lie over the others.
 std::size_t typical_points(const std::vector<const ReportSeries*>& series)
 {
     std::vector<std::size_t> points;
@@ -33,8 +33,8 @@ std::size_t typical_points(const std::vector<const ReportSeries*>& series)
     return *middle;
 }
 
-// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method, of about
-// as many points as most; of many by one method, some from all over the list.
+/// The numbers of the series that are shown at first: all of a few; of many, the first estimate by each method, of
+/// about as many points as most; of many by one method, some from all over the list.
 std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& series)
 {
     std::set<std::size_t> all, spread, methods;
@@ -53,7 +53,7 @@ std::set<std::size_t> shown_at_first(const std::vector<const ReportSeries*>& ser
     return all.size() <= most_shown_at_first ? all : methods.size() > 1 ? methods : spread;
 }
 
-// Numbers with five digits, each on its own so that none is written with more; null where there is no number.
+/// Numbers with five digits, each on its own so that none is written with more; null where there is no number.
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "null"; }
 
 std::string short_numbers(const std::vector<double>& values)
@@ -63,7 +63,7 @@ std::string short_numbers(const std::vector<double>& values)
     return "[" + text + "]";
 }
 
-// Series share their frequencies and distances, mostly: each list is written once.
+/// Series share their frequencies and distances, mostly: each list is written once.
 class Abscissae
 {
 public:
@@ -80,7 +80,7 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-// A JSON text that may stand in HTML.
+/// A JSON text that may stand in HTML.
 std::string quoted(const std::string& text)
 {
     std::string result;
@@ -88,7 +88,7 @@ std::string quoted(const std::string& text)
     return result;
 }
 
-// A plot that the reader chooses, with the curves of all series over unit lengths or cycles per unit length.
+/// A plot that the reader chooses, with the curves of all series over unit lengths or cycles per unit length.
 struct ChosenPlot
 {
     std::string title;
@@ -110,7 +110,7 @@ std::vector<ChosenPlot> chosen_plots(const Site& site)
     return plots;
 }
 
-// What plots look like, whichever curves are in them.
+/// What plots look like, whichever curves are in them.
 std::string plots_json(const std::vector<ChosenPlot>& plots)
 {
     std::vector<std::string> parts;
@@ -163,7 +163,7 @@ std::string site_json(const Site& site, const std::vector<ChosenPlot>& plots)
                        fmt::join(series, "},\n{"), abscissae.text());
 }
 
-// The boxes to tick, a group a run.
+/// The boxes to tick, a group a run.
 PageData groups(const Site& site)
 {
     PageData list{PageData::type::list};

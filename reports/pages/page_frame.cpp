@@ -20,8 +20,8 @@ void add_partials(PageData& data)
         data.set(name, PageData(kainjow::mustache::partial([name] { return template_text(name); })));
 }
 
-// Every field that a template names must be set, to false where a section is left out: else that of a section around it
-// would show.
+/// Every field that a template names must be set, to false where a section is left out: else that of a section around
+/// it would show.
 class StrictContext : public kainjow::mustache::context<std::string>
 {
 public:

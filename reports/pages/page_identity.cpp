@@ -1,4 +1,4 @@
-// What identifies a series wherever it is mentioned, and how quantities over its realizations are shown.
+// The identity of a series wherever it is mentioned, and the quantities over its realizations.
 #include "reports/pages/page_parts.hpp"
 #include "reports/plots/plot.hpp"
 #include "reports/words/number_format.hpp"
@@ -19,7 +19,7 @@ std::string parameters_text(const NamedTexts& parameters)
     return text;
 }
 
-// "1,708 to 1,754" where realizations differ in size.
+/// "1,708 to 1,754" where realizations differ in size.
 std::string points_range(const Series& series)
 {
     if (series.points_each.empty()) return {};

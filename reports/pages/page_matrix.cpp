@@ -15,11 +15,11 @@ namespace {
 
 const MethodGrid& method_of(const ReportSeries& series) { return series.run->methods[series.stored->place->method]; }
 
-// Two axes are the rows and the columns of a table, one alone its columns; every combination of values of further axes
-// has a table of its own.
+/// Two axes are the rows and the columns of a table, one alone its columns; every combination of values of further axes
+/// has a table of its own.
 bool has_rows(const MethodGrid& method) { return method.axes.size() > 1; }
 
-// The places of a table's series on the axes that are no borders of it.
+/// The places of a table's series on the axes that are no borders of it.
 std::vector<std::size_t> table_of(const Series& series)
 {
     return {series.place->indices.begin() + std::min<std::ptrdiff_t>(2, std::ssize(series.place->indices)),
@@ -41,7 +41,7 @@ std::vector<std::string> parts_of(const std::string& label)
 
 using Cells = std::map<std::pair<std::size_t, std::size_t>, const ReportSeries*>; // by row and column
 
-// What the labels of all series of a table have in common: "Corner-based Poisson disk tiles, repulsion".
+//// The part that the labels of all series of a table have in common: "Corner-based Poisson disk tiles, repulsion".
 std::string common_label(const Cells& cells)
 {
     std::string text;
@@ -64,7 +64,7 @@ std::string title_of(const MethodGrid& method, const std::vector<std::size_t>& t
     return title;
 }
 
-// The number below a picture: what the picture shows, in one figure.
+/// The number below a picture: what the picture shows, in one figure.
 std::string value_of(const ReportSeries& series)
 {
     const auto& stored = *series.stored;

@@ -13,7 +13,7 @@ namespace poissonlab {
 
 namespace {
 
-// Ticks at plus and minus the principal frequency, in percent of the picture's width.
+/// Ticks at plus and minus the principal frequency, in percent of the picture's width.
 PageData principal_ticks(const Curve& curve, int size)
 {
     PageData ticks{PageData::type::list};
@@ -24,7 +24,7 @@ PageData principal_ticks(const Curve& curve, int size)
     return ticks;
 }
 
-// Below a 2D spectrum; planes of a 3D one have no common axis.
+/// Below a 2D spectrum; planes of a 3D one have no common axis.
 PageData spectrum_axis(const ReportSeries& series, const SpectrumPicture& picture)
 {
     if (picture.dimension == 3) return false;
@@ -37,7 +37,7 @@ PageData spectrum_axis(const ReportSeries& series, const SpectrumPicture& pictur
 
 using Shares = std::array<double, cell_classes>;
 
-// Of all cells of the first realization, as stored; or of those in the picture where nothing is stored.
+/// Of all cells of the first realization, as stored; or of those in the picture where nothing is stored.
 Shares shares_of(const ReportSeries& series, const CellsView& view)
 {
     if (const auto& stored = series.stored->measures.voronoi) return stored->neighbour_share;
@@ -75,7 +75,7 @@ PageData legend(const SeriesList& series, const Plot& plot, const PlotPlace& pla
     return list;
 }
 
-// A link to a file that may not be there.
+/// A link to a file that may not be there.
 PageData link_if_there(const PlotPlace& place, const std::string& name)
 {
     const auto file = place.plots / name;

@@ -20,7 +20,7 @@ PageData optional_text(const std::string& text);
 /// "OpenCL" for "opencl".
 std::string engine_words(const std::string& engine);
 
-/// What every mention of a series needs: label, color, sampler, parameters, points, realizations.
+/// The data that every mention of a series needs: label, color, sampler, parameters, points, realizations.
 PageData series_identity(const ReportSeries& series, std::size_t index);
 
 /// The mean of a quantity with so many significant digits, and its exact value; false where there is none.
@@ -56,7 +56,7 @@ PageData construction_section(const ReportConstruction& construction, std::size_
 /// The methods of a run whose parameters have lists of values, as tables of pictures.
 PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder);
 
-/// Whether a series is in one of these tables.
+/// True if a series is in one of these tables.
 bool is_in_matrix(const ReportSeries& series);
 
 /// Matrices, series as cards, overlays, integration errors, tilings and constructions of a run: rendered, and with

@@ -13,7 +13,7 @@ namespace poissonlab {
 
 namespace {
 
-/// From so many series on the table scrolls in a frame of its own, under its headings.
+/// The number of series from which on the table scrolls in a frame of its own, under its headings.
 constexpr std::size_t long_ranking = 24;
 
 struct BetterWords
@@ -29,8 +29,8 @@ BetterWords words_of(Better better)
                                      : BetterWords{"neither", ""};
 }
 
-// The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not
-// say where they were.
+/// The members of "machine" that make times comparable, in one text; empty for runs that needed no device, which do not
+/// say where they were.
 std::string machine_of(const Run& run)
 {
     std::string text = run.machine.text("device");
@@ -41,8 +41,8 @@ std::string machine_of(const Run& run)
     return text;
 }
 
-// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do
-// not.
+/// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do
+/// not.
 class Differences
 {
 public:

@@ -1,4 +1,4 @@
-// What a run's page shows, which is a part of the overview where there is one run only.
+// The content of a run's page, which is a part of the overview if there is one run only.
 #include "reports/layout/small_pictures.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
@@ -62,7 +62,7 @@ PageData zone_plate_reference_data(const ReportRun& run, const std::filesystem::
     return data;
 }
 
-// To the compare page with this run's series ticked.
+//// The link to the compare page with this run's series ticked.
 PageData compare_link(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder)
 {
     if (!site.has_curves_to_compare()) return false;

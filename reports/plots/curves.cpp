@@ -15,7 +15,7 @@ namespace {
 constexpr double most_power_shown = 5;
 constexpr double most_db_shown = 30;
 
-// What frequencies are multiplied by.
+/// What frequencies are multiplied by.
 double frequency_factor(const Curve& curve, LengthUnit unit)
 {
     if (unit == LengthUnit::absolute) return 1;
@@ -23,7 +23,7 @@ double frequency_factor(const Curve& curve, LengthUnit unit)
     return std::pow(static_cast<double>(curve.points), -1.0 / curve.dimension);
 }
 
-// A curve without its values.
+/// A curve without its values.
 PlotCurve with_frequencies(const NumberedCurve& numbered, LengthUnit unit)
 {
     const Curve& curve = *numbered.curve;
@@ -34,7 +34,7 @@ PlotCurve with_frequencies(const NumberedCurve& numbered, LengthUnit unit)
     return result;
 }
 
-// Where the principal frequency is, and an axis in units of it.
+/// Where the principal frequency is, and an axis in units of it.
 Plot with_principal_frequency(Plot plot, const Curve& curve)
 {
     if (!curve.has_principal_in_sight()) return plot;

@@ -18,7 +18,7 @@ namespace poissonlab {
 
 namespace {
 
-// A kind of picture, and how gnuplot is told about it.
+/// A kind of picture, and how gnuplot is told about it.
 struct Terminal
 {
     std::string extension;
@@ -35,11 +35,11 @@ std::string set_terminal(const Terminal& terminal, const GnuplotPicture& picture
                        terminal.scale * picture.height);
 }
 
-// What gnuplot ends with where it finds no fonts.
+//// The exit status of our script if gnuplot finds no fonts.
 constexpr int status_without_letters = 77;
 
-// Without fonts gnuplot draws PNG files without letters and says nothing. It leaves no margin for them either, which
-// shows. SVG files leave the letters to the browser.
+/// Without fonts gnuplot draws PNG files without letters and says nothing. It leaves no margin for them either, which
+/// shows. SVG files leave the letters to the browser.
 std::string font_check()
 {
     return fmt::format(
@@ -48,7 +48,7 @@ std::string font_check()
         status_without_letters);
 }
 
-// One of the processes of a terminal: every so many pictures from the first on.
+/// One of the processes of a terminal: every so many pictures from the first on.
 struct Part
 {
     std::size_t first = 0;
@@ -65,10 +65,10 @@ std::string script_for(const Terminal& terminal, const std::vector<GnuplotPictur
     return script;
 }
 
-// Bytes of what gnuplot said that a message repeats.
+/// Bytes of what gnuplot said that a message repeats.
 constexpr std::size_t most_said = 500;
 
-// The environment without the user's language, which would change number formats and messages.
+/// The environment without the user's language, which would change number formats and messages.
 std::vector<std::string> neutral_environment()
 {
     std::vector<std::string> result{"LC_ALL=C.UTF-8"};
@@ -80,7 +80,7 @@ std::vector<std::string> neutral_environment()
     return result;
 }
 
-// Messages of several lines, and what gnuplot points at with lines of blanks, as one line.
+/// Messages of several lines, and what gnuplot points at with lines of blanks, as one line.
 std::string in_one_line(const std::string& text)
 {
     std::string line;
@@ -94,8 +94,8 @@ std::string in_one_line(const std::string& text)
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together
-// with this process.
+/// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together
+/// with this process.
 ProgramOutcome outcome_of(const std::string& script, const std::filesystem::path& folder)
 try {
     return run_program(
@@ -105,7 +105,7 @@ try {
     throw StorageError(error.what()); // the user has not asked for gnuplot
 }
 
-// Runs gnuplot on a script in the folder and waits for it.
+/// Runs gnuplot on a script in the folder and waits for it.
 void run_script(const std::filesystem::path& folder, const std::string& script)
 {
     const ProgramOutcome outcome = outcome_of(script, folder);
@@ -124,14 +124,14 @@ std::filesystem::path file_of(const GnuplotPicture& picture, const Terminal& ter
     return picture.stem.string() + "." + terminal.extension;
 }
 
-// All that a picture depends on.
+/// All that a picture depends on.
 std::string input_of(const GnuplotPicture& picture, const Terminal& terminal)
 {
     return set_terminal(terminal, picture) + picture.commands;
 }
 
-// A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one; `target` is what
-// the user knows of.
+/// A picture that gnuplot says it has drawn. Throws StorageError where there is none, or half of one; `target` is what
+/// the user knows of.
 std::string drawn_picture(const std::filesystem::path& file, const std::filesystem::path& target)
 {
     const auto fail = [&](const std::string& why) {
@@ -150,7 +150,7 @@ std::string drawn_picture(const std::filesystem::path& file, const std::filesyst
     return picture;
 }
 
-// Runs all processes of a terminal at once and waits for them.
+/// Runs all processes of a terminal at once and waits for them.
 void run_gnuplot(const std::filesystem::path& folder, const std::vector<GnuplotPicture>& pictures,
                  const Terminal& terminal)
 {
@@ -185,7 +185,7 @@ void draw_files(const std::vector<GnuplotPicture>& all, const Terminal& terminal
         for (const auto& picture : all) store->note({file_of(picture, terminal)}, input_of(picture, terminal));
 }
 
-// Keeps the pictures of an earlier report that show the same, and removes the others.
+/// Keeps the pictures of an earlier report that show the same, and removes the others.
 void keep_current_files(const std::vector<GnuplotPicture>& pictures, const Terminal& terminal, PictureStore& store)
 {
     for (const auto& picture : pictures) {

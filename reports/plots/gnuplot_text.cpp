@@ -59,7 +59,7 @@ std::string top_axis(const TopAxis& axis)
                        axis.high, step, axis.label);
 }
 
-// In front of the curves: a curve that lies on it must be seen to.
+/// In front of the curves: a curve that lies on it must be seen to.
 std::string reference_line(const ReferenceLine& line)
 {
     auto text = fmt::format("set arrow from graph 0, first {0:.6g} to graph 1, first {0:.6g} nohead front "
@@ -96,7 +96,7 @@ std::string frame(const Plot& plot)
     return text;
 }
 
-// Columns x, y, low, high, dot.
+/// Columns x, y, low, high, dot.
 std::string data_block(const PlotCurve& curve, std::size_t place)
 {
     const auto number = [](const std::vector<double>& values, std::size_t i) {
@@ -109,7 +109,7 @@ std::string data_block(const PlotCurve& curve, std::size_t place)
     return block + "END\n";
 }
 
-// What gnuplot draws of a curve: its band or bars, its line (of a single place there is only a dot), its dots.
+/// What gnuplot draws of a curve: its band or bars, its line (of a single place there is only a dot), its dots.
 std::string curve_text(const PlotCurve& curve, std::size_t place)
 {
     const auto color = curve_color(curve.index);
@@ -127,7 +127,7 @@ std::string curve_text(const PlotCurve& curve, std::size_t place)
     return text;
 }
 
-// How much a curve goes up and down.
+/// How much a curve goes up and down.
 double roughness(const PlotCurve& curve)
 {
     double sum = 0;
@@ -136,7 +136,7 @@ double roughness(const PlotCurve& curve)
     return sum;
 }
 
-// Rough curves come first, so that they do not bury the smooth ones.
+/// Rough curves come first, so that they do not bury the smooth ones.
 std::string plot_command(const Plot& plot)
 {
     std::vector<std::size_t> order(plot.curves.size());
@@ -147,7 +147,7 @@ std::string plot_command(const Plot& plot)
     return command;
 }
 
-// A key at the foot of a picture of that height; the plot keeps its place and its size.
+/// A key at the foot of a picture of that height; the plot keeps its place and its size.
 std::string key_place(int height)
 {
     const double below = height - overlay_height;

@@ -14,7 +14,7 @@ namespace {
 constexpr double columns_of_a_plot = 1000; // more points than these are not seen
 constexpr std::size_t most_linear_iterations = 100;
 
-// Where iterations stand: a logarithmic axis starts at 1, so that iteration 0 has a place.
+/// Where iterations stand: a logarithmic axis starts at 1, so that iteration 0 has a place.
 class IterationAxis
 {
 public:
@@ -51,7 +51,7 @@ private:
     std::size_t last_ = 1;
 };
 
-// Of iterations that fall into one column of pixels, the first.
+/// Of iterations that fall into one column of pixels, the first.
 PlotCurve curve_of(const IterationCurve& source, const IterationSpread& values, const IterationAxis& axis)
 {
     PlotCurve curve{source.index, source.label};

@@ -10,7 +10,7 @@
 
 namespace poissonlab {
 
-/// What is drawn of one series.
+/// The curve of one series.
 struct IterationCurve
 {
     std::size_t index = 0; ///< number of the series

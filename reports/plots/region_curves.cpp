@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto size_key = "points_per_tile";
 
-/// What tile sets that differ only in their number of points have in common.
+/// The settings that tile sets that differ only in their number of points have in common.
 NamedTexts method_of(const Series& series)
 {
     NamedTexts method = {{"sampler", series.sampler}};

@@ -13,7 +13,7 @@ constexpr double most_frequency_shown = 2;
 constexpr double most_error_shown = 0.5;
 constexpr double finest_pixels_show = 0.5; // cycles per pixel
 
-// Distances along the upper edge, of pictures of that size.
+/// Distances along the upper edge, of pictures of that size.
 TopAxis distance_axis(double max_frequency, int size)
 {
     return {"distance from the origin", max_frequency / plate_frequency(1, size)};

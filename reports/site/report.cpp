@@ -38,10 +38,10 @@ void create_folders(const Site& site)
     }
 }
 
-// The file of keys of pictures, among the assets.
+/// The file of keys of pictures, among the assets.
 constexpr auto picture_keys = "pictures.txt";
 
-// What perfect sampling makes of the plate, in the size of the run's first picture.
+//// Draws the plate as perfect sampling shows it, in the size of the run's first picture.
 void draw_zone_plate_reference(const ReportRun& run)
 {
     const auto curves = zone_plate_curves(series_of(run));

@@ -20,7 +20,7 @@ std::string with_minus_sign(const std::string& text)
     return text.starts_with('-') ? minus_sign + text.substr(1) : text;
 }
 
-// 5 -> "⁵", -12 -> "⁻¹²".
+/// 5 -> "⁵", -12 -> "⁻¹²".
 std::string superscript(int exponent)
 {
     constexpr std::array digits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};

@@ -1,4 +1,4 @@
-// How cereal stores what the units of tilings and constructions hold.
+// Archives by cereal of the units of tilings and constructions.
 #pragma once
 
 #include "results/pictures/construction_scene.hpp"

@@ -1,4 +1,4 @@
-// What a picture of the construction of Poisson tiles shows, panel by panel: regions and points. Stored as
+// The scene of a picture of the construction of Poisson tiles, panel by panel: regions and points. It is stored as
 // construction.json, see docs/output-folder.md; reports draw it.
 #pragma once
 
@@ -31,7 +31,7 @@ struct ScenePiece
     bool operator==(const ScenePiece&) const = default;
 };
 
-/// From `low`, `size` units along each axis.
+/// A box from `low`, `size` units along each axis.
 struct SceneBox
 {
     TilePosition low{};
@@ -91,7 +91,7 @@ struct Scene
     bool operator==(const Scene&) const = default;
 };
 
-/// What results.json says of a scene.
+/// The members of results.json about a scene.
 struct SceneSummary
 {
     std::size_t panels = 0;

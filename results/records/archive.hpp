@@ -1,4 +1,4 @@
-// How cereal stores what the laboratory's units of work hold: binary, exact, for this program's own use.
+// Archives by cereal of the laboratory's units of work: binary, exact, for this program's own use.
 //
 // Only programs built from the same sources read it again, see cmake/code_versions.cmake: there are no versions here.
 #pragma once

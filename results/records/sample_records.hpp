@@ -1,4 +1,4 @@
-// What samplers tell of their point sets beside the points.
+// Records that samplers make of their point sets beside the points.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct IterationRecord
     double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
 };
 
-/// How long it took to build a tile set, and on what.
+/// The time that building a tile set took, and the machine.
 struct TileSetBuild
 {
     double seconds = 0; ///< with the proof of its minimum distance, without building kernels

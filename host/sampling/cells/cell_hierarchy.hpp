@@ -45,7 +45,7 @@ inline double darts_per_cell(std::uint32_t batch, int dimension)
     return dimension == 2 ? 0.3 : 0.2;
 }
 
-/// Whether a batch splits the open cells before it throws darts into them, as long as there is a finer level.
+/// True if a batch splits the open cells before it throws darts into them, as long as there is a finer level.
 inline bool splits_cells(std::uint32_t batch) { return batch >= 2; }
 
 /// The cumulative distribution of that Poisson number, times 2^32: a uniform 32-bit word stands for as many

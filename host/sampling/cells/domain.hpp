@@ -39,10 +39,10 @@ struct Domain
     std::vector<std::uint8_t> is_fixed; ///< one a point, non-zero: the point is held; empty: none is
 };
 
-/// What is left of a displacement when movement must not enter forbidden regions: it ends where it meets one
-/// or, with `slides`, goes on along the boundary with the component that is left. A point that is inside of a
-/// region can leave it but not get deeper; up to 2^-46 inside counts as on the boundary. `position` in [0,
-/// 1), components of the displacement in [-1, 1].
+/// The part of a displacement that keeps out of forbidden regions: movement ends where it meets one or, with
+/// `slides`, goes on along the boundary with the component that is left. A point that is inside of a region can
+/// leave it but not get deeper; up to 2^-46 inside counts as on the boundary. `position` is in [0, 1), and
+/// components of the displacement are in [-1, 1].
 Vector allowed_displacement(const Domain& domain, const Vector& position, const Vector& displacement, bool slides);
 
 }

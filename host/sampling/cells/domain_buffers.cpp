@@ -6,7 +6,7 @@
 namespace poissonlab {
 namespace {
 
-/// With one element where there are none: a kernel's argument needs a buffer.
+/// A buffer of the values, or of one element if there are none: a kernel's argument needs a buffer.
 template <typename T>
 Buffer<T> upload(Device& device, std::vector<T> values)
 {

@@ -15,7 +15,7 @@ struct DomainBuffers
 {
     DomainBuffers(Device device, const Domain& domain, int dimension);
 
-    /// What the whole torus takes, where nothing is held: almost nothing.
+    /// The memory that the whole torus takes if no points are held: almost none.
     static DeviceMemory memory_of_torus();
 
     Buffer<double> regions;     ///< dimension + 2 values each: centre, first and end of its half-spaces

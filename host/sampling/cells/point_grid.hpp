@@ -18,7 +18,7 @@ public:
     PointGrid(Device device, int dimension, std::size_t points, std::uint32_t cells_per_axis,
               std::size_t work_group_size);
 
-    /// What such a grid takes.
+    /// The memory that such a grid takes.
     static DeviceMemory memory(int dimension, std::size_t points, std::uint32_t cells_per_axis)
     {
         return memory_of(Buffers{}.needed(dimension, points, cells_per_axis));

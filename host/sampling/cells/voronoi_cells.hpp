@@ -30,10 +30,10 @@ VoronoiCells voronoi_cells(const PointSet& points);
 class VoronoiKernels
 {
 public:
-    /// For sets of so many points.
+    /// Takes memory for sets of so many points.
     VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size);
 
-    /// What the results take.
+    /// The memory that the results take.
     static DeviceMemory memory(int dimension, std::size_t points)
     {
         return memory_of(Buffers{}.needed(dimension, points));
@@ -50,7 +50,8 @@ public:
     const Buffer<double>& energies() const { return buffers_.energies; }
     const Buffer<double>& squared_near() const { return buffers_.squared_near; }
 
-    /// How many points of the last call needed the slow way.
+    /// The number of points of the last call that needed the slow way; tests and benchmarks see by it that both ways
+    /// run.
     std::size_t slow_points() const { return buffers_.slow_count.read(0, 1)[0]; }
 
 private:
