@@ -185,11 +185,15 @@ PageData notes(const std::vector<const Measure*>& columns)
     for (std::size_t i = 0; i < columns.size();) {
         const std::string& meaning = columns[i]->meaning;
         std::string names = in_dimension(columns[i]->title());
-        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i)
+        bool is_detail = columns[i]->is_detail;
+        for (++i; i < columns.size() && columns[i]->meaning == meaning; ++i) {
             names += "; " + in_dimension(columns[i]->title());
+            is_detail = is_detail && columns[i]->is_detail;
+        }
         if (meaning.empty()) continue;
         PageData note;
         note.set("name", names);
+        note.set("is_detail", is_detail);
         note.set("text", in_dimension(meaning));
         list << note;
     }
