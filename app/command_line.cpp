@@ -54,7 +54,7 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
         added->expected(1, option.most_values)->check(integer<std::int64_t>());
     const bool has_place = !option.name.starts_with('-');
-    // What follows an option with a text is not one more text of a list.
+    // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(has_place);
     if (has_place || option.is_required) added->required();
     if (!option.value_name.empty()) added->option_text(option.value_name);
@@ -132,7 +132,7 @@ std::vector<std::string> names_of_commands(const CLI::App& app)
     return names;
 }
 
-/// What `help` does.
+/// The action of `help`.
 Action explanation(const CLI::App& app, const std::string& topic)
 {
     if (topic == "samplers") return samplers_command().action;

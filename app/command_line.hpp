@@ -7,8 +7,8 @@
 
 namespace poissonlab {
 
-/// What the arguments call for, in their order. Prints help and version, which call for nothing more. Throws InputError
-/// for arguments that are wrong.
+/// The actions that the arguments call for, in their order. Prints help and version, which call for nothing more.
+/// Throws InputError for arguments that are wrong.
 std::vector<Action> actions_called_for(int argc, const char* const* argv);
 
 }

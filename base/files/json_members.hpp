@@ -50,7 +50,7 @@ public:
         if (read_) check(*read_);
     }
 
-    /// Whether a member is there to be read, or, by the argument, to be written.
+    /// True if a member is there to be read, or, by the argument, to be written.
     bool is_there(const std::string& name, bool is_written) const { return read_ ? read_->has(name) : is_written; }
 
     template <class T>
@@ -72,7 +72,7 @@ public:
         if (is_there(name, value != T{})) member(name, value);
     }
 
-    /// What is the same for all values: written only.
+    /// A constant, the same for all values: it is written only.
     void constant(const std::string& name, std::int64_t value)
     {
         if (!read_) put(name, value);

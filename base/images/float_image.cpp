@@ -88,7 +88,7 @@ private:
             throw std::runtime_error("has tiles, deep pixels or several parts");
     }
 
-    /// What the header says; its channels are still empty.
+    /// The image that the header describes; its channels are still empty.
     FloatImage without_pixels() const
     {
         FloatImage image;

@@ -19,7 +19,7 @@ struct FloatImage
     const std::string& text(const std::string& name) const;
 };
 
-/// What stands before the names of metadata among the texts: they never clash with what means something to OpenEXR
+/// The prefix of metadata among the texts: such names never clash with those that mean something to OpenEXR
 /// ("type").
 inline constexpr const char* metadata_prefix = "poissonlab:meta:";
 

@@ -20,7 +20,7 @@ std::string default_text(const ParameterSpec& spec)
     return sampler ? sampler->spec->name : to_string(*spec.otherwise);
 }
 
-/// What holds where a parameter is not given, as a part of a sentence.
+/// The value or rule that holds where a parameter is not given, as a part of a sentence.
 std::string without_it(const ParameterSpec& spec)
 {
     if (spec.otherwise) return "default " + default_text(spec);
