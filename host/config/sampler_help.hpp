@@ -1,4 +1,4 @@
-// What users are told of samplers and their parameters, from the samplers' own descriptions.
+// Help on samplers and their parameters, printed from the samplers' own descriptions.
 #pragma once
 
 #include "host/sampling/parameters.hpp"
@@ -7,7 +7,7 @@
 
 namespace poissonlab {
 
-/// What the help of a command says of an option that gives a parameter: "Lloyd iterations of each piece:
+/// The help of a command on an option that gives a parameter: "Lloyd iterations of each piece:
 /// an integer from 0 to 100000; default: 20".
 std::string option_help(const ParameterSpec& spec);
 

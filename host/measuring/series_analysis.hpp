@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// What is measured on one set.
+    /// The measures of one set.
     struct SetMeasures
     {
         std::size_t points = 0;

@@ -1,4 +1,4 @@
-// What an experiment came to, as results/ stores it.
+// The results of an experiment as the Run that results/ stores.
 #pragma once
 
 #include "host/series/experiment.hpp"
@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// What was measured and made of the tasks of an experiment, one item for each.
+/// The results of the tasks of an experiment, one item for each.
 struct ExperimentResults
 {
     std::vector<Series> series;                              ///< as SeriesWork::result() has them

@@ -62,7 +62,8 @@ struct DartBuffers
     Words darts, next, states, next_states, rivals; ///< a dart of the batch each
     Words points, counters;
 
-    /// What a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than the first.
+    /// The buffers that a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than
+    /// the first.
     NeededBuffers needed(const DartThrowingRequest& request)
     {
         using namespace contract::dart_throwing;

@@ -1,4 +1,4 @@
-// What methods that run on a device have in common.
+// The base of methods that run on a device.
 #pragma once
 
 #include "host/device/device.hpp"

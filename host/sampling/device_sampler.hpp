@@ -1,4 +1,4 @@
-// What samplers that may work on a device have in common.
+// The base of samplers that may work on a device.
 #pragma once
 
 #include "host/device/device.hpp"
