@@ -1,9 +1,14 @@
 # Options that every target of the laboratory shares, as the interface library lab_options.
 add_library(lab_options INTERFACE)
 target_compile_options(lab_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
+  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
   # Same source, same bits: no fused multiply-add that the source does not ask for.
   -ffp-contract=off)
+if(POISSONLAB_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(lab_options INTERFACE -Wshadow=local) # names that a file has to itself hide nothing
+else()
+  target_compile_options(lab_options INTERFACE -Wshadow)
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns of overlaps inside std::string that cannot be (GCC bugs 105329 and 105651).
   target_compile_options(lab_options INTERFACE -Wno-restrict)

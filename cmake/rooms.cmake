@@ -1,8 +1,7 @@
 # lab_room(TARGET FOLDERS... EXCEPT FILES... ALONE FILES... PUBLIC LIBRARIES... PRIVATE LIBRARIES...): a library of every
 # source file in these folders and below, but for those EXCEPT. A new file belongs to it without being listed anywhere.
 #
-# With POISSONLAB_UNITY eight files are compiled as one, which takes a third of the time: most of it goes into headers that
-# they share. Files ALONE have a heavy header to themselves. Names in unnamed namespaces must differ within a room.
+# Files ALONE have a heavy header to themselves when the others are compiled together.
 function(lab_room target)
   cmake_parse_arguments(ARG "" "" "FOLDERS;EXCEPT;ALONE;PUBLIC;PRIVATE" ${ARGN})
   list(TRANSFORM ARG_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
@@ -13,10 +12,16 @@ function(lab_room target)
   add_library(${target} STATIC ${sources})
   target_link_libraries(${target} PUBLIC lab_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE} fmt::fmt)
   lab_precompile(${target})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${POISSONLAB_UNITY})
-  if(POISSONLAB_UNITY)
+  lab_unity(${target} 24)
+  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# lab_unity(TARGET FILES): with POISSONLAB_UNITY so many source files are compiled as one, which takes a third of the time:
+# most of it goes into headers that they share. Names in unnamed namespaces must differ within a target.
+function(lab_unity target files)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${POISSONLAB_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
+  if(POISSONLAB_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC takes a source file that another one includes for a header, where unnamed namespaces would be a mistake.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
-  set_source_files_properties(${ARG_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -5,10 +5,8 @@
 #include "base/files/whole_file.hpp"
 #include "base/images/square_image_file.hpp"
 #include "results/archives.hpp"
+#include "results/curve_tables.hpp"
 #include "results/file_names.hpp"
-#include "results/pair_correlation_table.hpp"
-#include "results/radial_table.hpp"
-#include "results/zone_plate_table.hpp"
 
 #include <tbb/parallel_invoke.h>
 

@@ -1,8 +1,7 @@
 // How the measures and curves of two series are compared.
 #include "reports/diff/run_comparison.hpp"
+#include "results/curve_tables.hpp"
 #include "results/measures.hpp"
-#include "results/pair_correlation_table.hpp"
-#include "results/radial_table.hpp"
 
 namespace poissonlab {
 

@@ -3,7 +3,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "reports/words/number_format.hpp"
-#include "results/radial_table.hpp"
+#include "results/curve_tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "reports/layout/series_curves.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "results/radial_table.hpp"
+#include "results/curve_tables.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,8 +4,7 @@
 #include "reports/layout/overlay_panels.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/layout/series_panels.hpp"
-#include "results/pair_correlation_table.hpp"
-#include "results/zone_plate_table.hpp"
+#include "results/curve_tables.hpp"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>

@@ -3,7 +3,7 @@
 #include "base/images/square_image_file.hpp"
 #include "base/points/point_file.hpp"
 #include "host/measuring/zone_plate_analysis.hpp"
-#include "results/zone_plate_table.hpp"
+#include "results/curve_tables.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/program.hpp"
 

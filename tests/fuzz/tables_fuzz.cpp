@@ -1,8 +1,6 @@
 // Stored tables: radial.csv, pair-correlation.csv and zone-plate.csv, told apart by their headers, and tiles.txt.
-#include "results/pair_correlation_table.hpp"
+#include "results/curve_tables.hpp"
 #include "results/pictures/tiling_result.hpp"
-#include "results/radial_table.hpp"
-#include "results/zone_plate_table.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 #include <cmath>

@@ -1,5 +1,4 @@
-#include "results/pair_correlation_table.hpp"
-#include "results/radial_table.hpp"
+#include "results/curve_tables.hpp"
 
 #include <gtest/gtest.h>
 

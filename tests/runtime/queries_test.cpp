@@ -55,7 +55,7 @@ void expect_same(const ptiles_point& a, const ptiles_point& b)
     EXPECT_EQ(a.id, b.id);
 }
 
-constexpr PoissonTiling tilings[] = {{1, 0}, {2, 3}, {3, 1}};
+constexpr PoissonTiling query_tilings[] = {{1, 0}, {2, 3}, {3, 1}};
 
 TEST(Window, HasThePointsInIt)
 {
@@ -64,7 +64,7 @@ TEST(Window, HasThePointsInIt)
     std::uniform_real_distribution<double> size(0, 2.5);
     for (const PoissonTileSet& set : tile_sets_of_every_kind()) {
         for (int n = 0; n < 20; ++n) {
-            const ptiles_tiling tiling = runtime_tiling(set, tilings[n % 3]);
+            const ptiles_tiling tiling = runtime_tiling(set, query_tilings[n % 3]);
             const std::uint32_t dimension = tiling.set.dimension;
             const Position from{low(random), low(random), low(random)};
             const Position to{from[0] + size(random), from[1] + size(random), from[2] + size(random)};
@@ -105,7 +105,7 @@ TEST(NearestPoint, IsThatOfAllAround)
     std::uniform_real_distribution<double> somewhere(-20, 20);
     for (const PoissonTileSet& set : tile_sets_of_every_kind()) {
         for (int n = 0; n < 200; ++n) {
-            const ptiles_tiling tiling = runtime_tiling(set, tilings[n % 3]);
+            const ptiles_tiling tiling = runtime_tiling(set, query_tilings[n % 3]);
             const std::uint32_t dimension = tiling.set.dimension;
             Position position{somewhere(random), somewhere(random), somewhere(random)};
             if (n % 10 == 0) position = {std::floor(position[0]), std::floor(position[1]), std::floor(position[2])};

@@ -15,12 +15,12 @@ std::vector<PointSet> read_text(std::string_view content)
     return read_points(folder.write("points.dat", content));
 }
 
-PointSet plane(std::vector<double> coordinates) { return {2, std::move(coordinates)}; }
+PointSet plane_of(std::vector<double> coordinates) { return {2, std::move(coordinates)}; }
 
 TEST(PointFileText, ReadsBlanksTabsAndCommas)
 {
     EXPECT_THAT(read_text("0.1 0.2\n\t.3 \t+0.4  \n5e-1,6E-1\n0.7 , 0.8\n"),
-                ElementsAre(plane({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8})));
+                ElementsAre(plane_of({0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8})));
 }
 
 TEST(PointFileText, ReadsThreeCoordinates)
@@ -31,24 +31,24 @@ TEST(PointFileText, ReadsThreeCoordinates)
 TEST(PointFileText, ReadsFilesOfOtherSystemsAndEditors)
 {
     EXPECT_THAT(read_text("\xEF\xBB\xBF# a comment\r\n0.1 0.2\r\n\r\n0.3 0.4"),
-                ElementsAre(plane({0.1, 0.2, 0.3, 0.4})));
+                ElementsAre(plane_of({0.1, 0.2, 0.3, 0.4})));
 }
 
 TEST(PointFileText, SeparatesRealizationsAtALoneHash)
 {
-    const std::vector<PointSet> expected{plane({0.1, 0.2, 0.3, 0.4}), plane({0.5, 0.6})};
+    const std::vector<PointSet> expected{plane_of({0.1, 0.2, 0.3, 0.4}), plane_of({0.5, 0.6})};
     EXPECT_EQ(read_text("0.1 0.2\n0.3 0.4\n#\n0.5 0.6\n"), expected);
     EXPECT_EQ(read_text("#\n0.1 0.2\n# words\n0.3 0.4\n # \r\n0.5 0.6\n#\n"), expected);
 }
 
 TEST(PointFileText, AcceptsPointsThatCoincide)
 {
-    EXPECT_THAT(read_text("0.5 0.5\n0.5 0.5\n"), ElementsAre(plane({0.5, 0.5, 0.5, 0.5})));
+    EXPECT_THAT(read_text("0.5 0.5\n0.5 0.5\n"), ElementsAre(plane_of({0.5, 0.5, 0.5, 0.5})));
 }
 
 TEST(PointFileText, TakesWhatIsNearerToZeroThanEveryDoubleAsZero)
 {
-    EXPECT_THAT(read_text("1e-400 4.9406564584124654e-324\n"), ElementsAre(plane({0, 4.9406564584124654e-324})));
+    EXPECT_THAT(read_text("1e-400 4.9406564584124654e-324\n"), ElementsAre(plane_of({0, 4.9406564584124654e-324})));
 }
 
 TEST(PointFileText, RefusesOneAndSaysWhatItIsOnTheTorus)

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-std::vector<SeriesPlan> plan_of(const std::string& methods, int dimension = 2, std::size_t points = 4096)
+std::vector<SeriesPlan> memory_plan_of(const std::string& methods, int dimension = 2, std::size_t points = 4096)
 {
     const std::string head = "seed = 5\n[analysis]\npoints = " + std::to_string(points) +
                              "\ndimension = " + std::to_string(dimension) + "\n";
@@ -122,7 +122,7 @@ private:
 TEST_P(SamplerMemory, IsForetold)
 {
     Device device = Device::open();
-    for (const SeriesPlan& series : plan_of(GetParam() == 2 ? methods_2d : methods_3d, GetParam())) {
+    for (const SeriesPlan& series : memory_plan_of(GetParam() == 2 ? methods_2d : methods_3d, GetParam())) {
         SCOPED_TRACE(series.name);
         const std::uint64_t before = device.memory().total;
         device.watch_memory();
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(In, SamplerMemory, ::testing::Values(2, 3), ::testing::
 TEST(SamplerMemoryCases, HaveEverySampler)
 {
     std::set<std::string> tested{"file", "command"};
-    for (const auto& plan : {plan_of(methods_2d, 2), plan_of(methods_3d, 3)})
+    for (const auto& plan : {memory_plan_of(methods_2d, 2), memory_plan_of(methods_3d, 3)})
         for (const SeriesPlan& series : plan) {
             tested.insert(series.sampler->name);
             for (const auto& [key, entry] : series.parameters.given())
@@ -173,7 +173,7 @@ std::string refusal(const std::vector<SeriesPlan>& plan, const DeviceInfo& devic
 
 TEST(PlanMemory, OfSeriesThatDoNotFitIsRefused)
 {
-    const auto plan = plan_of(
+    const auto plan = memory_plan_of(
         "[[method]]\nsampler = \"random\"\n[[method]]\nsampler = \"lloyd\"\niterations = [1, 2]\n", 2, 10'000'000);
     check_device_memory(plan, small_device(4096));
     EXPECT_THAT(refusal(plan, small_device(256)),
@@ -184,7 +184,7 @@ TEST(PlanMemory, OfSeriesThatDoNotFitIsRefused)
 
 TEST(PlanMemory, IsSharedByTheProcessesOfAMachine)
 {
-    const auto plan = plan_of("[[method]]\nsampler = \"lloyd\"\niterations = 1\n", 2, 10'000'000);
+    const auto plan = memory_plan_of("[[method]]\nsampler = \"lloyd\"\niterations = 1\n", 2, 10'000'000);
     EXPECT_EQ(refusal(plan, share_of(small_device(4096), 1)), "accepted");
     EXPECT_EQ(refusal(plan, share_of(small_device(4096), 4)), "accepted") << "needs 1021.8 MiB, and has 1024";
     EXPECT_THAT(refusal(plan, share_of(small_device(4096), 5)),
@@ -215,9 +215,10 @@ TEST(PlanMemory, RefusalsOfferTheLargestNumberThatFits)
          {std::string("sampler = \"lloyd\"\niterations = 1\n"), std::string("sampler = \"relaxation-dart-throwing\"\n"),
           std::string("sampler = \"dart-throwing\"\nrelative_radius = 0.7\n")}) {
         SCOPED_TRACE(method);
-        const std::size_t most = offered(refusal(plan_of("[[method]]\n" + method, 2, 50'000'000), small_device(512)));
-        EXPECT_EQ(refusal(plan_of("[[method]]\n" + method, 2, most), small_device(512)), "accepted");
-        EXPECT_EQ(offered(refusal(plan_of("[[method]]\n" + method, 2, most + 1), small_device(512))), most);
+        const std::size_t most =
+            offered(refusal(memory_plan_of("[[method]]\n" + method, 2, 50'000'000), small_device(512)));
+        EXPECT_EQ(refusal(memory_plan_of("[[method]]\n" + method, 2, most), small_device(512)), "accepted");
+        EXPECT_EQ(offered(refusal(memory_plan_of("[[method]]\n" + method, 2, most + 1), small_device(512))), most);
     }
 }
 
@@ -226,7 +227,7 @@ TEST(PlanMemory, CountsTheStart)
     const std::string lloyd = "[[method]]\nsampler = \"lloyd\"\niterations = 1\n";
     const std::string start = lloyd + "start = { sampler = \"relaxation-dart-throwing\" }\n";
     const auto offered_by = [](const std::string& method) {
-        return offered(refusal(plan_of(method, 2, 50'000'000), small_device(512)));
+        return offered(refusal(memory_plan_of(method, 2, 50'000'000), small_device(512)));
     };
     EXPECT_LT(offered_by(start), offered_by(lloyd));
 }
@@ -234,7 +235,7 @@ TEST(PlanMemory, CountsTheStart)
 TEST(PlanMemory, SaysWhereFewerPointsAreNoHelp)
 {
     const auto plan =
-        plan_of("[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturation\"\nmin_distance = 0.0005\n");
+        memory_plan_of("[[method]]\nsampler = \"dart-throwing\"\nstop = \"saturation\"\nmin_distance = 0.0005\n");
     EXPECT_THAT(refusal(plan, small_device(64)), HasSubstr("; fewer points would not fit either"));
 }
 
@@ -243,11 +244,11 @@ TEST(PlanMemory, OfTilesIsCutToFit)
 {
     const std::string tiles =
         "[[method]]\nsampler = \"corner-tiles\"\ncolors = 10\npoints_per_tile = 256\nlloyd_iterations = 5\n";
-    const auto plan = plan_of(tiles, 2, 1'000'000);
+    const auto plan = memory_plan_of(tiles, 2, 1'000'000);
     EXPECT_GT(plan[0].sampler->device_memory(plan[0].parameters, plan[0].request, small_device(4096)).total,
               200u << 20);
     EXPECT_EQ(refusal(plan, small_device(64)), "accepted");
-    EXPECT_THAT(refusal(plan_of("[[method]]\nsampler = \"edge-tiles\"\ncolors = 3\n"), small_device(64)),
+    EXPECT_THAT(refusal(memory_plan_of("[[method]]\nsampler = \"edge-tiles\"\ncolors = 3\n"), small_device(64)),
                 HasSubstr("fewer points would not fit either"));
 }
 

@@ -4,7 +4,7 @@
 #include "analysis/spectra/spectrum_file.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "results/pair_correlation_table.hpp"
+#include "results/curve_tables.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/program.hpp"
 

@@ -21,7 +21,7 @@ DartThrowingRequest request_for(int dimension, std::size_t points, double relati
     return request;
 }
 
-struct Case
+struct DartThrowingCase
 {
     int dimension;
     std::size_t points;
@@ -30,18 +30,18 @@ struct Case
     bool saturate;
 };
 
-void PrintTo(const Case& c, std::ostream* out)
+void PrintTo(const DartThrowingCase& c, std::ostream* out)
 {
     *out << c.dimension << "D, " << c.points << " points, relative radius " << c.relative_radius << ", seed " << c.seed
          << (c.saturate ? ", to saturation" : "");
 }
 
-class DartThrowing : public ::testing::TestWithParam<Case>
+class DartThrowing : public ::testing::TestWithParam<DartThrowingCase>
 {
 protected:
     DartThrowingRequest request() const
     {
-        const Case& c = GetParam();
+        const DartThrowingCase& c = GetParam();
         DartThrowingRequest request = request_for(c.dimension, c.points, c.relative_radius, c.seed);
         if (c.saturate) request.points.reset();
         return request;
@@ -61,17 +61,22 @@ TEST_P(DartThrowing, KernelGivesTheReferencesBytesAndKeepsTheDistance)
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, DartThrowing,
-                         ::testing::Values(Case{2, 7, 0.60, 4, false}, Case{2, 50, 0.65, 6, false},
-                                           Case{2, 4, 0.77, 12, true}, Case{3, 10, 0.60, 17, false}));
+                         ::testing::Values(DartThrowingCase{2, 7, 0.60, 4, false},
+                                           DartThrowingCase{2, 50, 0.65, 6, false},
+                                           DartThrowingCase{2, 4, 0.77, 12, true},
+                                           DartThrowingCase{3, 10, 0.60, 17, false}));
 
 INSTANTIATE_TEST_SUITE_P(
     Sizes, DartThrowing,
-    ::testing::Values(Case{2, 1, 0.70, 1, false}, Case{2, 2, 0.70, 1, false}, Case{2, 3, 0.60, 2, false},
-                      Case{2, 5, 0.65, 3, false}, Case{2, 13, 0.60, 5, false}, Case{2, 331, 0.70, 7, false},
-                      Case{2, 1024, 0.10, 8, false}, Case{2, 1024, 0.40, 9, false}, Case{2, 4096, 0.75, 10, false},
-                      Case{2, 1, 0.77, 11, true}, Case{2, 9, 0.77, 13, true}, Case{2, 100, 0.77, 14, true},
-                      Case{2, 3000, 0.77, 15, true}, Case{3, 1, 0.70, 16, false}, Case{3, 60, 0.65, 18, false},
-                      Case{3, 2000, 0.75, 19, false}, Case{3, 20, 0.80, 20, true}, Case{3, 500, 0.80, 21, true}));
+    ::testing::Values(DartThrowingCase{2, 1, 0.70, 1, false}, DartThrowingCase{2, 2, 0.70, 1, false},
+                      DartThrowingCase{2, 3, 0.60, 2, false}, DartThrowingCase{2, 5, 0.65, 3, false},
+                      DartThrowingCase{2, 13, 0.60, 5, false}, DartThrowingCase{2, 331, 0.70, 7, false},
+                      DartThrowingCase{2, 1024, 0.10, 8, false}, DartThrowingCase{2, 1024, 0.40, 9, false},
+                      DartThrowingCase{2, 4096, 0.75, 10, false}, DartThrowingCase{2, 1, 0.77, 11, true},
+                      DartThrowingCase{2, 9, 0.77, 13, true}, DartThrowingCase{2, 100, 0.77, 14, true},
+                      DartThrowingCase{2, 3000, 0.77, 15, true}, DartThrowingCase{3, 1, 0.70, 16, false},
+                      DartThrowingCase{3, 60, 0.65, 18, false}, DartThrowingCase{3, 2000, 0.75, 19, false},
+                      DartThrowingCase{3, 20, 0.80, 20, true}, DartThrowingCase{3, 500, 0.80, 21, true}));
 
 TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
 {

@@ -14,11 +14,11 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const SamplerSpec& spec() { return *find_sampler("lloyd"); }
+const SamplerSpec& lloyd_spec() { return *find_sampler("lloyd"); }
 
-using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
+using LloydValues = std::initializer_list<std::pair<std::string, ParameterValue>>;
 
-Parameters parameters(Values values, const std::string& sampler = "lloyd")
+Parameters lloyd_parameters(LloydValues values, const std::string& sampler = "lloyd")
 {
     Parameters result(find_sampler(sampler)->parameters);
     int line = 10;
@@ -26,20 +26,21 @@ Parameters parameters(Values values, const std::string& sampler = "lloyd")
     return result;
 }
 
-ParameterValue start_from(const std::string& name, Values values = {})
+ParameterValue start_from(const std::string& name, LloydValues values = {})
 {
-    return std::make_shared<const SamplerChoice>(SamplerChoice{find_sampler(name), parameters(values, name)});
+    return std::make_shared<const SamplerChoice>(SamplerChoice{find_sampler(name), lloyd_parameters(values, name)});
 }
 
-std::string refusal(const Parameters& p)
+std::string lloyd_refusal(const Parameters& p)
 {
-    return refusal_of([&] { spec().check(p, {1024, 2, 1}, {"test.toml", 9}); });
+    return refusal_of([&] { lloyd_spec().check(p, {1024, 2, 1}, {"test.toml", 9}); });
 }
 
-std::unique_ptr<Sampler> create(Values values, int dimension = 2, Engine engine = Engine::opencl)
+std::unique_ptr<Sampler> create(LloydValues values, int dimension = 2, Engine engine = Engine::opencl)
 {
     static Device device = Device::open();
-    return spec().create(parameters(values), {512, dimension, 7}, engine, []() -> Device& { return device; });
+    return lloyd_spec().create(lloyd_parameters(values), {512, dimension, 7}, engine,
+                               []() -> Device& { return device; });
 }
 
 const ParameterValue none = std::int64_t{0};
@@ -47,12 +48,13 @@ const ParameterValue eight = std::int64_t{8};
 
 TEST(LloydSampler, RefusesWhatHasNoMeaning)
 {
-    EXPECT_EQ(refusal(parameters({{"iterations", eight}})), "accepted");
-    EXPECT_EQ(refusal(parameters({{"iterations", none}, {"repulsion", true}, {"until_relative_radius", 0.8}})),
-              "accepted");
-    EXPECT_EQ(refusal(parameters({{"iterations", none}, {"repulsion", false}})), "accepted");
-    EXPECT_THAT(refusal(parameters({})), AllOf(HasSubstr("test.toml:9"), HasSubstr("needs iterations")));
-    EXPECT_THAT(refusal(parameters({{"iterations", eight}, {"repulsion", true}})),
+    EXPECT_EQ(lloyd_refusal(lloyd_parameters({{"iterations", eight}})), "accepted");
+    EXPECT_EQ(
+        lloyd_refusal(lloyd_parameters({{"iterations", none}, {"repulsion", true}, {"until_relative_radius", 0.8}})),
+        "accepted");
+    EXPECT_EQ(lloyd_refusal(lloyd_parameters({{"iterations", none}, {"repulsion", false}})), "accepted");
+    EXPECT_THAT(lloyd_refusal(lloyd_parameters({})), AllOf(HasSubstr("test.toml:9"), HasSubstr("needs iterations")));
+    EXPECT_THAT(lloyd_refusal(lloyd_parameters({{"iterations", eight}, {"repulsion", true}})),
                 AllOf(HasSubstr("test.toml:11: repulsion = true"), HasSubstr("needs until_relative_radius")));
 }
 
@@ -62,7 +64,7 @@ TEST(LloydSampler, WithoutIterationsGivesItsStart)
         const ParameterValue start = start_from("dart-throwing", {{"relative_radius", 0.7}});
         const auto sampler = create({{"iterations", none}, {"start", start}}, dimension);
         const auto from = find_sampler("dart-throwing");
-        const auto plain = from->create(parameters({{"relative_radius", 0.7}}, from->name), {512, dimension, 7},
+        const auto plain = from->create(lloyd_parameters({{"relative_radius", 0.7}}, from->name), {512, dimension, 7},
                                         Engine::reference, nullptr);
         EXPECT_EQ(sampler->sample(3), plain->sample(3));
         EXPECT_EQ(sampler->iterations().size(), 1u);
@@ -80,7 +82,7 @@ TEST(LloydSampler, StartsFromRandomPointsWhenNothingIsSaid)
 TEST(LloydSampler, EnginesAgree)
 {
     for (const int dimension : {2, 3}) {
-        const Values values = {{"iterations", eight}};
+        const LloydValues values = {{"iterations", eight}};
         const PointSet kernels = create(values, dimension)->sample(0);
         const PointSet expected = create(values, dimension, Engine::reference)->sample(0);
         ASSERT_EQ(kernels.coordinates.size(), expected.coordinates.size());

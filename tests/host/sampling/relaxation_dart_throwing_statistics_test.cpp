@@ -15,7 +15,8 @@ namespace poissonlab {
 namespace {
 
 /// Sets by the kernels, one for each realization from 0 to count - 1.
-std::vector<PointSet> kernel_sets(RelaxationDartThrowingRequest request, std::uint64_t seed, std::uint32_t count)
+std::vector<PointSet> relaxation_kernel_sets(RelaxationDartThrowingRequest request, std::uint64_t seed,
+                                             std::uint32_t count)
 {
     std::vector<PointSet> sets;
     RelaxationDartThrower thrower(Device::open());
@@ -62,7 +63,7 @@ TEST(RelaxationDartThrowingStatistics, RelativeRadiiAreTheDissertations)
                                           {3, 65536, 0.99, 1'000, 0.70, 0, 5}};
     for (const Published& p : cases) {
         SCOPED_TRACE(p.factor);
-        const auto sets = kernel_sets({p.dimension, p.points, 0.15, p.factor, p.attempts}, 1, p.sets);
+        const auto sets = relaxation_kernel_sets({p.dimension, p.points, 0.15, p.factor, p.attempts}, 1, p.sets);
         const test::Mean mean = test::mean_of(relative_radii_of(sets));
         // Half a digit of rounding, and what chance allows for the difference of both means.
         const double n = static_cast<double>(p.sets);
@@ -82,7 +83,7 @@ TEST(RelaxationDartThrowingStatistics, RelativeRadiiAreTheDissertations)
 
 TEST(RelaxationDartThrowingStatistics, PrefixesAreAsWellSpreadAsSetsOfTheirSize)
 {
-    const auto sets = kernel_sets({2, 4096, 0.15, 0.99, 1'000}, 2, 30);
+    const auto sets = relaxation_kernel_sets({2, 4096, 0.15, 0.99, 1'000}, 2, 30);
     const std::vector<std::size_t> sizes = {2048, 1024, 512, 256, 128, 64};
     for (const std::size_t size : sizes) {
         std::vector<PointSet> prefixes;
@@ -91,47 +92,50 @@ TEST(RelaxationDartThrowingStatistics, PrefixesAreAsWellSpreadAsSetsOfTheirSize)
             prefixes.push_back({2, {set.coordinates.begin(), end}});
         }
         const test::Mean of_prefixes = test::mean_of(relative_radii_of(prefixes));
-        const test::Mean of_sets = test::mean_of(relative_radii_of(kernel_sets({2, size, 0.15, 0.99, 1'000}, 3, 30)));
+        const test::Mean of_sets =
+            test::mean_of(relative_radii_of(relaxation_kernel_sets({2, size, 0.15, 0.99, 1'000}, 3, 30)));
         EXPECT_LT(std::abs(test::z_score(of_prefixes, of_sets)), test::z_bound(sizes.size()))
             << size << " points: " << of_prefixes.value << " and " << of_sets.value;
         EXPECT_GT(of_prefixes.value, 0.65);
     }
 }
 
-constexpr std::size_t point_count = 512;
-constexpr std::uint32_t set_count = 200;
+constexpr std::size_t relaxation_points = 512;
+constexpr std::uint32_t relaxation_sets = 200;
 
-const std::vector<PointSet>& kernel_sets()
+const std::vector<PointSet>& relaxation_kernel_sets()
 {
-    static const std::vector<PointSet> sets = kernel_sets({2, point_count, 0.15, 0.97, 60}, 4, set_count);
+    static const std::vector<PointSet> sets =
+        relaxation_kernel_sets({2, relaxation_points, 0.15, 0.97, 60}, 4, relaxation_sets);
     return sets;
 }
 
-const std::vector<PointSet>& textbook_sets()
+const std::vector<PointSet>& relaxation_textbook_sets()
 {
     static const std::vector<PointSet> sets = [] {
         std::vector<PointSet> result;
-        for (std::size_t k = 0; k < set_count; ++k)
-            result.push_back(test::textbook_relaxation_dart_throwing(point_count, 0.15, 0.97, 60, 1000 + k));
+        for (std::size_t k = 0; k < relaxation_sets; ++k)
+            result.push_back(test::textbook_relaxation_dart_throwing(relaxation_points, 0.15, 0.97, 60, 1000 + k));
         return result;
     }();
     return sets;
 }
 
-void expect_same_means(const test::Features& features)
+void expect_same_relaxation_means(const test::Features& features)
 {
-    test::expect_same_means(features, kernel_sets(), textbook_sets());
+    test::expect_same_means(features, relaxation_kernel_sets(), relaxation_textbook_sets());
 }
 
 TEST(RelaxationDartThrowingStatistics, PairCorrelationIsTheTextbooks)
 {
-    const double unit = max_min_distance(point_count, 2);
-    expect_same_means([&](const PointSet& set) { return test::pairs_by_distance(set, 0.55 * unit, 2 * unit, 20); });
+    const double unit = max_min_distance(relaxation_points, 2);
+    expect_same_relaxation_means(
+        [&](const PointSet& set) { return test::pairs_by_distance(set, 0.55 * unit, 2 * unit, 20); });
 }
 
 TEST(RelaxationDartThrowingStatistics, RadialPowerIsTheTextbooks)
 {
-    expect_same_means([](const PointSet& set) { return test::radial_power(set, 96); });
+    expect_same_relaxation_means([](const PointSet& set) { return test::radial_power(set, 96); });
 }
 
 TEST(RelaxationDartThrowingStatistics, PointsDoNotKnowTheCellsOfTheGrids)
@@ -139,14 +143,14 @@ TEST(RelaxationDartThrowingStatistics, PointsDoNotKnowTheCellsOfTheGrids)
     // Where points lie in the whole torus and in cells of the grids, which are powers of two: uniform.
     for (const double cells : {1.0, 4.0, 32.0}) {
         SCOPED_TRACE(cells);
-        expect_same_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });
+        expect_same_relaxation_means([&](const PointSet& set) { return test::points_in_cells(set, cells); });
     }
 }
 
 TEST(RelaxationDartThrowingStatistics, EarlyAndLatePointsAreTheTextbooks)
 {
     // Points are in the order of acceptance.
-    expect_same_means([](const PointSet& set) { return test::distances_to_predecessors(set, 32); });
+    expect_same_relaxation_means([](const PointSet& set) { return test::distances_to_predecessors(set, 32); });
 }
 
 }

@@ -52,7 +52,7 @@ double depth_in(const Domain& domain, std::span<const double> point)
 /// The smallest distance of all pairs, and of a point to its images.
 double all_pairs_distance(const PointSet& points) { return std::min(1.0, test::brute_force_min_distance(points)); }
 
-struct Case
+struct RepulsionCase
 {
     int dimension;
     std::size_t points;
@@ -63,19 +63,19 @@ struct Case
     int seed;
 };
 
-void PrintTo(const Case& c, std::ostream* out)
+void PrintTo(const RepulsionCase& c, std::ostream* out)
 {
     *out << c.dimension << "D, " << c.points << " points, distance " << c.min_distance << ", " << c.passes
          << " passes, " << c.fixed_percent << " % fixed, " << (c.has_regions ? "regions" : "no regions");
 }
 
-class RepulsionCases : public ::testing::TestWithParam<Case>
+class RepulsionCases : public ::testing::TestWithParam<RepulsionCase>
 {
 };
 
 TEST_P(RepulsionCases, KernelGivesTheReferencesBytesWithinTheDomain)
 {
-    const Case& c = GetParam();
+    const RepulsionCase& c = GetParam();
     std::mt19937_64 random(static_cast<unsigned>(c.seed));
     const PointSet start = test::random_points(c.points, c.dimension, random);
     Domain domain = c.has_regions ? tile_domain(0.07, c.dimension) : Domain{};
@@ -111,20 +111,23 @@ TEST_P(RepulsionCases, KernelGivesTheReferencesBytesWithinTheDomain)
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, RepulsionCases,
-                         ::testing::Values(Case{2, 1, 1, 5, 0, false, 1}, Case{2, 3, 1, 5, 0, false, 4},
-                                           Case{2, 20, -0.8, 4, 20, true, 5}, Case{3, 15, -0.7, 4, 20, true, 15}));
+                         ::testing::Values(RepulsionCase{2, 1, 1, 5, 0, false, 1},
+                                           RepulsionCase{2, 3, 1, 5, 0, false, 4},
+                                           RepulsionCase{2, 20, -0.8, 4, 20, true, 5},
+                                           RepulsionCase{3, 15, -0.7, 4, 20, true, 15}));
 
-INSTANTIATE_TEST_SUITE_P(Sizes, RepulsionCases,
-                         ::testing::Values(Case{2, 2, -0.9, 50, 0, false, 2}, Case{2, 3, -0.8, 50, 0, false, 3},
-                                           Case{2, 60, -0.7, 400, 0, false, 6}, Case{2, 500, 1e-9, 3, 0, false, 7},
-                                           Case{2, 500, -0.75, 60, 10, false, 8}, Case{2, 200, -0.6, 60, 10, true, 9},
-                                           Case{2, 3000, -0.7, 20, 0, true, 10},
-                                           // The distance is larger than any set's.
-                                           Case{2, 40, 0.5, 6, 0, false, 11}, Case{2, 50, 1, 3, 10, true, 12},
-                                           Case{3, 1, 0.5, 5, 0, false, 13}, Case{3, 2, 1, 5, 0, false, 14},
-                                           Case{3, 60, -0.7, 100, 0, false, 16}, Case{3, 300, -0.6, 40, 10, true, 17},
-                                           Case{3, 1000, -0.7, 20, 0, false, 18},
-                                           Case{2, 100, -0.5, 400, 100, false, 19}));
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, RepulsionCases,
+    ::testing::Values(RepulsionCase{2, 2, -0.9, 50, 0, false, 2}, RepulsionCase{2, 3, -0.8, 50, 0, false, 3},
+                      RepulsionCase{2, 60, -0.7, 400, 0, false, 6}, RepulsionCase{2, 500, 1e-9, 3, 0, false, 7},
+                      RepulsionCase{2, 500, -0.75, 60, 10, false, 8}, RepulsionCase{2, 200, -0.6, 60, 10, true, 9},
+                      RepulsionCase{2, 3000, -0.7, 20, 0, true, 10},
+                      // The distance is larger than any set's.
+                      RepulsionCase{2, 40, 0.5, 6, 0, false, 11}, RepulsionCase{2, 50, 1, 3, 10, true, 12},
+                      RepulsionCase{3, 1, 0.5, 5, 0, false, 13}, RepulsionCase{3, 2, 1, 5, 0, false, 14},
+                      RepulsionCase{3, 60, -0.7, 100, 0, false, 16}, RepulsionCase{3, 300, -0.6, 40, 10, true, 17},
+                      RepulsionCase{3, 1000, -0.7, 20, 0, false, 18},
+                      RepulsionCase{2, 100, -0.5, 400, 100, false, 19}));
 
 /// One pass by its definition: every pair in every image of the torus that may matter.
 PointSet pushed_by_all_images(const PointSet& start, double min_distance)

@@ -20,12 +20,12 @@ using testing::Contains;
 
 const fs::path source = source_folder();
 
-using Files = std::set<std::string>; ///< below the source folder
+using SourceFiles = std::set<std::string>; ///< below the source folder
 
 /// The files behind each version.
-std::map<std::string, Files> hashed_files()
+std::map<std::string, SourceFiles> hashed_files()
 {
-    std::map<std::string, Files> files;
+    std::map<std::string, SourceFiles> files;
     std::istringstream list(read_whole_file(code_files_list()));
     for (std::string version, file; list >> version >> file;) files[version].insert(file);
     return files;
@@ -33,11 +33,11 @@ std::map<std::string, Files> hashed_files()
 
 /// The files of the project that a file includes: paths from the root, or, of headers for other programs, from the
 /// folder of their own.
-Files includes(const std::string& file)
+SourceFiles includes(const std::string& file)
 {
     static const std::regex line("#include \"([^\"]+)\"");
     const std::string text = read_whole_file(source / file);
-    Files names;
+    SourceFiles names;
     for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match)
         for (const fs::path& folder : {fs::path(), fs::path(file).parent_path()}) {
             const fs::path candidate = (folder / (*match)[1].str()).lexically_normal();

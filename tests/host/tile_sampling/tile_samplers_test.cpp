@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 using Values = std::initializer_list<std::pair<std::string, ParameterValue>>;
 
-Parameters parameters(const SamplerSpec& spec, Values values)
+Parameters parameters_of(const SamplerSpec& spec, Values values)
 {
     Parameters result(spec.parameters);
     int line = 10;
@@ -41,7 +41,7 @@ protected:
                                     Engine engine = Engine::opencl)
     {
         const SamplerSpec& spec = *find_sampler(name);
-        return spec.create(parameters(spec, values), {points, spec.dimensions.front(), 7}, engine,
+        return spec.create(parameters_of(spec, values), {points, spec.dimensions.front(), 7}, engine,
                            [this]() -> Device& { return device_; });
     }
 
@@ -49,14 +49,14 @@ protected:
     {
         const SamplerSpec& spec = *find_sampler(name);
         return refusal_of([&] {
-            spec.check(parameters(spec, values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
+            spec.check(parameters_of(spec, values), {4096, spec.dimensions.front(), 1}, {"test.toml", 9});
         });
     }
 
     static bool is_deterministic(const std::string& name, const std::string& key, std::int64_t value)
     {
         const SamplerSpec& spec = *find_sampler(name);
-        return spec.is_deterministic(parameters(spec, {{key, value}}));
+        return spec.is_deterministic(parameters_of(spec, {{key, value}}));
     }
 
 private:

@@ -3,7 +3,7 @@
 #include "reports/site/report.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "results/radial_table.hpp"
+#include "results/curve_tables.hpp"
 #include "tests/reports/support/synthetic_results.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/picture.hpp"

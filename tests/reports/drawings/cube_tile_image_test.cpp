@@ -3,6 +3,7 @@
 
 #include "base/errors/errors.hpp"
 #include "reports/drawings/tile_image.hpp"
+#include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/reports/support/tile_grids.hpp"
 
@@ -14,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-const std::string white = "#ffffff", black = "#000000", south_grey = "#ebebeb", east_grey = "#d6d6d6";
+const std::string south_grey = "#ebebeb", east_grey = "#d6d6d6";
 
 /// Where a place of space is seen: 32 units an edge, x to the lower right and y to the upper right by 30
 /// degrees. `left` and `top` are the margins of the block, `depth` and `height` its sizes in y and z.

@@ -3,6 +3,7 @@
 
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -56,8 +57,6 @@ double disk_error(double radius, double scale)
     const double samples = 4 * 8 * radius * scale;
     return (samples + 8 + samples / 2) / 16 + (samples / 4 + 8) * 0.5 / 255;
 }
-
-const std::string red = "#ff0000", blue = "#0000ff", white = "#ffffff";
 
 TEST(DrawingPng, CoversTheAreaOfPolygons)
 {

@@ -3,6 +3,7 @@
 
 #include "reports/drawings/cube_tile_image.hpp"
 #include "reports/drawings/tile_regions_image.hpp"
+#include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/reports/support/tile_grids.hpp"
 #include "tests/support/browser.hpp"
@@ -20,7 +21,6 @@
 namespace poissonlab {
 namespace {
 
-const std::string red = "#ff0000", blue = "#0000ff";
 const Polygon square{{1, 1}, {3, 1}, {3, 3}, {1, 3}};
 const Polygon backwards{{5, 1}, {5, 3}, {7, 3}, {7, 1}};
 const Polygon slanted{{0, -0.25}, {1.005, 2.999}, {-10.5, 0.1}};

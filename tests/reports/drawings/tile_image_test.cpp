@@ -1,6 +1,7 @@
 // Pictures of tiles: every tile at its place, with its colours on the right sides.
 #include "reports/drawings/tile_image.hpp"
 
+#include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/reports/support/tile_grids.hpp"
 
@@ -12,8 +13,6 @@
 
 namespace poissonlab {
 namespace {
-
-const std::string white = "#ffffff", black = "#000000";
 
 /// Places two units inside of a tile's sides, the tile's upper left being at (x, y): north, east, south,
 /// west.

@@ -2,6 +2,7 @@
 #include "reports/drawings/tile_regions_image.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/reports/drawings/colors.hpp"
 #include "tests/reports/support/drawn.hpp"
 #include "tests/reports/support/tile_grids.hpp"
 
@@ -13,7 +14,7 @@
 namespace poissonlab {
 namespace {
 
-const std::string white = "#ffffff", grey = "#d0d0d0", black = "#000000", outline = "#606060";
+const std::string grey = "#d0d0d0", outline = "#606060";
 
 constexpr double r = 0.15;
 const double a = r * (1 + std::numbers::sqrt2);

@@ -9,30 +9,33 @@
 namespace poissonlab {
 namespace {
 
-constexpr int size = 64;
+constexpr int cube_size = 64;
 
-std::vector<Spectrum> grey_planes() { return {6, Spectrum{2, size, 1, 1, std::vector<double>(size * size, 1.0)}}; }
+std::vector<Spectrum> grey_planes()
+{
+    return {6, Spectrum{2, cube_size, 1, 1, std::vector<double>(cube_size * cube_size, 1.0)}};
+}
 
 /// Makes a square of 9 x 9 frequencies around one white.
 void add_spot(Spectrum& plane, int fx, int fy)
 {
     for (int y = fy - 4; y <= fy + 4; ++y)
         for (int x = fx - 4; x <= fx + 4; ++x)
-            plane.power[static_cast<std::size_t>((y + size / 2) * size + x + size / 2)] = 10;
+            plane.power[static_cast<std::size_t>((y + cube_size / 2) * cube_size + x + cube_size / 2)] = 10;
 }
 
 /// The grey where a place of the cube [-1, 1]^3 is seen from (1, 1, 1): x to the lower left, y to the lower
 /// right.
 int grey_at(GreyImage image, double x, double y, double z)
 {
-    const double pixels = size / 2.0;
+    const double pixels = cube_size / 2.0;
     const double right = (y - x) / std::sqrt(2.0), up = (2 * z - x - y) / std::sqrt(6.0);
     return image.at(static_cast<int>(std::lround(image.width / 2.0 + right * pixels)),
                     static_cast<int>(std::lround(image.height / 2.0 - up * pixels)));
 }
 
 constexpr double half = 0.5;
-constexpr int quarter = size / 4; // 0.5 of the way to the border
+constexpr int quarter = cube_size / 4; // 0.5 of the way to the border
 
 TEST(CubeImage, ShowsCoordinatePlanesWhereTheEighthIsMissing)
 {
@@ -65,19 +68,19 @@ TEST(CubeImage, ShowsOuterFacesMirrored)
 TEST(CubeImage, IsAHexagonOnWhite)
 {
     auto image = draw_spectrum_cube(grey_planes(), report_tone_mapping);
-    EXPECT_EQ(image.width, std::ceil(std::sqrt(2.0) * size) + 2);
-    EXPECT_EQ(image.height, std::ceil(2 * std::sqrt(2.0 / 3) * size) + 2);
+    EXPECT_EQ(image.width, std::ceil(std::sqrt(2.0) * cube_size) + 2);
+    EXPECT_EQ(image.height, std::ceil(2 * std::sqrt(2.0 / 3) * cube_size) + 2);
     EXPECT_EQ(image.at(0, 0), 255);
     EXPECT_EQ(image.at(image.width - 1, image.height - 1), 255);
     const auto filled = image.pixels.size() - static_cast<std::size_t>(std::ranges::count(image.pixels, 255));
-    EXPECT_NEAR(static_cast<double>(filled), std::sqrt(3.0) * size * size, 6 * size)
+    EXPECT_NEAR(static_cast<double>(filled), std::sqrt(3.0) * cube_size * cube_size, 6 * cube_size)
         << "the projection of a cube of side M has area sqrt 3 M^2, a border of one pixel apart";
 }
 
 TEST(CubeImage, HasNoDC)
 {
     auto planes = grey_planes();
-    for (std::size_t i = 0; i < 3; ++i) planes[i].power[size / 2 * size + size / 2] = 1e9;
+    for (std::size_t i = 0; i < 3; ++i) planes[i].power[cube_size / 2 * cube_size + cube_size / 2] = 1e9;
     auto image = draw_spectrum_cube(planes, report_tone_mapping);
     for (int y = -2; y <= 2; ++y)
         for (int x = -2; x <= 2; ++x) EXPECT_LT(image.at(image.width / 2 + x, image.height / 2 + y), 255);

@@ -38,7 +38,7 @@ private:
     const MadeUpSeries& series_;
 };
 
-Json statistic(const std::vector<double>& each)
+Json statistic_of(const std::vector<double>& each)
 {
     const auto [low, high] = std::ranges::minmax(each);
     return {{"min", low}, {"mean", sample_mean(each).value}, {"max", high}, {"each", each}};
@@ -77,7 +77,7 @@ Json write_series(const std::filesystem::path& folder, const MadeUpSeries& serie
             {"deterministic", series.deterministic},
             {"points", 16384},
             {"realizations", series.realizations},
-            {"relative_radius", statistic(radius)},
+            {"relative_radius", statistic_of(radius)},
             {"measures", measures},
             {"radial", {{"file", series.name + "/radial.csv"}, {"background_anisotropy_db", -10}}},
             {"pair_correlation", {{"file", series.name + "/pair-correlation.csv"}}},

@@ -9,7 +9,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr HashKind hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
+constexpr HashKind cube_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
 
 /// The eight corners; [up][north][east].
 struct Corners
@@ -54,7 +54,7 @@ void expect_neighbours_match(const CubeTiling& tiling, std::int64_t x0, std::int
 
 TEST(CubeTiling, NeighboursMatch)
 {
-    for (const HashKind hash : hashes) {
+    for (const HashKind hash : cube_hashes) {
         for (Color c = 2; c <= 8; ++c) {
             for (const Period period : {Period{}, Period{4, 5, 3}, Period{0, 0, 2}}) {
                 const CubeTiling tiling(c, hash, 1, period);
@@ -68,7 +68,7 @@ TEST(CubeTiling, NeighboursMatch)
 
 TEST(CubeTiling, IsMadeOfTheHashFunction)
 {
-    for (const HashKind hash : hashes) {
+    for (const HashKind hash : cube_hashes) {
         const CubeTiling tiling(4, hash, 5);
         for (std::int64_t i = -50; i < 50; ++i) {
             const Corners corners = corners_of(tiling, i, 2 * i, 7 - i);
@@ -121,7 +121,7 @@ TEST(CubeTiling, RefusesWhatItCannotTile)
 
 TEST(DominoTiling, NeighboursMatch)
 {
-    for (const HashKind hash : hashes) {
+    for (const HashKind hash : cube_hashes) {
         for (Color c = 2; c <= 8; ++c) {
             for (const std::int64_t period : {0, 7}) {
                 const DominoTiling tiling(c, hash, 1, period);

@@ -11,7 +11,7 @@
 namespace poissonlab {
 namespace {
 
-const StreamKey key = stream_key(1, Purpose::tiling_colors, 0);
+const StreamKey long_period_key = stream_key(1, Purpose::tiling_colors, 0);
 
 /// For Perlin's noise (dissertation, section 3.4.4): range 16, and two primes on either side.
 const LongPeriodDesign noise_design{16, {11, 13, 16, 17, 19}};
@@ -64,29 +64,29 @@ TEST(LongPeriodHash, DesignsAreThoseOfTheDissertation)
     // For numbers of colours that do not divide 24, the same recipe.
     EXPECT_EQ(tiling_hash_design(5), (LongPeriodDesign{25, {17, 19, 23, 25, 29, 31, 37}}));
     EXPECT_EQ(tiling_hash_design(7), (LongPeriodDesign{21, {13, 17, 19, 21, 23, 29, 31}}));
-    for (Color c = 2; c <= max_colors; ++c) EXPECT_NO_THROW(LongPeriodHash(c, key)) << c;
+    for (Color c = 2; c <= max_colors; ++c) EXPECT_NO_THROW(LongPeriodHash(c, long_period_key)) << c;
 }
 
 TEST(LongPeriodHash, PeriodsAndEntriesAreThoseOfTheDissertation)
 {
     for (const Color c : {2u, 3u, 4u, 6u, 8u, 24u}) {
-        const LongPeriodHash hash(c, key);
+        const LongPeriodHash hash(c, long_period_key);
         EXPECT_EQ(hash.period(), (HashPeriod{5'930'659'848, 5'930'659'848}));
         EXPECT_EQ(Tables(hash).count(), 180u);
         EXPECT_EQ(hash.range(), 24u);
     }
-    const LongPeriodHash noise(16, noise_design, key);
+    const LongPeriodHash noise(16, noise_design, long_period_key);
     EXPECT_EQ(noise.period(), (HashPeriod{739'024, 739'024}));
     EXPECT_EQ(Tables(noise).count(), 76u);
-    EXPECT_EQ(LongPeriodHash(5, key).period().x, 5'930'659'848 / 24 * 25);
-    EXPECT_EQ(LongPeriodHash(7, key).period().x, 5'930'659'848 / 24 / 37 * 21 * 13);
+    EXPECT_EQ(LongPeriodHash(5, long_period_key).period().x, 5'930'659'848 / 24 * 25);
+    EXPECT_EQ(LongPeriodHash(7, long_period_key).period().x, 5'930'659'848 / 24 / 37 * 21 * 13);
 }
 
 TEST(LongPeriodHash, IsThatOfTheDissertation)
 {
     std::mt19937_64 random(1);
     for (const Color c : {2u, 5u, 7u, 8u, 251u, 256u}) {
-        const LongPeriodHash hash(c, key);
+        const LongPeriodHash hash(c, long_period_key);
         const Tables tables(hash);
         for (int i = 0; i < 10'000; ++i) {
             const std::array<std::int64_t, 4> near{static_cast<std::int64_t>(random()), i - 2500, INT64_MIN + i,
@@ -103,7 +103,7 @@ TEST(LongPeriodHash, IsThatOfTheDissertation)
 
 TEST(LongPeriodHash, RowsArePointByPoint)
 {
-    const LongPeriodHash hash(3, key);
+    const LongPeriodHash hash(3, long_period_key);
     for (const std::int64_t x : {std::int64_t{-1500}, std::int64_t{5'930'659'000}, INT64_MIN}) {
         for (const std::int64_t step : {1, 2, 1000}) {
             std::vector<std::uint8_t> row(3000); // several of the pieces that are summed at once
@@ -121,7 +121,7 @@ TEST(LongPeriodHash, HasThePeriodThatItReportsInFull)
          {LongPeriodDesign{4, {3, 4, 5}}, LongPeriodDesign{6, {5, 6, 7}}, LongPeriodDesign{8, {8, 9}}}) {
         for (Color c = 2; c <= design.range; ++c) {
             if (design.range % c != 0) continue;
-            const LongPeriodHash hash(c, design, key);
+            const LongPeriodHash hash(c, design, long_period_key);
             const std::int64_t product =
                 std::accumulate(design.sizes.begin(), design.sizes.end(), std::int64_t{1}, std::multiplies<>());
             const auto repeats = [&](std::int64_t dx, std::int64_t dy) {
@@ -148,7 +148,7 @@ TEST(LongPeriodHash, HasNoShorterPeriodThanItReports)
     // differ show that it does not; that the period is one, sampled points.
     std::mt19937_64 random(2);
     for (const Color c : {2u, 3u, 5u, 7u, 8u}) {
-        const LongPeriodHash hash(c, key);
+        const LongPeriodHash hash(c, long_period_key);
         const auto period = static_cast<std::int64_t>(hash.period().x);
         for (std::int64_t prime = 2; prime <= 37; ++prime) {
             if (period % prime != 0) continue;
@@ -173,7 +173,7 @@ TEST(LongPeriodHash, ColorsAreAsFrequentOverAPeriod)
 {
     const LongPeriodDesign design{12, {5, 7, 12}};
     for (const Color c : {2u, 3u, 4u, 6u, 12u}) {
-        const LongPeriodHash hash(c, design, key);
+        const LongPeriodHash hash(c, design, long_period_key);
         std::vector<int> counts(c);
         for (std::int64_t x = 0; x < 420; ++x) {
             for (std::int64_t y = 0; y < 420; ++y) ++counts[hash(x, y)];
@@ -182,14 +182,16 @@ TEST(LongPeriodHash, ColorsAreAsFrequentOverAPeriod)
     }
     // One row of the noise function, all of its period.
     std::vector<int> counts(16);
-    const LongPeriodHash noise(16, noise_design, key);
+    const LongPeriodHash noise(16, noise_design, long_period_key);
     for (std::int64_t x = 0; x < 739'024; ++x) ++counts[noise(x, 5)];
     for (const int count : counts) EXPECT_EQ(count, 739'024 / 16);
 }
 
 TEST(LongPeriodHash, RefusesDesignsThatDoNotKeepItsPromises)
 {
-    const auto make = [](Color c, LongPeriodDesign design) { return LongPeriodHash(c, std::move(design), key); };
+    const auto make = [](Color c, LongPeriodDesign design) {
+        return LongPeriodHash(c, std::move(design), long_period_key);
+    };
     EXPECT_THROW(make(5, {24, {23, 24, 25}}), InputError); // 24 is no multiple of 5
     EXPECT_THROW(make(2, {24, {17, 19, 23}}), InputError); // the range is not there
     EXPECT_THROW(make(2, {24, {24, 27}}), InputError);     // not coprime

@@ -15,7 +15,7 @@
 namespace poissonlab {
 namespace {
 
-const StreamKey key = stream_key(1, Purpose::tiling_colors, 0);
+const StreamKey permutation_key = stream_key(1, Purpose::tiling_colors, 0);
 
 /// The dissertation's %: the remainder that is not negative.
 std::uint32_t modulo(std::int64_t a, std::int64_t n) { return static_cast<std::uint32_t>((a % n + n) % n); }
@@ -23,7 +23,7 @@ std::uint32_t modulo(std::int64_t a, std::int64_t n) { return static_cast<std::u
 TEST(RandomPermutation, IsOne)
 {
     for (const std::uint32_t size : {1u, 2u, 3u, 24u, 37u, 255u, 256u, 4096u}) {
-        auto sorted = random_permutation(size, key, 0);
+        auto sorted = random_permutation(size, permutation_key, 0);
         std::ranges::sort(sorted);
         std::vector<std::uint32_t> expected(size);
         std::iota(expected.begin(), expected.end(), 0u);
@@ -33,9 +33,9 @@ TEST(RandomPermutation, IsOne)
 
 TEST(RandomPermutation, FollowsFromKeyTableAndSize)
 {
-    const auto permutation = random_permutation(256, key, 0);
-    EXPECT_EQ(random_permutation(256, key, 0), permutation);
-    EXPECT_NE(random_permutation(256, key, 1), permutation);
+    const auto permutation = random_permutation(256, permutation_key, 0);
+    EXPECT_EQ(random_permutation(256, permutation_key, 0), permutation);
+    EXPECT_NE(random_permutation(256, permutation_key, 1), permutation);
     EXPECT_NE(random_permutation(256, stream_key(2, Purpose::tiling_colors, 0), 0), permutation);
 }
 
@@ -49,7 +49,7 @@ TEST(RandomPermutation, AllAreEquallyLikely)
     while (std::ranges::next_permutation(all).found);
     std::vector<std::uint64_t> counts(permutations.size());
     for (std::uint32_t table = 0; table < 120'000; ++table) {
-        const auto found = random_permutation(5, key, table);
+        const auto found = random_permutation(5, permutation_key, table);
         std::ranges::copy(found, all.begin());
         ++counts[static_cast<std::size_t>(std::ranges::lower_bound(permutations, all) - permutations.begin())];
     }
@@ -61,7 +61,7 @@ TEST(PermutationHash, IsThatOfTheDissertation)
     // Equations 3.1, 3.3 and 3.4, modulo the colours, for powers of two and other sizes.
     std::mt19937_64 random(1);
     for (const std::uint32_t n : {7u, 24u, 255u, 256u, 1000u, 65536u}) {
-        const auto p = random_permutation(n, key, 3);
+        const auto p = random_permutation(n, permutation_key, 3);
         const PermutationHash hash(5, p);
         for (int i = 0; i < 5000; ++i) {
             // Near the origin, anywhere, and at both ends of the coordinates.
@@ -83,7 +83,7 @@ TEST(PermutationHash, IsThatOfTheDissertation)
 TEST(PermutationHash, RowsArePointByPoint)
 {
     for (const std::uint32_t n : {7u, 256u}) {
-        const PermutationHash hash(3, n, key);
+        const PermutationHash hash(3, n, permutation_key);
         for (const std::int64_t step : {1, 2, 300}) {
             std::vector<std::uint8_t> row(1000);
             hash.fill_row(-500, step, -3, row);
@@ -123,12 +123,12 @@ TEST(PermutationHash, HasThePeriodThatItReports)
 {
     for (std::uint32_t n = 2; n <= 48; ++n) {
         for (const Color c : {2u, 3u, n}) {
-            if (c <= n) expect_reported_period(PermutationHash(c, n, key));
+            if (c <= n) expect_reported_period(PermutationHash(c, n, permutation_key));
         }
     }
-    for (const Color c : {2u, 7u}) expect_reported_period(PermutationHash(c, key));
-    EXPECT_EQ(PermutationHash(2, key).period(), (HashPeriod{256, 256}));
-    EXPECT_EQ(PermutationHash(7, key).period(), (HashPeriod{252, 252}));
+    for (const Color c : {2u, 7u}) expect_reported_period(PermutationHash(c, permutation_key));
+    EXPECT_EQ(PermutationHash(2, permutation_key).period(), (HashPeriod{256, 256}));
+    EXPECT_EQ(PermutationHash(7, permutation_key).period(), (HashPeriod{252, 252}));
     // Tables that chance does not make: colours alternate, so that columns are the same or opposite.
     const PermutationHash alternating(2, {0, 3, 2, 1, 4, 5});
     EXPECT_EQ(alternating.period(), (HashPeriod{2, 2}));
@@ -143,7 +143,7 @@ TEST(PermutationHash, HasThePeriodThatItReports)
 TEST(PermutationHash, ColorsAreAsFrequentWhereTheirNumberDividesTheTable)
 {
     for (Color c = 2; c <= 8; ++c) {
-        const PermutationHash hash(c, key);
+        const PermutationHash hash(c, permutation_key);
         const auto n = static_cast<std::int64_t>(hash.permutation().size());
         EXPECT_GT(n + c, 256);
         std::vector<std::int64_t> counts(c);
@@ -156,9 +156,9 @@ TEST(PermutationHash, ColorsAreAsFrequentWhereTheirNumberDividesTheTable)
 
 TEST(PermutationHash, RefusesTablesThatAreTooSmallOrTooLarge)
 {
-    EXPECT_THROW(PermutationHash(8, 7, key), InputError);
-    EXPECT_THROW(PermutationHash(8, 65537, key), InputError);
-    EXPECT_NO_THROW(PermutationHash(8, 8, key));
+    EXPECT_THROW(PermutationHash(8, 7, permutation_key), InputError);
+    EXPECT_THROW(PermutationHash(8, 65537, permutation_key), InputError);
+    EXPECT_NO_THROW(PermutationHash(8, 8, permutation_key));
 }
 
 }

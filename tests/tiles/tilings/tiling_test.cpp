@@ -16,7 +16,7 @@ namespace {
 
 constexpr DirectAlgorithm algorithms[] = {DirectAlgorithm::corner, DirectAlgorithm::wang_two_hashes,
                                           DirectAlgorithm::wang_one_hash, DirectAlgorithm::wang_edge_hash};
-constexpr HashKind hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
+constexpr HashKind tiling_hashes[] = {HashKind::permutation, HashKind::long_period, HashKind::xxh64};
 
 /// Around the origin, far away, and across both ends of the coordinates and of their halves.
 constexpr std::array<std::int64_t, 2> places[] = {
@@ -26,8 +26,8 @@ constexpr std::array<std::int64_t, 2> places[] = {
     {INT64_MIN + 30, INT64_MAX - 7},
     {(std::int64_t{1} << 62) - 9, -(std::int64_t{1} << 62) - 9},
 };
-constexpr std::uint64_t width = 40;
-constexpr std::uint64_t height = 24;
+constexpr std::uint64_t plane_width = 40;
+constexpr std::uint64_t plane_height = 24;
 
 test::Sides sides_of(const Tiling& tiling, std::int64_t x, std::int64_t y)
 {
@@ -41,8 +41,8 @@ test::Sides sides_of(const Tiling& tiling, std::int64_t x, std::int64_t y)
 void expect_neighbours_match(const Tiling& tiling)
 {
     for (const auto& [x0, y0] : places) {
-        for (std::uint64_t i = 0; i < width; ++i) {
-            for (std::uint64_t j = 0; j < height; ++j) {
+        for (std::uint64_t i = 0; i < plane_width; ++i) {
+            for (std::uint64_t j = 0; j < plane_height; ++j) {
                 const std::int64_t x = stepped(x0, i);
                 const std::int64_t y = stepped(y0, j);
                 const test::Sides here = sides_of(tiling, x, y);
@@ -56,7 +56,7 @@ void expect_neighbours_match(const Tiling& tiling)
 TEST(Tiling, NeighboursMatch)
 {
     for (const DirectAlgorithm algorithm : algorithms) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             for (Color c = 2; c <= 8; ++c) {
                 for (const Period period : {Period{}, Period{7, 5, 0}, Period{0, 16, 0}, Period{1, 0, 0}})
                     expect_neighbours_match(Tiling(algorithm, {c, c}, hash, 1, period));
@@ -68,7 +68,7 @@ TEST(Tiling, NeighboursMatch)
 TEST(Tiling, NeighboursMatchWithTwoNumbersOfColors)
 {
     for (const auto algorithm : {DirectAlgorithm::wang_two_hashes, DirectAlgorithm::wang_edge_hash}) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             for (const WangColors c : {WangColors{2, 3}, WangColors{7, 4}, WangColors{256, 2}})
                 expect_neighbours_match(Tiling(algorithm, c, hash, 1));
         }
@@ -99,7 +99,7 @@ TileIndex defined_tile(const Tiling& tiling, std::int64_t x, std::int64_t y)
 TEST(Tiling, IsThatOfTheDissertation)
 {
     for (const DirectAlgorithm algorithm : algorithms) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             for (Color c = 2; c <= 8; ++c) {
                 const Tiling tiling(algorithm, {c, c}, hash, 3);
                 for (std::int64_t x = -30; x < 30; ++x) {
@@ -114,14 +114,14 @@ TEST(Tiling, DoesNotDependOnTheOrderOfEvaluation)
 {
     std::mt19937_64 random(1);
     for (const DirectAlgorithm algorithm : algorithms) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             for (const Period period : {Period{}, Period{7, 5, 0}, Period{0, 1000, 0}}) {
                 const Tiling tiling(algorithm, {3, 3}, hash, 1, period);
                 for (const auto& [x0, y0] : places) {
                     std::map<std::array<std::int64_t, 2>, TileIndex> tiles;
                     for (std::uint64_t i = 0; i < 400; ++i) {
-                        const std::int64_t x = stepped(x0, random() % width);
-                        const std::int64_t y = stepped(y0, random() % height);
+                        const std::int64_t x = stepped(x0, random() % plane_width);
+                        const std::int64_t y = stepped(y0, random() % plane_height);
                         tiles[{x, y}] = tiling.tile(x, y);
                     }
                     const auto expect_same = [&](std::int64_t x, std::int64_t y, std::span<const TileIndex> row) {
@@ -131,9 +131,9 @@ TEST(Tiling, DoesNotDependOnTheOrderOfEvaluation)
                             ASSERT_EQ(row[i], known->second) << x << " " << y;
                         }
                     };
-                    tiling.stream({x0, y0, width, height}, expect_same);
-                    std::vector<TileIndex> row(width);
-                    for (std::uint64_t j = 0; j < height; ++j) {
+                    tiling.stream({x0, y0, plane_width, plane_height}, expect_same);
+                    std::vector<TileIndex> row(plane_width);
+                    for (std::uint64_t j = 0; j < plane_height; ++j) {
                         tiling.fill_row(x0, stepped(y0, j), row);
                         expect_same(x0, stepped(y0, j), row);
                     }
@@ -173,7 +173,7 @@ TEST(Tiling, StreamsEveryTileOnceFromNorthToSouthInPieces)
 TEST(Tiling, ClosesAfterItsPeriodAndNotElsewhere)
 {
     for (const DirectAlgorithm algorithm : algorithms) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             const Tiling torus(algorithm, {3, 3}, hash, 1, {11, 6, 0});
             const Tiling cylinder(algorithm, {3, 3}, hash, 1, {11, 0, 0});
             const Tiling plane(algorithm, {3, 3}, hash, 1);
@@ -243,7 +243,7 @@ TEST(Tiling, RepeatsWithItsHashFunction)
 TEST(Tiling, FollowsFromItsSeed)
 {
     for (const DirectAlgorithm algorithm : algorithms) {
-        for (const HashKind hash : hashes) {
+        for (const HashKind hash : tiling_hashes) {
             std::vector<TileIndex> first(1000);
             std::vector<TileIndex> second(1000);
             Tiling(algorithm, {2, 2}, hash, 7).fill_row(0, 0, first);

@@ -10,7 +10,7 @@
 namespace poissonlab {
 namespace {
 
-const StreamKey key = stream_key(1, Purpose::tiling_colors, 0);
+const StreamKey xxh64_key = stream_key(1, Purpose::tiling_colors, 0);
 
 TEST(Xxh64, GivesWhatXxHashGives)
 {
@@ -27,9 +27,9 @@ TEST(Xxh64, GivesWhatXxHashGives)
 
 TEST(Xxh64Hash, ScalesTheUpperWordToTheColors)
 {
-    const std::uint64_t seed = std::uint64_t{key[1]} << 32 | key[0];
+    const std::uint64_t seed = std::uint64_t{xxh64_key[1]} << 32 | xxh64_key[0];
     for (Color c = 2; c <= max_colors; ++c) {
-        const Xxh64Hash hash(c, key);
+        const Xxh64Hash hash(c, xxh64_key);
         const auto expected = [&](std::uint64_t h) {
             return static_cast<Color>((h >> 32) * c / (std::uint64_t{1} << 32));
         };
@@ -41,7 +41,7 @@ TEST(Xxh64Hash, ScalesTheUpperWordToTheColors)
 
 TEST(Xxh64Hash, RowsArePointByPoint)
 {
-    const Xxh64Hash hash(5, key);
+    const Xxh64Hash hash(5, xxh64_key);
     std::vector<std::uint8_t> row(100);
     hash.fill_row(INT64_MAX - 200, 2, -3, row);
     for (std::int64_t i = 0; i < 100; ++i)
@@ -54,7 +54,7 @@ TEST(Xxh64Hash, PointsBesideEachOtherAreIndependent)
     // not good enough shows here. Bias of the colours is below 2^-29, which no test sees.
     constexpr std::size_t comparisons = 7 * 5;
     for (Color c = 2; c <= 8; ++c) {
-        const Xxh64Hash hash(c, key);
+        const Xxh64Hash hash(c, xxh64_key);
         std::vector<std::uint64_t> east(c * c);
         std::vector<std::uint64_t> north(c * c);
         std::vector<std::uint64_t> diagonal(c * c);

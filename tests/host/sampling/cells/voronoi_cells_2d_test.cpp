@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-struct Case
+struct Case2D
 {
     const char* name;
     PointSet points;
@@ -22,7 +22,7 @@ struct Case
     double magnification = 1;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name << ", " << c.points.size() << " points"; }
+void PrintTo(const Case2D& c, std::ostream* out) { *out << c.name << ", " << c.points.size() << " points"; }
 
 PointSet random_set(std::size_t n)
 {
@@ -75,7 +75,7 @@ PointSet circle_around_a_point(std::size_t n)
 }
 
 /// Each point `copies` times, not next to each other.
-PointSet repeated(const PointSet& points, std::size_t copies)
+PointSet repeated_2d(const PointSet& points, std::size_t copies)
 {
     PointSet set{2, {}};
     for (std::size_t k = 0; k < copies; ++k) {
@@ -84,9 +84,9 @@ PointSet repeated(const PointSet& points, std::size_t copies)
     return set;
 }
 
-double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double total_2d(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-class VoronoiCells2d : public ::testing::TestWithParam<Case>
+class VoronoiCells2d : public ::testing::TestWithParam<Case2D>
 {
 };
 
@@ -121,7 +121,7 @@ TEST_P(VoronoiCells2d, FillTheTorus)
     // Neighbours compute their common edge from the same points; what one has too much, the other has too
     // little, but for roundings of each.
     const double n = static_cast<double>(GetParam().points.size());
-    EXPECT_NEAR(sum_of(cells.volumes), 1, 0x1p-47 + n * 0x1p-53);
+    EXPECT_NEAR(total_2d(cells.volumes), 1, 0x1p-47 + n * 0x1p-53);
 }
 
 TEST_P(VoronoiCells2d, AreTheSameBitsForAllWorkGroupsAndThreads)
@@ -142,26 +142,26 @@ TEST_P(VoronoiCells2d, AreTheSameBitsForAllWorkGroupsAndThreads)
 INSTANTIATE_TEST_SUITE_P(
     Sets, VoronoiCells2d,
     ::testing::Values(
-        Case{"one", random_set(1)}, Case{"two", random_set(2), 8}, Case{"three", random_set(3), 8},
-        Case{"four", random_set(4), 8}, Case{"ten", random_set(10), 10}, Case{"random", random_set(37), 37},
-        Case{"random", random_set(100), 100}, Case{"random", random_set(1000), 1000},
-        Case{"random", random_set(16384), 16384}, Case{"even", brick_lattice(64, 0.3)},
-        Case{"nearly a lattice", brick_lattice(32, 1e-9)}, Case{"brick lattice", brick_lattice(32, 0)},
-        Case{"square lattice", test::square_lattice(32, 2)},
-        Case{"square lattice of odd size", test::square_lattice(21, 2)},
-        Case{"small square lattice", test::square_lattice(2, 2)}, Case{"a cluster", clusters(1000, 1, 1e-3), 1e6},
-        Case{"a tiny cluster", clusters(500, 1, 1e-6), 1e9}, Case{"clusters", clusters(2000, 5, 1e-2), 1e6},
-        Case{"pairs", repeated(random_set(100), 2), 200}, Case{"triples", repeated(random_set(100), 3), 300},
-        Case{"coinciding lattice", repeated(test::square_lattice(8, 2), 4)},
-        Case{"all in one place", repeated(random_set(1), 50)}, Case{"collinear", on_a_line(200, 0), 1e4},
-        Case{"collinear, skew", on_a_line(200, 1), 1e4}, Case{"many edges", circle_around_a_point(300), 1e4}));
+        Case2D{"one", random_set(1)}, Case2D{"two", random_set(2), 8}, Case2D{"three", random_set(3), 8},
+        Case2D{"four", random_set(4), 8}, Case2D{"ten", random_set(10), 10}, Case2D{"random", random_set(37), 37},
+        Case2D{"random", random_set(100), 100}, Case2D{"random", random_set(1000), 1000},
+        Case2D{"random", random_set(16384), 16384}, Case2D{"even", brick_lattice(64, 0.3)},
+        Case2D{"nearly a lattice", brick_lattice(32, 1e-9)}, Case2D{"brick lattice", brick_lattice(32, 0)},
+        Case2D{"square lattice", test::square_lattice(32, 2)},
+        Case2D{"square lattice of odd size", test::square_lattice(21, 2)},
+        Case2D{"small square lattice", test::square_lattice(2, 2)}, Case2D{"a cluster", clusters(1000, 1, 1e-3), 1e6},
+        Case2D{"a tiny cluster", clusters(500, 1, 1e-6), 1e9}, Case2D{"clusters", clusters(2000, 5, 1e-2), 1e6},
+        Case2D{"pairs", repeated_2d(random_set(100), 2), 200}, Case2D{"triples", repeated_2d(random_set(100), 3), 300},
+        Case2D{"coinciding lattice", repeated_2d(test::square_lattice(8, 2), 4)},
+        Case2D{"all in one place", repeated_2d(random_set(1), 50)}, Case2D{"collinear", on_a_line(200, 0), 1e4},
+        Case2D{"collinear, skew", on_a_line(200, 1), 1e4}, Case2D{"many edges", circle_around_a_point(300), 1e4}));
 
 /// Few points of every kind, for interpreters of kernels.
 INSTANTIATE_TEST_SUITE_P(Small, VoronoiCells2d,
-                         ::testing::Values(Case{"even", brick_lattice(8, 0.3)}, Case{"random", random_set(60), 60},
-                                           Case{"square lattice", test::square_lattice(6, 2)},
-                                           Case{"a cluster", clusters(30, 1, 1e-3), 1e6},
-                                           Case{"pairs", repeated(random_set(12), 2), 200}));
+                         ::testing::Values(Case2D{"even", brick_lattice(8, 0.3)}, Case2D{"random", random_set(60), 60},
+                                           Case2D{"square lattice", test::square_lattice(6, 2)},
+                                           Case2D{"a cluster", clusters(30, 1, 1e-3), 1e6},
+                                           Case2D{"pairs", repeated_2d(random_set(12), 2), 200}));
 
 TEST(VoronoiCells2dClosedForms, SquareLattice)
 {

@@ -69,7 +69,7 @@ PointSet lattice(int side, bool bcc, double jitter, std::uint64_t seed)
 }
 
 /// Each point `copies` times, not next to each other.
-PointSet repeated(const PointSet& points, std::size_t copies)
+PointSet repeated_3d(const PointSet& points, std::size_t copies)
 {
     PointSet set{3, {}};
     for (std::size_t k = 0; k < copies; ++k) {
@@ -112,14 +112,14 @@ PointSet sphere_around_a_point(std::size_t n)
     return set;
 }
 
-double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+double total_3d(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 /// Neighbours compute their common corners from different sums, so what one cell has too much is missing in
 /// the other but for roundings: some units of 2^-53 for cells that reach through the torus, and of 2^-53 / n
 /// for those of even sets.
 double sum_tolerance(std::size_t n) { return 0x1p-47 + static_cast<double>(n) * 0x1p-53; }
 
-struct Case
+struct Case3D
 {
     const char* what;
     PointSet points;
@@ -128,9 +128,9 @@ struct Case
     double angle = 0;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.what << ", " << c.points.size() << " points"; }
+void PrintTo(const Case3D& c, std::ostream* out) { *out << c.what << ", " << c.points.size() << " points"; }
 
-class VoronoiCells3d : public ::testing::TestWithParam<Case>
+class VoronoiCells3d : public ::testing::TestWithParam<Case3D>
 {
 protected:
     /// The diameter of cells.
@@ -171,31 +171,33 @@ TEST_P(VoronoiCells3d, AreThoseOfTheReference)
     EXPECT_LE(moment_error, volume_tolerance() * diameter());
     EXPECT_LE(energy_error, volume_tolerance() * diameter() * diameter());
     EXPECT_LE(near_error, 0x1p-50 * diameter());
-    EXPECT_NEAR(sum_of(cells.volumes), 1, sum_tolerance(n));
+    EXPECT_NEAR(total_3d(cells.volumes), 1, sum_tolerance(n));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Sets, VoronoiCells3d,
     ::testing::Values(
-        Case{"random", random_points(1, 1)}, Case{"random", random_points(2, 2)}, Case{"random", random_points(3, 3)},
-        Case{"random", random_points(10, 4)}, Case{"random", random_points(500, 5)},
-        Case{"random", random_points(4096, 6)}, Case{"one cluster", clusters(1, 500, 1e-3, 7), 1e-3},
-        Case{"clusters", clusters(8, 100, 0.02, 8), 0.02}, Case{"tiny cluster", clusters(1, 40, 1e-9, 9), 1e-9},
-        Case{"jittered lattice", lattice(12, false, 1e-3, 10)},
-        Case{"hardly jittered lattice", lattice(8, false, 1e-9, 11)}, Case{"jittered bcc", lattice(8, true, 0.2, 12)},
-        Case{"cubic lattice", lattice(8, false, 0, 0)}, Case{"bcc lattice", lattice(7, true, 0, 0)},
-        Case{"pairs", repeated(random_points(300, 13), 2)}, Case{"triples", repeated(random_points(300, 14), 3)},
-        Case{"all the same", repeated(random_points(1, 15), 50)}, Case{"collinear", on_a_line(24, false), 1e-3},
-        Case{"skew collinear", on_a_line(24, true), 1e-3}, Case{"coplanar", on_a_plane(150), 1e-2},
-        Case{"sphere around a point", sphere_around_a_point(150), 1e-2}));
+        Case3D{"random", random_points(1, 1)}, Case3D{"random", random_points(2, 2)},
+        Case3D{"random", random_points(3, 3)}, Case3D{"random", random_points(10, 4)},
+        Case3D{"random", random_points(500, 5)}, Case3D{"random", random_points(4096, 6)},
+        Case3D{"one cluster", clusters(1, 500, 1e-3, 7), 1e-3}, Case3D{"clusters", clusters(8, 100, 0.02, 8), 0.02},
+        Case3D{"tiny cluster", clusters(1, 40, 1e-9, 9), 1e-9},
+        Case3D{"jittered lattice", lattice(12, false, 1e-3, 10)},
+        Case3D{"hardly jittered lattice", lattice(8, false, 1e-9, 11)},
+        Case3D{"jittered bcc", lattice(8, true, 0.2, 12)}, Case3D{"cubic lattice", lattice(8, false, 0, 0)},
+        Case3D{"bcc lattice", lattice(7, true, 0, 0)}, Case3D{"pairs", repeated_3d(random_points(300, 13), 2)},
+        Case3D{"triples", repeated_3d(random_points(300, 14), 3)},
+        Case3D{"all the same", repeated_3d(random_points(1, 15), 50)}, Case3D{"collinear", on_a_line(24, false), 1e-3},
+        Case3D{"skew collinear", on_a_line(24, true), 1e-3}, Case3D{"coplanar", on_a_plane(150), 1e-2},
+        Case3D{"sphere around a point", sphere_around_a_point(150), 1e-2}));
 
 /// Few points of every kind, for interpreters of kernels.
 INSTANTIATE_TEST_SUITE_P(Small, VoronoiCells3d,
-                         ::testing::Values(Case{"jittered lattice", lattice(6, false, 0.3, 16)},
-                                           Case{"random", random_points(100, 17)},
-                                           Case{"cubic lattice", lattice(3, false, 0, 0)},
-                                           Case{"cluster", clusters(1, 20, 1e-3, 18), 1e-3},
-                                           Case{"pairs", repeated(random_points(6, 19), 2)}));
+                         ::testing::Values(Case3D{"jittered lattice", lattice(6, false, 0.3, 16)},
+                                           Case3D{"random", random_points(100, 17)},
+                                           Case3D{"cubic lattice", lattice(3, false, 0, 0)},
+                                           Case3D{"cluster", clusters(1, 20, 1e-3, 18), 1e-3},
+                                           Case3D{"pairs", repeated_3d(random_points(6, 19), 2)}));
 
 TEST(VoronoiCells3dClosedForms, CubicLattice)
 {
@@ -222,8 +224,8 @@ TEST(VoronoiCells3dClosedForms, BodyCenteredCubicLattice)
         const VoronoiCells cells = voronoi_cells(Device::open(), points);
         // Conway, Sloane: Sphere packings, lattices and groups, chapter 21.
         const double normalised = 3 * 19 / (192 * std::cbrt(2.0));
-        EXPECT_NEAR(sum_of(cells.energies) * std::pow(n, 2.0 / 3), normalised, 0x1p-44 * side) << side;
-        EXPECT_NEAR(sum_of(cells.volumes), 1, sum_tolerance(points.size())) << side;
+        EXPECT_NEAR(total_3d(cells.energies) * std::pow(n, 2.0 / 3), normalised, 0x1p-44 * side) << side;
+        EXPECT_NEAR(total_3d(cells.volumes), 1, sum_tolerance(points.size())) << side;
     }
 }
 
