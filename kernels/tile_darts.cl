@@ -46,18 +46,18 @@ typedef struct
 /// one after the other. counts: points there are, without images, before and after. levels: the level that was reached;
 /// darts.levels: given up.
 kernel void throw_tile_darts(struct Darts darts, global const uint* problems, global const uint* streams,
-                             global const uint* thresholds, global const uint* targets, global int* all_points,
-                             global uint* counts, global uint* levels)
+                             global const uint* thresholds, global const uint* targets,
+                             global const uint* held_counts, global int* all_points, global uint* counts,
+                             global uint* levels)
 {
     const uint capacity = darts.tori.capacity;
     const uint copies = darts.tori.copies;
-    const ulong cells = darts.tori.cells;
-    const Regions regions = darts.tori.regions;
     const uint level_count = darts.levels;
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
     const uint problem = problems[get_group_id(0)];
     global int* points = all_points + (ulong)problem * DIMENSION * capacity;
+    const Zone zone = zone_of(&darts.tori, points, held_counts[problem]);
     const uint stream = streams[problem];
     const uint target = targets[problem];
 
@@ -74,7 +74,7 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
         const uint least = thresholds[min(reachable, level_count - 1)];
         for (uint i = item; i < BATCH; i += items) {
             const Position position = dart_at(first + i, stream, &darts);
-            is_candidate[i] = !is_allowed(&position, &regions, cells)                               ? 2
+            is_candidate[i] = !is_allowed(&position, &zone)                                         ? 2
                               : is_free(points, capacity, filling.points * copies, &position, least) ? 1
                                                                                                      : 0;
         }

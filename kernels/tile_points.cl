@@ -1,7 +1,8 @@
 // The points of a block of tiles: see host/tile_points/tile_points.hpp.
 //
-// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; VALUE, the type of
-// positions: float, in tiles, or uint, in units of 1/65,536 of a tile.
+// Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; LOW and STEP: a stored number n is
+// at LOW + STEP n units; VALUE, the type of positions: float, in tiles, or uint, in units of 1/65,536 of a tile, modulo
+// 2^32.
 #include "kernels/common/tile_points.h"
 #include "runtime/poisson_tiles_gpu.h"
 
@@ -45,7 +46,8 @@ kernel void look_up_tiles(struct Run run, struct Window window, global uint* til
 {
     const uint id = get_global_id(0);
     if (id >= run.count) return;
-    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, window.seed, window.period};
+    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, window.seed, window.period,
+                                         LOW,  STEP,      0};
     const uint3 place = place_in_block(id, run);
     tiles[id] = ptiles_tile(
         tiling, (int3)(window.west + (int)place.x, window.south + (int)place.y, window.bottom + (int)place.z));
@@ -55,11 +57,11 @@ kernel void look_up_tiles(struct Run run, struct Window window, global uint* til
 #define IS_float 1
 #define IS_uint 0
 #if VECTOR_OF(IS_, VALUE)
-#define SCALE *(1 / 65536.0f)
-#define FROM_PLACE(place) ((float)(place))
+#define SCALE *(STEP / 65536.0f)
+#define FROM_PLACE(place) ((float)(place) + LOW / 65536.0f)
 #else
-#define SCALE
-#define FROM_PLACE(place) ((place) << 16)
+#define SCALE *(uint)STEP
+#define FROM_PLACE(place) (((place) << 16) + (uint)(LOW))
 #endif
 
 /// One work-item places one tile: its points, with the tile's place added to each. Points stay the 16-bit units of the

@@ -231,8 +231,6 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
 {
     const uint capacity = relaxation.tori.capacity;
     const uint copies = relaxation.tori.copies;
-    const ulong cells = relaxation.tori.cells;
-    const Regions regions = relaxation.tori.regions;
     const uint iterations = relaxation.iterations;
     const uint wanted = relaxation.wanted;
     const int slack = relaxation.slack;
@@ -245,6 +243,7 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
     global double* doubles = all_doubles + (ulong)problem * DIMENSION * capacity;
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
+    const Zone zone = zone_of(&relaxation.tori, points.c, first);
     local uint values[MAX_ITEMS];
 
     global ushort* lists = all_lists + (ulong)problem * relaxation.max_active * LIST_WORDS;
@@ -283,7 +282,7 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
             }
             Position movement;
             for (int k = 0; k < DIMENSION; ++k) movement.c[k] = is_found ? rounded(displacement[k]) : 0;
-            const Position target = allowed_end(&position, &movement, &regions, cells, false);
+            const Position target = allowed_end(&position, &movement, &zone, false);
             for (int k = 0; k < DIMENSION; ++k) {
                 longest = max(longest, abs(torus_difference_of(target.c[k] - position.c[k])));
             }
@@ -356,8 +355,6 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
 {
     const uint capacity = repulsion.tori.capacity;
     const uint copies = repulsion.tori.copies;
-    const ulong cells = repulsion.tori.cells;
-    const Regions regions = repulsion.tori.regions;
     const uint passes = repulsion.passes;
     const uint item = get_local_id(0);
     const uint items = get_local_size(0);
@@ -367,6 +364,7 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
     const TorusPoints kept = points_of(all_kept, problem, capacity, 0, 1);
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
+    const Zone zone = zone_of(&repulsion.tori, points.c, first);
     local uint values[MAX_ITEMS];
 
     for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&kept, i));
@@ -378,7 +376,7 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
             const Position position = point_at(&points, i * copies);
             const Position movement =
                 repelled(&points, &position, i * copies, first, end, repulsion.distance, &nearest);
-            put_point(&moved, i, allowed_end(&position, &movement, &regions, cells, true));
+            put_point(&moved, i, allowed_end(&position, &movement, &zone, true));
         }
         nearest = smallest_of_group(nearest, values);
         if (pass == 0 || nearest > best) {

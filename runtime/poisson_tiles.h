@@ -15,7 +15,9 @@ typedef struct ptiles_set
 {
     uint32_t kind; /* 0: by colours of corners, 1: by colours of edges, 2: template tiles */
     uint32_t dimension, colors, tiles, points_per_tile;
-    const uint16_t* points; /* in units of 1/65536, tile after tile, point after point, x before y before z */
+    const uint16_t* points; /* tile after tile, point after point, x before y before z */
+    int32_t low, step;      /* the number u is the coordinate low + step * u, in units of 1/65536 */
+    int32_t overhang;       /* units that points are outside of their tile's square at most */
 } ptiles_set;
 
 /* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0:
@@ -63,20 +65,27 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     if (size < 128) return "shorter than the header of a tile set file";
     for (int i = 0; i < 8; ++i)
         if (bytes[i] != (unsigned char)magic[i]) return "not a tile set file";
-    if (ptiles_word(bytes + 8) != 1 || ptiles_word(bytes + 12) != 128)
-        return "an unknown version of the file format";
+    const uint32_t version = ptiles_word(bytes + 8);
+    if (version < 1 || version > 2 || ptiles_word(bytes + 12) != 128) return "an unknown version of the file format";
     set->kind = ptiles_word(bytes + 16);
     set->dimension = ptiles_word(bytes + 20);
     set->colors = ptiles_word(bytes + 24);
     set->tiles = ptiles_word(bytes + 28);
     set->points_per_tile = ptiles_word(bytes + 32);
     set->points = (const uint16_t*)(const void*)(bytes + 128);
+    const uint32_t chains = version == 2 ? ptiles_word(bytes + 88) : 0; /* between tiles: no, or yes */
+    set->low = chains ? -32768 : 0;
+    set->step = chains ? 2 : 1;
+    set->overhang = version == 2 ? (int32_t)ptiles_word(bytes + 100) : 0;
+    if (chains > 1 || set->overhang < 0 || set->overhang > 32768) return "an unknown kind of borders";
     if (set->kind > 2 || (set->dimension != 2 && (set->dimension != 3 || set->kind != 0)))
         return "an unknown kind of tiles";
     if (set->colors == 0 || set->tiles == 0 || set->points_per_tile == 0 || set->points_per_tile > 65536 ||
         (set->kind != 2 && set->tiles != ptiles_tile_count(set->kind, set->dimension, set->colors)))
         return "numbers of colours, tiles and points that do not fit together";
-    if (size != 128 + (uint64_t)2 * set->tiles * set->points_per_tile * set->dimension)
+    /* Lengths of chains lie behind the points; nothing here needs them. */
+    const uint64_t lengths = chains ? (uint64_t)2 * set->colors * set->colors : 0;
+    if (size != 128 + (uint64_t)2 * set->tiles * set->points_per_tile * set->dimension + 2 * lengths)
         return "too short or too long for its points";
     if (*(const unsigned char*)&one != 1) return "files are little-endian, this machine is not";
     if ((uintptr_t)file % 2 != 0) return "bytes must be at an even address";
@@ -152,21 +161,27 @@ static inline uint32_t ptiles_tile(const ptiles_tiling* t, int32_t i, int32_t j,
     return ptiles_corners(t, x, y, ptiles_after(z, t->period)) * (c * c * c * c) + ptiles_corners(t, x, y, z);
 }
 
-/* The coordinates of a tile's points: points_per_tile times `dimension` numbers. */
+/* The numbers of a tile's points: points_per_tile times `dimension`. */
 static inline const uint16_t* ptiles_points(const ptiles_set* set, uint32_t tile)
 {
     return set->points + (uint64_t)tile * set->points_per_tile * set->dimension;
 }
 
-/* The point of the tile at this place whose coordinates are `units`. */
+/* A number as a coordinate, in tiles from the tile's lowest corner. */
+static inline double ptiles_coordinate(const ptiles_set* set, uint16_t number)
+{
+    return (set->low + set->step * (int32_t)number) / 65536.0;
+}
+
+/* The point of the tile at this place with these numbers. */
 static inline ptiles_point ptiles_point_at(const ptiles_tiling* t, const int32_t tile[3], uint32_t index,
-                                           const uint16_t* units)
+                                           const uint16_t* numbers)
 {
     ptiles_point p = {{0, 0, 0}, {tile[0], tile[1], tile[2]}, index, 0};
     uint32_t place[3];
     for (uint32_t a = 0; a < 3; ++a) {
         place[a] = ptiles_place(tile[a], t->period);
-        if (a < t->set.dimension) p.position[a] = tile[a] + units[a] / 65536.0;
+        if (a < t->set.dimension) p.position[a] = tile[a] + ptiles_coordinate(&t->set, numbers[a]);
     }
     p.id = ptiles_mix(ptiles_hash(t->seed, place[0], place[1], place[2]) + 1 + index);
     return p;
@@ -181,34 +196,36 @@ static inline uint64_t ptiles_in_window(const ptiles_tiling* t, const double* lo
 {
     const uint32_t d = t->set.dimension;
     int32_t at[3], first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+    const double overhang = t->set.overhang / 65536.0;
     uint64_t found = 0;
     for (uint32_t a = 0; a < d; ++a) {
-        first[a] = ptiles_floor(low[a]);
-        last[a] = ptiles_floor(high[a]);
+        first[a] = ptiles_floor(low[a] - overhang);
+        last[a] = ptiles_floor(high[a] + overhang);
     }
     for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
         for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
             for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
-                const uint16_t* units = ptiles_points(&t->set, ptiles_tile(t, at[0], at[1], at[2]));
-                for (uint32_t n = 0; n < t->set.points_per_tile; ++n, units += d) {
+                const uint16_t* numbers = ptiles_points(&t->set, ptiles_tile(t, at[0], at[1], at[2]));
+                for (uint32_t n = 0; n < t->set.points_per_tile; ++n, numbers += d) {
                     int inside = 1;
                     for (uint32_t a = 0; a < d; ++a) {
-                        const double x = at[a] + units[a] / 65536.0;
+                        const double x = at[a] + ptiles_coordinate(&t->set, numbers[a]);
                         inside = inside && x >= low[a] && x < high[a];
                     }
                     if (!inside) continue;
-                    if (found < capacity) points[found] = ptiles_point_at(t, at, n, units);
+                    if (found < capacity) points[found] = ptiles_point_at(t, at, n, numbers);
                     ++found;
                 }
             }
     return found;
 }
 
-/* The squared distance of x, in the tile 0 at `f`, from the tile `offset` tiles away along this axis. */
-static inline double ptiles_gap(double f, int32_t offset)
+/* The squared distance of x, in the tile 0 at `f`, from where points of the tile `offset` tiles away along this axis
+ * can be, which is `overhang` more than its square. */
+static inline double ptiles_gap(double f, int32_t offset, double overhang)
 {
-    const double gap = offset > 0 ? offset - f : offset < 0 ? f - (offset + 1) : 0;
-    return gap * gap;
+    const double gap = (offset > 0 ? offset - f : offset < 0 ? f - (offset + 1) : 0) - overhang;
+    return gap > 0 ? gap * gap : 0;
 }
 
 /* If one of a tile's points is nearer than `squared`, the nearest of them, and its squared distance. `f` is
@@ -218,19 +235,19 @@ static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], c
 {
     const int32_t tile[3] = {home[0] + offset[0], home[1] + offset[1], home[2] + offset[2]};
     const uint32_t d = t->set.dimension;
-    const uint16_t* units = ptiles_points(&t->set, ptiles_tile(t, tile[0], tile[1], tile[2]));
+    const uint16_t* numbers = ptiles_points(&t->set, ptiles_tile(t, tile[0], tile[1], tile[2]));
     uint32_t best = t->set.points_per_tile; /* none */
     for (uint32_t n = 0; n < t->set.points_per_tile; ++n) {
         double sum = 0;
         for (uint32_t a = 0; a < d; ++a) {
-            const double difference = offset[a] + units[n * d + a] / 65536.0 - f[a];
+            const double difference = offset[a] + ptiles_coordinate(&t->set, numbers[n * d + a]) - f[a];
             sum += difference * difference;
         }
         if (sum >= *squared) continue;
         *squared = sum;
         best = n;
     }
-    if (best < t->set.points_per_tile) *nearest = ptiles_point_at(t, tile, best, units + best * d);
+    if (best < t->set.points_per_tile) *nearest = ptiles_point_at(t, tile, best, numbers + best * d);
 }
 
 /* The point that is nearest to a position, of several the one in the tile that is visited first: rings of
@@ -241,6 +258,7 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
     const int32_t d = (int32_t)t->set.dimension;
     const ptiles_point none = {{0, 0, 0}, {0, 0, 0}, 0, 0};
     int32_t home[3] = {0, 0, 0}, o[3];
+    const double overhang = t->set.overhang / 65536.0;
     double f[3] = {0, 0, 0}, squared = 1e300, border = 1; /* of the home tile */
     *nearest = none;
     for (int32_t a = 0; a < d; ++a) {
@@ -249,7 +267,9 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
         if (f[a] < border) border = f[a];
         if (1 - f[a] < border) border = 1 - f[a];
     }
-    for (int32_t ring = 0; ring == 0 || (border + ring - 1) * (border + ring - 1) < squared; ++ring) {
+    for (int32_t ring = 0;; ++ring) {
+        const double away = border + ring - 1 - overhang; /* of points in the ring, at least */
+        if (ring > 0 && away > 0 && away * away >= squared) break;
         const int32_t layers = d == 3 ? ring : 0;
         for (o[2] = -layers; o[2] <= layers; ++o[2])
             for (o[1] = -ring; o[1] <= ring; ++o[1]) {
@@ -257,7 +277,9 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
                 const int outer =
                     o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
                 for (o[0] = -ring; o[0] <= ring; o[0] += outer || ring == 0 ? 1 : 2 * ring)
-                    if (ptiles_gap(f[0], o[0]) + ptiles_gap(f[1], o[1]) + ptiles_gap(f[2], o[2]) < squared)
+                    if (ptiles_gap(f[0], o[0], overhang) + ptiles_gap(f[1], o[1], overhang) +
+                            ptiles_gap(f[2], o[2], overhang) <
+                        squared)
                         ptiles_visit(t, home, f, o, &squared, nearest);
             }
     }

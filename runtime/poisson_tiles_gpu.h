@@ -22,6 +22,7 @@
 #define PTILES_PRECISE
 #define PTILES_FLOAT(i) ((float)(i))
 #define PTILES_UINT(i) ((uint)(i))
+#define PTILES_INT(i) ((int)(i))
 #define PTILES_INT3(i, j, k) ((int3)(i, j, k))
 #define ptiles_int3 int3
 #define ptiles_float3 float3
@@ -33,13 +34,14 @@
 #define PTILES_PRECISE precise
 #define PTILES_FLOAT(i) float(i)
 #define PTILES_UINT(i) uint(i)
+#define PTILES_INT(i) int(i)
 #define PTILES_INT3(i, j, k) ivec3(i, j, k)
 #define ptiles_int3 ivec3
 #define ptiles_float3 vec3
 #endif
 
 /// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in
-/// poisson_tiles.h.
+/// poisson_tiles.h. Tiles with strips: low 0, step 1, overhang 0.
 struct ptiles_tiling
 {
     uint kind;
@@ -49,6 +51,9 @@ struct ptiles_tiling
     uint points_per_tile;
     uint seed;
     int period;
+    int low;
+    int step;
+    int overhang;
 };
 
 struct ptiles_nearest
@@ -128,10 +133,16 @@ PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
     return ptiles_edge_pair(t, tile, west, north, x, north);
 }
 
-/// The coordinate of this number among all of the buffer, in units of 1/65536.
-PTILES_FUNCTION uint ptiles_units(PTILES_BUFFER uint n)
+/// The number of this place among all of the buffer.
+PTILES_FUNCTION uint ptiles_number(PTILES_BUFFER uint n)
 {
     return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu;
+}
+
+/// A number as a coordinate, in tiles from the tile's lowest corner, without rounding.
+PTILES_FUNCTION float ptiles_coordinate(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint n)
+{
+    return PTILES_FLOAT(t.low + t.step * PTILES_INT(ptiles_number(PTILES_WORDS n))) / 65536.0f;
 }
 
 /// The point of this index of a tile: from the tile's lowest corner, without rounding. In 2D z is 0.
@@ -140,16 +151,18 @@ PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_ti
 {
     uint n = (tile * t.points_per_tile + index) * t.dimension;
     ptiles_float3 p;
-    p.x = PTILES_FLOAT(ptiles_units(PTILES_WORDS n)) / 65536.0f;
-    p.y = PTILES_FLOAT(ptiles_units(PTILES_WORDS n + 1u)) / 65536.0f;
-    p.z = t.dimension == 3u ? PTILES_FLOAT(ptiles_units(PTILES_WORDS n + 2u)) / 65536.0f : 0.0f;
+    p.x = ptiles_coordinate(PTILES_WORDS t, n);
+    p.y = ptiles_coordinate(PTILES_WORDS t, n + 1u);
+    p.z = t.dimension == 3u ? ptiles_coordinate(PTILES_WORDS t, n + 2u) : 0.0f;
     return p;
 }
 
-/// The squared distance along an axis of a position in the tile 0 from the tile `offset` tiles away.
-PTILES_FUNCTION float ptiles_gap(float f, int offset)
+/// The squared distance along an axis of a position in the tile 0 from where points of the tile `offset` tiles away can
+/// be, which is `overhang` more than its square.
+PTILES_FUNCTION float ptiles_gap(float f, int offset, float overhang)
 {
     float gap = offset > 0 ? PTILES_FLOAT(offset) - f : offset < 0 ? f - PTILES_FLOAT(offset + 1) : 0.0f;
+    gap = max(gap - overhang, 0.0f);
     return gap * gap;
 }
 
@@ -163,16 +176,19 @@ PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
     if (is_3d) border = min(border, min(f.z, 1.0f - f.z));
     PTILES_STRUCT(ptiles_nearest) nearest;
     float squared = 1e30f;
-    for (int ring = 0;
-         ring == 0 || (border + PTILES_FLOAT(ring - 1)) * (border + PTILES_FLOAT(ring - 1)) < squared;
-         ++ring) {
+    float overhang = PTILES_FLOAT(t.overhang) / 65536.0f;
+    for (int ring = 0;; ++ring) {
+        float away = border + PTILES_FLOAT(ring - 1) - overhang; // of points in the ring, at least
+        if (ring > 0 && away > 0.0f && away * away >= squared) break;
         int layers = is_3d ? ring : 0;
         for (int k = -layers; k <= layers; ++k) {
             for (int j = -ring; j <= ring; ++j) {
                 // Rows inside the ring contribute only their ends.
                 bool outer = ring == 0 || j == -ring || j == ring || (is_3d && (k == -ring || k == ring));
                 for (int i = -ring; i <= ring; i += outer ? 1 : 2 * ring) {
-                    if (ptiles_gap(f.x, i) + ptiles_gap(f.y, j) + ptiles_gap(f.z, k) >= squared) continue;
+                    float gap = ptiles_gap(f.x, i, overhang) + ptiles_gap(f.y, j, overhang) +
+                                ptiles_gap(f.z, k, overhang);
+                    if (gap >= squared) continue;
                     ptiles_int3 place = home + PTILES_INT3(i, j, k);
                     uint tile = ptiles_tile(t, place);
                     for (uint n = 0u; n < t.points_per_tile; ++n) {

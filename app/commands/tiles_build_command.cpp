@@ -28,6 +28,7 @@ constexpr auto tiles_build_notes =
     R"(corner: C^4 tiles; edge: C^12; sphere: C^8 in three dimensions; template: T tiles. Lloyd relaxation alone is good
 for relative radii up to 0.75, with --repulsion 0.85 can be had. The file is described in docs/tile-set-file.md.
   poissonlab tiles build corner --colors 4 --points 64 --out corner.ptiles
+  poissonlab tiles build corner --colors 4 --points 64 --border chain --out seamless.ptiles
   poissonlab tiles build template --tiles 16 --points 32 --relative-radius 0.8 --repulsion --out template.ptiles)";
 
 /// The sampler of the same tiles, whose defaults and ranges these options have as well.
@@ -39,6 +40,8 @@ const Parameters& otherwise()
     return defaults;
 }
 
+constexpr std::uint32_t not_given = UINT32_MAX;
+
 struct TilesBuildOptions
 {
     std::string kind; ///< "corner", "edge", "template" or "sphere"
@@ -49,6 +52,9 @@ struct TilesBuildOptions
     std::string filling = otherwise().text("filling");
     std::uint32_t lloyd_iterations = static_cast<std::uint32_t>(otherwise().integer("lloyd_iterations"));
     bool repulsion = false;
+    std::string border = otherwise().text("border");
+    std::uint32_t joint_iterations = not_given;
+    std::string null_peaks; ///< "on" or "off"; empty: not given
     std::uint64_t seed = 1;
     std::filesystem::path out;
     std::string engine = "opencl";
@@ -68,6 +74,8 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     check_word("kind", o.kind, poisson_tile_families.all());
     check_word("--filling", o.filling, tile_fillings.all());
     check_word("--engine", o.engine, engines.all());
+    check_word("--border", o.border, tile_borders.all());
+    if (!o.null_peaks.empty()) check_word("--null-peaks", o.null_peaks, {"on", "off"});
     const ParameterSpec& lloyd = parameter_of(sampler, "lloyd_iterations");
     if (o.lloyd_iterations > lloyd.maximum)
         throw invalid_value({"tiles build"}, "--lloyd", fmt::format("{}", o.lloyd_iterations),
@@ -87,6 +95,9 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     if (tile_fillings.find(o.filling) == TileFilling::dart_throwing) set_dart_throwing(p);
     p.lloyd_iterations = o.lloyd_iterations;
     p.repulsion = o.repulsion;
+    set_border(p, *tile_borders.find(o.border),
+               o.joint_iterations == not_given ? std::nullopt : std::optional(o.joint_iterations),
+               o.null_peaks.empty() ? std::nullopt : std::optional(o.null_peaks == "on"));
     p.seed = o.seed;
     try {
         check(p);
@@ -163,6 +174,9 @@ Command tiles_build_command()
              {"--filling", &o->filling, option_help(parameter_of(sampler, "filling")), "NAME"},
              {"--lloyd", &o->lloyd_iterations, option_help(parameter_of(sampler, "lloyd_iterations")), "I"},
              {"--repulsion", &o->repulsion, "Push apart what Lloyd relaxation leaves too close"},
+             {"--border", &o->border, option_help(parameter_of(sampler, "border")), "NAME"},
+             {"--joint-iterations", &o->joint_iterations, option_help(parameter_of(sampler, "joint_iterations")), "I"},
+             {"--null-peaks", &o->null_peaks, option_help(parameter_of(sampler, "null_peaks")), "on|off"},
              {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
              {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
              {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},

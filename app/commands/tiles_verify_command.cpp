@@ -57,9 +57,10 @@ double distance_of(std::uint64_t squared_distance)
 }
 
 /// The name of the regions of cells of a dimension.
-std::string region_name(int cell_dimension, int dimension)
+std::string region_name(int cell_dimension, const PoissonTileParameters& p)
 {
-    if (cell_dimension == dimension) return "interior";
+    if (cell_dimension == p.dimension) return "interior";
+    if (p.border == TileBorder::chain && cell_dimension == 1) return "chains";
     constexpr std::array names{"corners", "edges", "faces"};
     return names[static_cast<std::size_t>(cell_dimension)];
 }
@@ -83,6 +84,7 @@ void print_summary(const Verification& v)
     if (p.kind != PoissonTileKind::frame) line("colours", std::to_string(p.colors));
     line("tiles", std::to_string(c.tiles));
     line("points per tile", std::to_string(c.points_per_tile));
+    line("border", tile_borders[p.border]);
     line("relative radius", fmt::format("{:.6f} proven, {:.6f} asked for", c.relative_radius, p.relative_radius));
     line("minimum distance", fmt::format("{:.6f} tiles", distance_of(c.squared_min_distance)));
     line("stored guarantee", described_guarantee(v));
@@ -92,8 +94,9 @@ void print_summary(const Verification& v)
     fmt::print("\n{:<22}{:>8}{:>10}{:>8}{:>10}\n", "points of a tile near", "min", "mean", "max", "density");
     for (int i = 0; i <= p.dimension; ++i) {
         const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
-        fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{:>10.4f}\n", region_name(i, p.dimension), r.min, r.mean, r.max,
-                   r.density);
+        const bool has_chains = p.border == TileBorder::chain; // which have no area of their own
+        fmt::print("{:<22}{:>8}{:>10.3f}{:>8}{:>10}\n", region_name(i, p), r.min, r.mean, r.max,
+                   has_chains ? "" : fmt::format("{:.4f}", r.density));
     }
 }
 
@@ -107,6 +110,9 @@ void print_json(const Verification& v)
               {"colors", p.colors},
               {"tiles", c.tiles},
               {"points_per_tile", c.points_per_tile},
+              {"border", tile_borders[p.border]},
+              {"joint_iterations", p.joint_iterations},
+              {"null_peaks", p.null_peaks},
               {"relative_radius", c.relative_radius},
               {"asked_relative_radius", p.relative_radius},
               {"min_distance", distance_of(c.squared_min_distance)},
@@ -116,8 +122,8 @@ void print_json(const Verification& v)
               {"largest_empty_radius_in_min_distances", c.largest_empty_radius_in_min_distances}};
     for (int i = 0; i <= p.dimension; ++i) {
         const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
-        json["regions"][region_name(i, p.dimension)] = {
-            {"min", r.min}, {"mean", r.mean}, {"max", r.max}, {"density", r.density}};
+        json["regions"][region_name(i, p)] = {{"min", r.min}, {"mean", r.mean}, {"max", r.max}};
+        if (p.border == TileBorder::strip) json["regions"][region_name(i, p)]["density"] = r.density;
     }
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }

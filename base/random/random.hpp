@@ -17,6 +17,8 @@ enum class Purpose : std::uint32_t
     dart_throwing = 3,
     relaxation_dart_throwing = 4,
     tile_filling = 5,
+    chain_corners = 6,
+    joint_tiling = 7,
     tiling_colors = 16,
     scanline_tiling = 17,
     tile_choice = 18,

@@ -10,6 +10,7 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
+        {"joint_nulling.cl", {}},
         {"point_grid.cl", {dimension}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
@@ -21,6 +22,8 @@ const std::vector<KernelFile>& kernel_files()
           {"COLORS", {"2u"}, true},
           {"TILES", {"16u"}, true},
           {"POINTS", {"7u", "64u"}, true},
+          {"LOW", {"0", "-32768"}},
+          {"STEP", {"1", "2"}},
           {"VALUE", {"float", "uint"}}}},
         {"tile_relaxation.cl", {dimension}},
         {"voronoi_2d.cl", {}},

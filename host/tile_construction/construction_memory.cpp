@@ -1,5 +1,9 @@
 // Foretells the sizes of the tori that the construction fills.
+#include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/chain_choice.hpp"
+#include "host/tile_construction/chain_construction.hpp"
+#include "host/tile_construction/joint_tiling.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 #include <cmath>
@@ -38,10 +42,22 @@ FillShape interior_shape(const PoissonTileParameters& p, const TileRegions& regi
     return {p.tiles, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
 }
 
+/// Tori of all pairs of colours, insides of all tiles, and the torus of all tiles that is relaxed.
+DeviceMemory chain_memory(const PoissonTileParameters& p, const DeviceInfo& device)
+{
+    const std::size_t points = p.points_per_tile;
+    // Borders have some sqrt N points a side; 2 is generous.
+    const auto border = static_cast<std::size_t>(8 * std::sqrt(points));
+    const std::vector<FillShape> shapes{{chain_tori(p), 4 * points, 4 * points}, {p.tiles, border + points, points}};
+    const std::size_t all = std::size_t{joint_side(p)} * joint_side(p) * points;
+    return either(filling_memory(chain_torus_settings(p), shapes, device), VoronoiKernels::memory(2, all));
+}
+
 }
 
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device)
 {
+    if (parameters.border == TileBorder::chain) return chain_memory(parameters, device);
     const TileRegions regions = regions_of(parameters);
     std::vector<FillShape> shapes{interior_shape(parameters, regions)};
     if (parameters.kind == PoissonTileKind::frame) {

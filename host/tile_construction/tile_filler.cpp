@@ -170,14 +170,17 @@ private:
         const std::size_t n = problems.size();
         const std::size_t per_problem = axes() * capacity_;
         std::vector<std::int32_t> points(n * per_problem);
-        std::vector<std::uint32_t> numbers(n), streams(n), held(n), active(n), active_targets(n), all_targets(n);
+        std::vector<std::uint32_t> numbers(n), streams(n), held(n), there(n), active(n), active_targets(n),
+            all_targets(n);
         for (std::size_t i = 0; i < n; ++i) {
             const FillProblem& problem = problems[i];
-            put_held(problem.held, points.data() + i * per_problem);
+            put(problem.held, 0, points.data() + i * per_problem);
+            put(problem.given, problem.held.size(), points.data() + i * per_problem);
             numbers[i] = static_cast<std::uint32_t>(i);
             streams[i] = problem.stream;
             held[i] = static_cast<std::uint32_t>(problem.held.size());
             active[i] = problem.active;
+            there[i] = held[i] + static_cast<std::uint32_t>(problem.given.size());
             active_targets[i] = held[i] + problem.active;
             all_targets[i] = active_targets[i] + problem.surroundings;
         }
@@ -187,20 +190,21 @@ private:
         buffers_.problem_numbers.write(numbers);
         buffers_.streams.write(streams);
         buffers_.held.write(held);
-        buffers_.counts.write(held);
+        buffers_.counts.write(there);
         buffers_.active.write(active);
         buffers_.active_targets.write(active_targets);
         buffers_.all_targets.write(all_targets);
         groups_ = n;
     }
 
-    void put_held(const std::vector<TilePosition>& held, std::int32_t* points) const
+    /// Puts positions where the points of a problem from number `first` on are.
+    void put(const std::vector<TilePosition>& positions, std::size_t first, std::int32_t* points) const
     {
-        for (std::size_t i = 0; i < held.size(); ++i) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
             for (std::size_t image = 0; image < copies_; ++image) {
                 for (std::size_t k = 0; k < axes(); ++k) {
-                    points[k * capacity_ + i * copies_ + image] =
-                        wrapped(held[i][k] + static_cast<std::int32_t>(image >> k & 1) * tile_units);
+                    points[k * capacity_ + (first + i) * copies_ + image] =
+                        wrapped(positions[i][k] + static_cast<std::int32_t>(image >> k & 1) * tile_units);
                 }
             }
         }
@@ -208,8 +212,12 @@ private:
 
     contract::tile_filling::Tori tori(const FillStage& stage, CellSet cells) const
     {
-        return {cells, shared(stage.regions), static_cast<std::uint32_t>(capacity_),
-                static_cast<std::uint32_t>(copies_)};
+        return {cells,
+                shared(stage.regions),
+                static_cast<std::uint32_t>(capacity_),
+                static_cast<std::uint32_t>(copies_),
+                stage.in_polygon,
+                0};
     }
 
     void throw_darts(const FillStage& stage, const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,
@@ -227,7 +235,7 @@ private:
                                                   .attempts = attempts};
         FillBuffers& b = buffers_;
         throw_.run(groups_ * work_group_size_, work_group_size_, darts, b.problem_numbers, b.streams, b.distances,
-                   targets, b.points, b.counts, b.levels);
+                   targets, b.held, b.points, b.counts, b.levels);
     }
 
     void relax(const FillStage& stage)

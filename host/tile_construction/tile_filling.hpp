@@ -34,14 +34,18 @@ struct FillStage
     bool is_one_tile = false; ///< the torus has one tile a side; any image of a point stands for it
     DartZone active;          ///< points move in these cells as well
     DartZone surroundings;    ///< points that are held, so that active ones are not drawn into empty space
+
+    /// Active points lie inside of the polygon whose corners are the held points, in their order, instead of in cells.
+    bool in_polygon = false;
 };
 
 struct FillProblem
 {
     std::vector<TilePosition> held;
-    std::uint32_t active = 0;       ///< points that are wanted
-    std::uint32_t surroundings = 0; ///< as many, or fewer where they do not fit
-    std::uint32_t stream = 0;       ///< of random numbers
+    std::vector<TilePosition> given; ///< active points that are there already
+    std::uint32_t active = 0;        ///< points that are wanted, those included
+    std::uint32_t surroundings = 0;  ///< as many, or fewer where they do not fit
+    std::uint32_t stream = 0;        ///< of random numbers
 };
 
 struct FilledTorus

@@ -63,6 +63,30 @@ void leave_corner_3d(WayOut& way, const TileRegions& regions, const TilePosition
     way.consider(regions.corner_three - two - distance[axes[2]], {axes[0], axes[1], axes[2]});
 }
 
+/// Coordinates around the middle of the tile at (0, 0), where a polygon around it does not meet itself.
+TilePosition around_middle(const TilePosition& position)
+{
+    return {shortest(position[0] - tile_units / 2), shortest(position[1] - tile_units / 2), 0};
+}
+
+/// Whether a ray to the left meets the polygon an odd number of times.
+bool is_inside(std::span<const TilePosition> polygon, const TilePosition& position)
+{
+    const TilePosition p = around_middle(position);
+    bool result = false;
+    TilePosition a = around_middle(polygon.back());
+    for (const TilePosition& corner : polygon) {
+        const TilePosition b = around_middle(corner);
+        if ((a[1] > p[1]) != (b[1] > p[1])) {
+            const std::int64_t turn =
+                std::int64_t{b[0] - a[0]} * (p[1] - a[1]) - std::int64_t{b[1] - a[1]} * (p[0] - a[0]);
+            if ((turn > 0) == (b[1] > a[1])) result = !result;
+        }
+        a = b;
+    }
+    return result;
+}
+
 }
 
 std::uint64_t squared_distance(const TilePosition& a, const TilePosition& b, int dimension)
@@ -88,6 +112,12 @@ unsigned cell_at(const TileRegions& regions, const TilePosition& position)
     return cell_number(axes, base, regions.dimension);
 }
 
+bool is_allowed(const Zone& zone, const TilePosition& position)
+{
+    if (zone.polygon.empty()) return zone.cells >> cell_at(zone.regions, position) & 1;
+    return is_inside(zone.polygon, position);
+}
+
 TilePosition pushed_out(const TileRegions& regions, const TilePosition& position)
 {
     const int dimension = regions.dimension;
@@ -110,25 +140,24 @@ TilePosition pushed_out(const TileRegions& regions, const TilePosition& position
     return result;
 }
 
-TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
-                         const TilePosition& movement, bool slides)
+TilePosition allowed_end(const Zone& zone, const TilePosition& start, const TilePosition& movement, bool slides)
 {
     const auto moved = [&](std::int32_t part) { // in 4,096ths
         TilePosition end{};
-        for (int k = 0; k < regions.dimension; ++k) end[k] = wrapped(start[k] + (movement[k] * part >> 12));
+        for (int k = 0; k < zone.regions.dimension; ++k) end[k] = wrapped(start[k] + (movement[k] * part >> 12));
         return end;
     };
     TilePosition end = moved(4096);
-    if (is_allowed(regions, cells, end)) return end;
-    if (slides) {
+    if (is_allowed(zone, end)) return end;
+    if (slides && zone.polygon.empty()) {
         for (int i = 0; i < 3; ++i) {
-            end = pushed_out(regions, end);
-            if (is_allowed(regions, cells, end)) return end;
+            end = pushed_out(zone.regions, end);
+            if (is_allowed(zone, end)) return end;
         }
     }
     std::int32_t part = 0;
     for (std::int32_t step = 2048; step > 0; step >>= 1) {
-        if (is_allowed(regions, cells, moved(part + step))) part += step;
+        if (is_allowed(zone, moved(part + step))) part += step;
     }
     return moved(part);
 }

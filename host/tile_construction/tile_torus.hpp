@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace poissonlab {
 
@@ -36,10 +37,16 @@ constexpr CellSet all_cells(int dimension) { return dimension == 2 ? 0xffff : ~C
 /// The number of the cell whose region a position is in.
 unsigned cell_at(const TileRegions& regions, const TilePosition& position);
 
-inline bool is_allowed(const TileRegions& regions, CellSet cells, const TilePosition& position)
+/// The places where points may lie: some cells or, in 2D, the inside of a polygon around the tile at (0, 0), if that
+/// has corners.
+struct Zone
 {
-    return cells >> cell_at(regions, position) & 1;
-}
+    TileRegions regions;
+    CellSet cells = 0;
+    std::span<const TilePosition> polygon = {};
+};
+
+bool is_allowed(const Zone& zone, const TilePosition& position);
 
 /// A position out of the region of its corner, edge or face, by the shortest way; in an interior, the same
 /// position.
@@ -47,7 +54,6 @@ TilePosition pushed_out(const TileRegions& regions, const TilePosition& position
 
 /// The end of a movement from an allowed position. A movement that would end elsewhere slides out of regions by the
 /// shortest way, three times at most, or is shortened to the last position that is allowed.
-TilePosition allowed_end(const TileRegions& regions, CellSet cells, const TilePosition& start,
-                         const TilePosition& movement, bool slides);
+TilePosition allowed_end(const Zone& zone, const TilePosition& start, const TilePosition& movement, bool slides);
 
 }

@@ -67,8 +67,15 @@ void check(const TileBlock& block, int dimension)
 
 void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates)
 {
-    const double side = 65536.0 * period;
-    for (const std::uint32_t unit : units) coordinates.push_back(unit / side);
+    const std::uint64_t size = std::uint64_t{tile_units} * period;
+    const auto overhang = static_cast<std::uint64_t>(tile_units / 2);
+    for (const std::uint32_t unit : units) {
+        // Points of chains may be outside of the block, up to half a tile: above it, or below it modulo 2^32.
+        std::uint64_t inside = unit;
+        if (inside >= size)
+            inside = inside < size + overhang ? inside - size : inside + size - (std::uint64_t{1} << 32);
+        coordinates.push_back(static_cast<double>(inside) / static_cast<double>(size));
+    }
 }
 
 NeededBuffers TilePointGenerator::Buffers::needed(const PoissonTileParameters& p, std::size_t piece)
@@ -91,11 +98,14 @@ TilePointGenerator::TilePointGenerator(Device device, const PoissonTileSet& tile
 Kernel TilePointGenerator::kernel(const char* name, const char* value)
 {
     const auto number = [](std::uint32_t n) { return std::to_string(n) + "u"; };
+    const StoredScale scale = stored_scale(parameters_.border);
     return device_.kernel(kernel_program("tile_points.cl", {{"KIND", static_cast<std::uint32_t>(parameters_.kind)},
                                                             {"DIMENSION", parameters_.dimension},
                                                             {"COLORS", number(parameters_.colors)},
                                                             {"TILES", number(parameters_.tiles)},
                                                             {"POINTS", number(parameters_.points_per_tile)},
+                                                            {"LOW", scale.low},
+                                                            {"STEP", scale.step},
                                                             {"VALUE", value}}),
                           name);
 }

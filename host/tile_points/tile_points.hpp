@@ -3,7 +3,8 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 5. Order: rows of tiles from south to north
 // (3D: layers from the bottom), in each from west to east, the points of a tile as they are stored. Positions
 // are relative to the lowest corner of the block, as floats in tiles, which round where the block is wide, or
-// as 32-bit integers in units of 1/65,536 of a tile, which do not.
+// as 32-bit integers in units of 1/65,536 of a tile, modulo 2^32, which do not. Points of tiles with chains may lie up
+// to half a tile outside of the block.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -39,7 +40,8 @@ struct TileRun
     std::uint32_t count = 0;
 };
 
-/// Integer positions of a torus of `period` tiles as coordinates in [0, 1): each divided by 65,536 period.
+/// Integer positions of a torus of `period` tiles as coordinates in [0, 1): each, modulo the side of the torus, divided
+/// by that. Positions are at most half a tile outside of it.
 void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates);
 
 namespace reference {

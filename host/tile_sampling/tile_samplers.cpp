@@ -19,6 +19,11 @@ namespace {
 
 constexpr double max_tiles = 1'048'576;
 
+bool knows_chains(const PoissonTileFamily& family)
+{
+    return family.dimension == 2 && family.kind != PoissonTileKind::edge;
+}
+
 PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Parameters& given, std::uint64_t seed)
 {
     const auto integer = [&](const char* key) { return static_cast<std::uint32_t>(given.integer(key)); };
@@ -33,6 +38,13 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
     if (given.text("filling") == tile_fillings[TileFilling::dart_throwing]) set_dart_throwing(p);
     p.lloyd_iterations = integer("lloyd_iterations");
     p.repulsion = given.flag("repulsion");
+    if (knows_chains(family)) {
+        std::optional<std::uint32_t> iterations;
+        std::optional<bool> nulling;
+        if (given.is_given("joint_iterations")) iterations = integer("joint_iterations");
+        if (given.is_given("null_peaks")) nulling = given.flag("null_peaks");
+        set_border(p, *tile_borders.find(given.text("border")), iterations, nulling);
+    }
     p.seed = seed;
     return p;
 }
@@ -101,7 +113,7 @@ ParameterSpec size_spec(const PoissonTileFamily& family)
 std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
 {
     using Kind = ParameterSpec::Kind;
-    return {
+    std::vector<ParameterSpec> specs{
         size_spec(family),
         {.key = "points_per_tile",
          .kind = Kind::integer,
@@ -133,6 +145,23 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
          .help = "push apart what Lloyd relaxation left too close: needed above 0.75 or 0.8",
          .otherwise = false},
     };
+    if (!knows_chains(family)) return specs;
+    specs.push_back({.key = "border",
+                     .kind = Kind::choice,
+                     .help = "what tiles share: strips of points, or chains, which leave no seam",
+                     .choices = tile_borders.all(),
+                     .otherwise = tile_borders[TileBorder::strip]});
+    specs.push_back({.key = "joint_iterations",
+                     .kind = Kind::integer,
+                     .help = "relaxations of all tiles together; only with chains",
+                     .maximum = 100'000,
+                     .symbol = "joint",
+                     .unless_given = "20 with chains, 0 with strips"});
+    specs.push_back({.key = "null_peaks",
+                     .kind = Kind::boolean,
+                     .help = "in these, make the mean tile even, so that tilings show less of their lattice",
+                     .unless_given = "true where there are joint iterations"});
+    return specs;
 }
 
 const char* size_key(const PoissonTileFamily& family)

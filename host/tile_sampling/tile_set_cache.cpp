@@ -4,6 +4,7 @@
 #include "base/files/xxh64_bytes.hpp"
 #include "code_hashes.hpp"
 #include "host/store/file_lock.hpp"
+#include "host/tile_construction/chain_construction.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
@@ -77,11 +78,11 @@ std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters&
     return {std::move(set), std::move(build)};
 }
 
-/// Templates have no regions of corners and edges.
+/// Templates have no regions of corners and edges, and chains are no regions.
 std::vector<RegionPoints> region_points(const PoissonTileSet& set)
 {
     std::vector<RegionPoints> points;
-    if (set.parameters.kind == PoissonTileKind::frame) return points;
+    if (set.parameters.kind == PoissonTileKind::frame || set.parameters.border == TileBorder::chain) return points;
     const std::vector<const char*> names = set.parameters.dimension == 2
                                                ? std::vector{"corners", "edges", "interior"}
                                                : std::vector{"corners", "edges", "faces", "interior"};
@@ -120,10 +121,18 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
                                   const ConstructionOptions& options)
 {
     check(parameters);
-    const FillSettings settings = fill_settings(parameters);
-    const auto filler =
-        engine == Engine::opencl ? make_tile_filler(settings, device()) : reference::make_tile_filler(settings);
-    ConstructedTileSet built = construct_tile_set(parameters, *filler, options);
+    const auto filler = [&](const FillSettings& settings) {
+        return engine == Engine::opencl ? make_tile_filler(settings, device()) : reference::make_tile_filler(settings);
+    };
+    ConstructedTileSet built;
+    if (parameters.border == TileBorder::chain) {
+        const auto tori = filler(chain_torus_settings(parameters));
+        const auto interiors = filler(chain_interior_settings(parameters));
+        const auto joint = engine == Engine::opencl ? make_joint_engine(device()) : reference::make_joint_engine();
+        built = construct_chain_tiles(parameters, {*tori, *interiors, *joint}, options);
+    } else {
+        built = construct_tile_set(parameters, *filler(fill_settings(parameters)), options);
+    }
     built.set.squared_min_distance = certify(built.set).squared_min_distance;
     if (built.set.squared_min_distance < asked_squared_distance(parameters))
         throw std::logic_error("a tile set was built whose tilings do not keep the minimum distance");
@@ -147,12 +156,14 @@ std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* de
     // Names of devices are long, and hold what file names may not.
     const std::string maker =
         device ? fmt::format("opencl-{:08x}", xxh64_bytes(device->identity()) & 0xFFFFFFFFU) : "reference";
-    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}-seed{}-{}-{}.ptiles", kind_name(p),
-                       p.kind == PoissonTileKind::frame ? "t" : "c",
-                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile, p.relative_radius,
-                       p.filling == TileFilling::dart_throwing ? "darts" : "relaxation", p.attempts, p.factor,
-                       p.lloyd_iterations, p.repulsion ? "-repulsion" : "", p.seed, maker,
-                       POISSONLAB_CONSTRUCTION_VERSION);
+    const std::string joint =
+        p.joint_iterations > 0 ? fmt::format("-joint{}{}", p.joint_iterations, p.null_peaks ? "-nulled" : "") : "";
+    return fmt::format(
+        "{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}{}{}-seed{}-{}-{}.ptiles", kind_name(p),
+        p.kind == PoissonTileKind::frame ? "t" : "c", p.kind == PoissonTileKind::frame ? p.tiles : p.colors,
+        p.points_per_tile, p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
+        p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "",
+        p.border == TileBorder::chain ? "-chains" : "", joint, p.seed, maker, POISSONLAB_CONSTRUCTION_VERSION);
 }
 
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,

@@ -16,12 +16,12 @@ namespace {
 /// in it.
 constexpr auto kernels = R"(
     kernel void query(global const uint* words, uint kind, uint dimension, uint colors, uint tiles, uint points_per_tile,
-                      uint seed, int period, global const int* places, global const float* positions, uint count,
+                      uint seed, int period, int low, int step, int overhang, global const int* places, global const float* positions, uint count,
                       global uint* results, global float* distances, global float* coordinates)
     {
         const uint id = get_global_id(0);
         if (id >= count) return;
-        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period};
+        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period, low, step, overhang};
         const int3 home = vload3(id, places);
         const struct ptiles_nearest nearest = ptiles_nearest_point(words, t, home, vload3(id, positions));
         global uint* result = results + 6 * id;
@@ -86,7 +86,8 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     auto coordinates = device_.buffer<float>(3 * count);
     device_.kernel_from_text(kernel_source("runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
-             tiling.period, copied(queries.places), copied(queries.positions), count, results, distances, coordinates);
+             tiling.period, s.low, s.step, s.overhang, copied(queries.places), copied(queries.positions), count,
+             results, distances, coordinates);
     const auto found = results.read(0, results.size());
     const auto squared_of = distances.read(0, count);
     const auto points = coordinates.read(0, coordinates.size());
@@ -98,7 +99,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
         const std::uint16_t* units = ptiles_points(&s, found[6 * i]) + i % s.points_per_tile * s.dimension;
         double position[3];
         for (std::size_t axis = 0; axis < s.dimension; ++axis) {
-            ASSERT_EQ(points[3 * i + axis] * 65536, static_cast<float>(units[axis]));
+            ASSERT_EQ(points[3 * i + axis], static_cast<float>(ptiles_coordinate(&s, units[axis])));
             position[axis] = place[axis] + static_cast<double>(queries.positions[3 * i + axis]);
         }
         ptiles_point nearest;

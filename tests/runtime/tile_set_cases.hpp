@@ -9,11 +9,17 @@ namespace poissonlab {
 
 inline std::vector<PoissonTileSet> tile_sets_of_every_kind()
 {
-    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),   random_tile_set(PoissonTileKind::corner, 2, 4, 64),
-            random_tile_set(PoissonTileKind::corner, 2, 8, 16),  random_tile_set(PoissonTileKind::corner, 3, 2, 11),
-            random_tile_set(PoissonTileKind::corner, 3, 3, 16),  random_tile_set(PoissonTileKind::edge, 2, 2, 5),
-            random_tile_set(PoissonTileKind::edge, 2, 1, 40),    random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
-            random_tile_set(PoissonTileKind::frame, 2, 1, 32, 1)};
+    return {random_tile_set(PoissonTileKind::corner, 2, 3, 7),
+            random_tile_set(PoissonTileKind::corner, 2, 4, 64),
+            random_tile_set(PoissonTileKind::corner, 2, 8, 16),
+            random_tile_set(PoissonTileKind::corner, 3, 2, 11),
+            random_tile_set(PoissonTileKind::corner, 3, 3, 16),
+            random_tile_set(PoissonTileKind::edge, 2, 2, 5),
+            random_tile_set(PoissonTileKind::edge, 2, 1, 40),
+            random_tile_set(PoissonTileKind::frame, 2, 1, 4, 13),
+            random_tile_set(PoissonTileKind::frame, 2, 1, 32, 1),
+            random_chain_set(3, 20),
+            random_chain_set(2, 5)};
 }
 
 inline std::string name_of(const PoissonTileSet& set)

@@ -4,6 +4,7 @@
 
 #include "tiles/poisson/poisson_tile_set.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
 #include <fstream>
@@ -30,6 +31,15 @@ inline PoissonTileSet random_tile_set(PoissonTileKind kind, int dimension, std::
     return set;
 }
 
+/// A set whose points lie up to half a tile outside of their squares, as those of chains may.
+inline PoissonTileSet random_chain_set(std::uint32_t colors, std::uint32_t points_per_tile)
+{
+    PoissonTileSet set = random_tile_set(PoissonTileKind::corner, 2, colors, points_per_tile);
+    set_border(set.parameters, TileBorder::chain);
+    set.chain_lengths.resize(std::size_t{2} * colors * colors);
+    return set;
+}
+
 /// What docs/tile-set-file.md says, but for the checksum and parameters that nothing depends on, which are 0.
 inline std::string tile_set_file_bytes(const PoissonTileSet& set)
 {
@@ -38,14 +48,23 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
         for (int byte = 0; byte < size; ++byte) bytes.push_back(static_cast<char>(value >> 8 * byte));
     };
     const PoissonTileParameters& p = set.parameters;
-    for (const std::uint32_t word : {1u, 128u, static_cast<std::uint32_t>(p.kind),
+    const bool has_chains = p.border == TileBorder::chain;
+    for (const std::uint32_t word : {has_chains ? 2u : 1u, 128u, static_cast<std::uint32_t>(p.kind),
                                      static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles, p.points_per_tile, 0u})
         put(word, 4);
     put(set.squared_min_distance, 8);
     put(std::bit_cast<std::uint64_t>(p.relative_radius), 8);
     put(p.seed, 8);
     bytes.resize(128);
+    if (has_chains) {
+        bytes[88] = 1;
+        const auto [low, high] = std::minmax_element(set.points.begin(), set.points.end());
+        const int overhang = std::max({0, 32768 - 2 * *low, 2 * *high - 98304});
+        for (int byte = 0; byte < 4; ++byte)
+            bytes[static_cast<std::size_t>(100 + byte)] = static_cast<char>(overhang >> 8 * byte);
+    }
     for (const std::uint16_t coordinate : set.points) put(coordinate, 2);
+    for (const std::uint16_t length : set.chain_lengths) put(length, 2);
     return bytes;
 }
 

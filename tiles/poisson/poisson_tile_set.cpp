@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace poissonlab {
@@ -39,6 +40,21 @@ InputError refused(const char* key, const Value& value, const std::string& allow
     return invalid_value({}, key, fmt::format("{}", value), allowed);
 }
 
+/// What is only for some borders, and what chains are not for.
+void check_border(const PoissonTileParameters& p)
+{
+    const bool has_chains = p.border == TileBorder::chain;
+    if (p.joint_iterations > 100'000)
+        throw refused("joint_iterations", p.joint_iterations, "must be an integer from 0 to 100000");
+    if (has_chains && (p.dimension != 2 || p.kind == PoissonTileKind::edge))
+        throw refused("border", tile_borders[p.border], fmt::format("must be \"strip\" for {} tiles", kind_name(p)));
+    if (has_chains && !p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with chains");
+    if (!has_chains && p.joint_iterations > 0)
+        throw refused("joint_iterations", p.joint_iterations, "must be 0 for tiles with strips");
+    if (p.null_peaks && p.joint_iterations == 0)
+        throw refused("null_peaks", p.null_peaks, "must be false without joint iterations, which do it");
+}
+
 void check_numbers(const PoissonTileParameters& p)
 {
     if (p.dimension != 2 && !(p.dimension == 3 && p.kind == PoissonTileKind::corner))
@@ -57,6 +73,7 @@ void check_numbers(const PoissonTileParameters& p)
         throw refused("attempts", p.attempts, "must be an integer from 1 to 1000000");
     if (p.filling == TileFilling::relaxation_dart_throwing && !(p.factor > 0 && p.factor < 1))
         throw refused("factor", p.factor, "must be a number between 0 and 1");
+    check_border(p);
 }
 
 }
@@ -66,6 +83,17 @@ void set_dart_throwing(PoissonTileParameters& parameters)
     parameters.filling = TileFilling::dart_throwing;
     parameters.attempts = 10'000;
     parameters.factor = 1;
+}
+
+void set_border(PoissonTileParameters& p, TileBorder border, std::optional<std::uint32_t> joint_iterations,
+                std::optional<bool> null_peaks)
+{
+    constexpr std::uint32_t best_iterations = 20;
+    const bool has_chains = border == TileBorder::chain;
+    p.border = border;
+    p.repulsion = p.repulsion || has_chains;
+    p.joint_iterations = joint_iterations.value_or(has_chains ? best_iterations : 0);
+    p.null_peaks = null_peaks.value_or(p.joint_iterations > 0);
 }
 
 std::string kind_name(const PoissonTileParameters& parameters)
@@ -119,6 +147,14 @@ void check(const PoissonTileParameters& p)
                       fmt::format("must be at most {:.3f} with {} points per tile, or disks around neighbouring "
                                   "corners of a tile meet",
                                   std::floor(limit * 1000) / 1000, p.points_per_tile));
+}
+
+std::int32_t overhang_of(const PoissonTileSet& set)
+{
+    if (set.parameters.border == TileBorder::strip || set.points.empty()) return 0;
+    const StoredScale scale = stored_scale(set.parameters.border);
+    const auto [lowest, highest] = std::ranges::minmax(set.points);
+    return std::max({0, -scale.position(lowest), scale.position(highest) - tile_units});
 }
 
 double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters)

@@ -7,8 +7,10 @@
 #include "base/word_table.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,6 +52,14 @@ inline constexpr WordTable<TileFilling, 2> tile_fillings{
     {{{TileFilling::dart_throwing, "dart-throwing"},
       {TileFilling::relaxation_dart_throwing, "relaxation-dart-throwing"}}}};
 
+/// What is between tiles, whose points all of them share that have it.
+enum class TileBorder : std::uint32_t
+{
+    strip = 0, ///< all points within a radius of an edge, and more of them at corners: regions, sections 4.3 to 4.6
+    chain = 1, ///< a chain of points from corner to corner that no disk fits through: docs/chain-tiles.md
+};
+inline constexpr WordTable<TileBorder, 2> tile_borders{{{{TileBorder::strip, "strip"}, {TileBorder::chain, "chain"}}}};
+
 /// All that a tile set is made from: the same parameters give the same tiles.
 struct PoissonTileParameters
 {
@@ -64,6 +74,9 @@ struct PoissonTileParameters
     double factor = 0.99;         ///< that the radius is multiplied by; dart throwing: 1
     std::uint32_t lloyd_iterations = 0;
     bool repulsion = false;
+    TileBorder border = TileBorder::strip;
+    std::uint32_t joint_iterations = 0; ///< of relaxing all tiles together
+    bool null_peaks = false;            ///< in these, the mean of all tiles is made even
     std::uint64_t seed = 1;
 
     bool operator==(const PoissonTileParameters&) const = default;
@@ -71,6 +84,11 @@ struct PoissonTileParameters
 
 /// Plain dart throwing, given up after ten thousand failures in a row.
 void set_dart_throwing(PoissonTileParameters& parameters);
+
+/// Sets the border and what goes with it: for chains repulsion and, unless given, 20 joint iterations with nulling, the
+/// best of what was measured in docs/chain-tiles.md; for strips nothing that is not given.
+void set_border(PoissonTileParameters& parameters, TileBorder border,
+                std::optional<std::uint32_t> joint_iterations = {}, std::optional<bool> null_peaks = {});
 
 /// One of poisson_tile_families.
 std::string kind_name(const PoissonTileParameters& parameters);
@@ -94,6 +112,24 @@ TileRegions regions_of(const PoissonTileParameters& parameters);
 /// have to suit each other.
 void check(const PoissonTileParameters& parameters);
 
+/// A point in units, relative to the lower corner of a tile or the base of a cell; 2D: z is 0.
+using UnitPosition = std::array<std::int32_t, 3>;
+
+/// What a stored coordinate means: low + step times it, in units.
+struct StoredScale
+{
+    std::int32_t low = 0;
+    std::int32_t step = 1;
+
+    std::int32_t position(std::uint16_t stored) const { return low + step * stored; }
+};
+
+/// Points of chains lie on both sides of an edge of their tile's square, up to half a tile outside of it.
+inline StoredScale stored_scale(TileBorder border)
+{
+    return border == TileBorder::strip ? StoredScale{} : StoredScale{-tile_units / 2, 2};
+}
+
 struct PoissonTileSet
 {
     PoissonTileParameters parameters;
@@ -102,10 +138,16 @@ struct PoissonTileSet
     /// none yet.
     std::uint64_t squared_min_distance = 0;
 
-    /// Tile after tile, point after point, `dimension` coordinates each, in units.
+    /// Tile after tile, point after point, `dimension` coordinates each; see stored_scale(). With chains, a tile's
+    /// points are that of its lower left corner, the chain along its lower edge from the left, that along its left edge
+    /// from below, and those inside.
     std::vector<std::uint16_t> points;
 
-    /// The coordinates of a tile's points.
+    /// Borders that are chains: how many points each has between its corners. First those that go right, then those
+    /// that go up, each by the colours of their lower and their upper end, the upper one counting fast.
+    std::vector<std::uint16_t> chain_lengths = {};
+
+    /// The coordinates of a tile's points as they are stored.
     std::span<const std::uint16_t> tile(std::uint32_t index) const
     {
         const std::size_t size =
@@ -113,8 +155,21 @@ struct PoissonTileSet
         return {points.data() + index * size, size};
     }
 
+    /// A point of a tile, relative to the tile's lower corner.
+    UnitPosition position(std::uint32_t tile_index, std::uint32_t point) const
+    {
+        const StoredScale scale = stored_scale(parameters.border);
+        const auto dimension = static_cast<std::size_t>(parameters.dimension);
+        UnitPosition result{};
+        for (std::size_t k = 0; k < dimension; ++k) result[k] = scale.position(tile(tile_index)[point * dimension + k]);
+        return result;
+    }
+
     bool operator==(const PoissonTileSet&) const = default;
 };
+
+/// How far outside of their tile's square points are at most, in units.
+std::int32_t overhang_of(const PoissonTileSet& set);
 
 /// The relative radius of a squared distance in units: 0.75 where tilings are sure to have the minimum
 /// distance of 0.75.

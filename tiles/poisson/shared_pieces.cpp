@@ -1,11 +1,10 @@
 #include "tiles/poisson/shared_pieces.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tiles/poisson/closure_measures.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <bit>
@@ -141,15 +140,7 @@ bool SharedPieces::is_sound(std::uint32_t tile) const
 void SharedPieces::check_tiles() const
 {
     const std::uint32_t tiles = set_.parameters.tiles;
-    const std::uint32_t wrong = tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(0, tiles), tiles,
-        [&](const tbb::blocked_range<std::uint32_t>& range, std::uint32_t lowest) {
-            for (std::uint32_t tile = range.begin(); tile < std::min(range.end(), lowest); ++tile) {
-                if (!is_sound(tile)) return tile;
-            }
-            return lowest;
-        },
-        [](std::uint32_t a, std::uint32_t b) { return std::min(a, b); });
+    const std::uint32_t wrong = first_tile_where(tiles, [&](std::uint32_t tile) { return !is_sound(tile); });
     if (wrong < tiles) refuse(wrong);
 }
 

@@ -17,9 +17,6 @@
 
 namespace poissonlab {
 
-/// A point in units, relative to the lower corner of a tile or the base of a cell; 2D: z is 0.
-using UnitPosition = std::array<std::int32_t, 3>;
-
 /// The points of a tile, each with its cell, in order of cell and then of coordinates.
 class SortedTile
 {

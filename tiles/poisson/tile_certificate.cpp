@@ -1,7 +1,8 @@
 #include "tiles/poisson/tile_certificate.hpp"
 
 #include "base/errors/errors.hpp"
-#include "tiles/poisson/empty_ball_bound.hpp"
+#include "tiles/poisson/chain_certificate.hpp"
+#include "tiles/poisson/closure_measures.hpp"
 #include "tiles/poisson/shared_pieces.hpp"
 
 #include <fmt/format.h>
@@ -9,15 +10,9 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace poissonlab {
 namespace {
-
-/// Tiles that are searched for empty circles first, each on its own: the others need only look for larger
-/// ones.
-constexpr std::uint32_t first_tiles = 32;
 
 /// The smallest and largest coordinates of points, relative to the base of their cell.
 struct Extents
@@ -26,6 +21,13 @@ struct Extents
     UnitPosition high{INT32_MIN, INT32_MIN, INT32_MIN};
 
     bool are_empty() const { return low[0] > high[0]; }
+
+    void include(const Extents& other)
+    {
+        if (other.are_empty()) return;
+        include(other.low);
+        include(other.high);
+    }
 
     void include(const UnitPosition& position)
     {
@@ -36,104 +38,27 @@ struct Extents
     }
 };
 
-/// The measures of one tile, or those of several joined.
-struct Measures
+/// The extents of the interiors of all tiles.
+Extents interior_extents(const PoissonTileSet& set, const TileRegions& regions)
 {
-    std::uint64_t squared_distance = UINT64_MAX;
-    double empty_radius = 0;
-    Extents interior;
-
-    void join(const Measures& other)
-    {
-        squared_distance = std::min(squared_distance, other.squared_distance);
-        empty_radius = std::max(empty_radius, other.empty_radius);
-        if (!other.interior.are_empty()) {
-            interior.include(other.interior.low);
-            interior.include(other.interior.high);
-        }
-    }
-};
-
-/// Goes along x: points that are farther apart along it than the smallest distance are not compared.
-std::uint64_t squared_min_distance(std::vector<UnitPosition>& points)
-{
-    std::ranges::sort(points, {}, [](const UnitPosition& position) { return position[0]; });
-    std::int64_t smallest = INT64_MAX;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t j = i + 1; j < points.size(); ++j) {
-            const std::int64_t x = points[j][0] - points[i][0];
-            if (x * x >= smallest) break;
-            const std::int64_t y = points[j][1] - points[i][1];
-            const std::int64_t z = points[j][2] - points[i][2];
-            smallest = std::min(smallest, x * x + y * y + z * z);
-        }
-    }
-    return static_cast<std::uint64_t>(smallest);
-}
-
-/// Measures tiles, one after the other.
-class TileMeasurement
-{
-public:
-    TileMeasurement(const PoissonTileSet& set, const SharedPieces& pieces)
-        : set_(set), pieces_(pieces), search_(set.parameters.dimension)
-    {}
-
-    Measures measure(std::uint32_t tile, double known_empty_radius)
-    {
-        Measures measures;
-        measures.interior = interior_of(tile);
-        pieces_.closure(tile, closure_);
-        measures.squared_distance = squared_min_distance(closure_);
-        measures.empty_radius = search_.radius(closure_, known_empty_radius);
-        return measures;
-    }
-
-private:
-    Extents interior_of(std::uint32_t tile) const
-    {
-        const auto dimension = static_cast<std::size_t>(set_.parameters.dimension);
-        const std::span<const std::uint16_t> points = set_.tile(tile);
-        Extents extents;
-        for (std::size_t i = 0; i < points.size(); i += dimension) {
-            const auto point = points.subspan(i, dimension);
-            if (pieces_.regions().cell_of(point).axes == all_axes(set_.parameters.dimension))
-                extents.include({point[0], point[1], dimension == 3 ? point[2] : 0});
-        }
-        return extents;
-    }
-
-    const PoissonTileSet& set_;
-    const SharedPieces& pieces_;
-    EmptyBallSearch search_;
-    std::vector<UnitPosition> closure_;
-};
-
-Measures measure_tiles(const PoissonTileSet& set, const SharedPieces& pieces, std::uint32_t first, std::uint32_t last,
-                       double known_empty_radius)
-{
+    const auto dimension = static_cast<std::size_t>(set.parameters.dimension);
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(first, last), Measures{},
-        [&](const tbb::blocked_range<std::uint32_t>& range, Measures measures) {
-            TileMeasurement measurement(set, pieces);
-            for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile)
-                measures.join(measurement.measure(tile, known_empty_radius));
-            return measures;
+        tbb::blocked_range<std::uint32_t>(0, set.parameters.tiles), Extents{},
+        [&](const tbb::blocked_range<std::uint32_t>& range, Extents extents) {
+            for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile) {
+                const std::span<const std::uint16_t> points = set.tile(tile);
+                for (std::size_t i = 0; i < points.size(); i += dimension) {
+                    const auto point = points.subspan(i, dimension);
+                    if (regions.cell_of(point).axes == all_axes(set.parameters.dimension))
+                        extents.include(UnitPosition{point[0], point[1], dimension == 3 ? point[2] : 0});
+                }
+            }
+            return extents;
         },
-        [](Measures a, const Measures& b) {
-            a.join(b);
+        [](Extents a, const Extents& b) {
+            a.include(b);
             return a;
         });
-}
-
-/// The largest radius of the first tiles does not depend on threads, and so nor does what is found with its
-/// help.
-Measures measure_all(const PoissonTileSet& set, const SharedPieces& pieces)
-{
-    const std::uint32_t first = std::min(set.parameters.tiles, first_tiles);
-    Measures measures = measure_tiles(set, pieces, 0, first, 0);
-    measures.join(measure_tiles(set, pieces, first, set.parameters.tiles, measures.empty_radius));
-    return measures;
 }
 
 /// The extents of pieces by axes, the interior last.
@@ -165,6 +90,19 @@ std::uint64_t squared_separation(const std::vector<Extents>& extents, int dimens
     return static_cast<std::uint64_t>(std::max<std::int64_t>(smallest, 0) * std::max<std::int64_t>(smallest, 0));
 }
 
+TileCertificate certify_strips(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    const SharedPieces pieces(set);
+    const ClosureMeasures measures = measure_closures(
+        p, [&](std::uint32_t tile, std::vector<UnitPosition>& closure) { pieces.closure(tile, closure); });
+    const Extents interior = interior_extents(set, pieces.regions());
+    TileCertificate result =
+        certificate_of(p, measures, squared_separation(extents_of(set, pieces, interior), p.dimension));
+    result.regions = region_counts(set);
+    return result;
+}
+
 }
 
 TileCertificate certify(const PoissonTileSet& set)
@@ -174,18 +112,10 @@ TileCertificate certify(const PoissonTileSet& set)
     const std::size_t coordinates = std::size_t{p.tiles} * p.points_per_tile * static_cast<std::size_t>(p.dimension);
     if (set.points.size() != coordinates)
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinates));
-    const SharedPieces pieces(set);
-    const Measures measures = measure_all(set, pieces);
-    TileCertificate result{p.tiles, p.points_per_tile};
-    result.squared_closure_distance = measures.squared_distance;
-    result.squared_separation = squared_separation(extents_of(set, pieces, measures.interior), p.dimension);
-    result.squared_min_distance = std::min(result.squared_closure_distance, result.squared_separation);
-    result.relative_radius = relative_radius_of(result.squared_min_distance, p);
-    result.regions = region_counts(set);
-    result.largest_empty_radius = (1 + EmptyBallSearch::tolerance) * measures.empty_radius / tile_units;
-    result.largest_empty_radius_in_min_distances =
-        result.largest_empty_radius * tile_units / std::sqrt(static_cast<double>(result.squared_min_distance));
-    return result;
+    const std::size_t chains = p.border == TileBorder::chain ? std::size_t{2} * p.colors * p.colors : 0;
+    if (set.chain_lengths.size() != chains)
+        throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chains));
+    return p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
 }
 
 }

@@ -19,8 +19,9 @@ struct PoissonTiling
 inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTiling& tiling)
 {
     const PoissonTileParameters& p = tiles.parameters;
+    const StoredScale scale = stored_scale(p.border);
     return {{static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles,
-             p.points_per_tile, tiles.points.data()},
+             p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang_of(tiles)},
             tiling.seed,
             tiling.period};
 }

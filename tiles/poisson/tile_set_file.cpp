@@ -19,10 +19,11 @@ namespace poissonlab {
 namespace {
 
 constexpr std::string_view magic = "PTILES\r\n";
-constexpr std::uint32_t version = 1;
+/// Version 2 is written for what version 1 cannot say.
+constexpr std::uint32_t first_version = 1, last_version = 2;
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
-constexpr std::size_t reserved_offset = 88;
+constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 104; ///< of either version
 
 /// Writes numbers one after the other, little-endian.
 class HeaderWriter
@@ -74,6 +75,17 @@ std::size_t coordinate_count(const PoissonTileParameters& p)
     return std::size_t{p.tiles} * p.points_per_tile * static_cast<std::size_t>(p.dimension);
 }
 
+std::size_t chain_count(const PoissonTileParameters& p)
+{
+    return p.border == TileBorder::chain ? std::size_t{2} * p.colors * p.colors : 0;
+}
+
+std::uint32_t version_of(const PoissonTileParameters& p)
+{
+    const bool is_of_version_1 = p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks;
+    return is_of_version_1 ? first_version : last_version;
+}
+
 /// A number that must be one of a few: 0 or 1.
 template <class T>
 T choice(HeaderReader& reader, const char* what, std::uint32_t largest)
@@ -91,8 +103,10 @@ void expect(HeaderReader& reader, const char* what, std::uint32_t expected)
 
 struct Header
 {
+    std::uint32_t version = 0;
     PoissonTileParameters parameters;
     std::uint64_t squared_min_distance = 0;
+    std::int32_t overhang = 0;
     std::uint64_t checksum = 0;
     std::uint64_t file_size = 0;
 };
@@ -102,7 +116,10 @@ Header decode_fields(std::string_view bytes)
     Header header;
     PoissonTileParameters& p = header.parameters;
     HeaderReader reader(bytes.substr(magic.size()));
-    expect(reader, "version of the format", version);
+    header.version = reader.next<std::uint32_t>();
+    if (header.version < first_version || header.version > last_version)
+        throw InputError(
+            fmt::format("version of the format {}: must be {} or {}", header.version, first_version, last_version));
     expect(reader, "offset of the points", header_size);
     p.kind = choice<PoissonTileKind>(reader, "kind", 2);
     p.dimension = choice<int>(reader, "dimension", 3);
@@ -118,6 +135,12 @@ Header decode_fields(std::string_view bytes)
     p.factor = reader.next<double>();
     p.lloyd_iterations = reader.next<std::uint32_t>();
     p.repulsion = choice<bool>(reader, "repulsion", 1);
+    if (header.version > first_version) {
+        p.border = choice<TileBorder>(reader, "border", 1);
+        p.joint_iterations = reader.next<std::uint32_t>();
+        p.null_peaks = choice<bool>(reader, "null_peaks", 1);
+        header.overhang = static_cast<std::int32_t>(choice<std::uint32_t>(reader, "overhang", tile_units / 2));
+    }
     header.checksum = load<std::uint64_t>(bytes.substr(checksum_offset), std::endian::little);
     return header;
 }
@@ -129,11 +152,13 @@ Header decode_header(std::string_view bytes)
     if (bytes.size() < header_size)
         throw InputError(fmt::format("ends after {} bytes: must have a header of {}", bytes.size(), header_size));
     Header header = decode_fields(bytes);
-    const std::string_view reserved = bytes.substr(reserved_offset, checksum_offset - reserved_offset);
+    const std::size_t first = header.version == first_version ? first_reserved_offset : last_reserved_offset;
+    const std::string_view reserved = bytes.substr(first, checksum_offset - first);
     if (reserved.find_first_not_of('\0') != std::string_view::npos)
-        throw InputError(fmt::format("reserved bytes {} to {}: must be 0", reserved_offset, checksum_offset - 1));
+        throw InputError(fmt::format("reserved bytes {} to {}: must be 0", first, checksum_offset - 1));
     check_stored(header.parameters, header.squared_min_distance);
-    header.file_size = header_size + coordinate_count(header.parameters) * sizeof(std::uint16_t);
+    const std::size_t numbers = coordinate_count(header.parameters) + chain_count(header.parameters);
+    header.file_size = header_size + numbers * sizeof(std::uint16_t);
     return header;
 }
 
@@ -144,6 +169,16 @@ void check_size(const Header& header, std::uint64_t size)
                                      header.parameters.tiles, header.parameters.points_per_tile));
 }
 
+std::vector<std::uint16_t> numbers_of(std::string_view bytes)
+{
+    std::vector<std::uint16_t> numbers(bytes.size() / sizeof(std::uint16_t));
+    if (!numbers.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+    if constexpr (std::endian::native != std::endian::little) {
+        for (std::uint16_t& x : numbers) x = static_cast<std::uint16_t>(x << 8 | x >> 8);
+    }
+    return numbers;
+}
+
 PoissonTileSet decode_binary(std::string_view bytes)
 {
     const Header header = decode_header(bytes);
@@ -152,11 +187,11 @@ PoissonTileSet decode_binary(std::string_view bytes)
     if (found != header.checksum)
         throw InputError(fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
     PoissonTileSet set{header.parameters, header.squared_min_distance, {}};
-    set.points.resize(coordinate_count(set.parameters));
-    std::memcpy(set.points.data(), bytes.data() + header_size, bytes.size() - header_size);
-    if constexpr (std::endian::native != std::endian::little) {
-        for (std::uint16_t& x : set.points) x = static_cast<std::uint16_t>(x << 8 | x >> 8);
-    }
+    const std::size_t coordinates = coordinate_count(set.parameters);
+    set.points = numbers_of(bytes.substr(header_size, coordinates * sizeof(std::uint16_t)));
+    set.chain_lengths = numbers_of(bytes.substr(header_size + coordinates * sizeof(std::uint16_t)));
+    if (const std::int32_t overhang = overhang_of(set); overhang != header.overhang)
+        throw InputError(fmt::format("overhang = {}: must be {}", header.overhang, overhang));
     return set;
 }
 
@@ -218,15 +253,20 @@ std::string encode_tile_set(const PoissonTileSet& set)
     check_stored(p, set.squared_min_distance);
     if (set.points.size() != coordinate_count(p))
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinate_count(p)));
+    if (set.chain_lengths.size() != chain_count(p))
+        throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chain_count(p)));
     std::string bytes(magic);
     bytes.reserve(header_size + 2 * set.points.size());
     HeaderWriter writer(bytes);
-    writer << version << static_cast<std::uint32_t>(header_size) << static_cast<std::uint32_t>(p.kind)
+    writer << version_of(p) << static_cast<std::uint32_t>(header_size) << static_cast<std::uint32_t>(p.kind)
            << static_cast<std::uint32_t>(p.dimension) << p.colors << p.tiles << p.points_per_tile << std::uint32_t{0}
            << set.squared_min_distance << p.relative_radius << p.seed << static_cast<std::uint32_t>(p.filling)
-           << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion);
+           << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion)
+           << static_cast<std::uint32_t>(p.border) << p.joint_iterations << static_cast<std::uint32_t>(p.null_peaks)
+           << static_cast<std::uint32_t>(overhang_of(set));
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
+    for (const std::uint16_t length : set.chain_lengths) writer << length;
     std::string sum;
     HeaderWriter(sum) << checksum(bytes);
     bytes.replace(checksum_offset, sum.size(), sum);

@@ -17,7 +17,7 @@ using Json = nlohmann::json; // its search for a key is not linear, as that of t
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto format_name = "poissonlab tile set";
-constexpr int json_version = 1;
+constexpr int json_version = 2; ///< the first one knows neither borders nor joint iterations
 
 constexpr std::array known_keys{"format",
                                 "version",
@@ -32,9 +32,13 @@ constexpr std::array known_keys{"format",
                                 "factor",
                                 "lloyd_iterations",
                                 "repulsion",
+                                "border",
+                                "joint_iterations",
+                                "null_peaks",
                                 "seed",
                                 "min_distance",
                                 "guaranteed_relative_radius",
+                                "chain_lengths",
                                 "tile_points"};
 
 OrderedJson parameters_to_json(const PoissonTileSet& set)
@@ -53,9 +57,13 @@ OrderedJson parameters_to_json(const PoissonTileSet& set)
             {"factor", p.factor},
             {"lloyd_iterations", p.lloyd_iterations},
             {"repulsion", p.repulsion},
+            {"border", tile_borders[p.border]},
+            {"joint_iterations", p.joint_iterations},
+            {"null_peaks", p.null_peaks},
             {"seed", p.seed},
             {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
-            {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)}};
+            {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)},
+            {"chain_lengths", set.chain_lengths}};
 }
 
 const Json& value_of(const Json& json, const char* key)
@@ -129,6 +137,11 @@ PoissonTileParameters parameters_from_json(const Json& json)
     p.factor = number_at(json, "factor");
     p.lloyd_iterations = integer_at<std::uint32_t>(json, "lloyd_iterations");
     p.repulsion = bool_at(json, "repulsion");
+    if (integer_at<int>(json, "version") > 1) {
+        p.border = word_at(json, "border", tile_borders);
+        p.joint_iterations = integer_at<std::uint32_t>(json, "joint_iterations");
+        p.null_peaks = bool_at(json, "null_peaks");
+    }
     p.seed = integer_at<std::uint64_t>(json, "seed");
     return p;
 }
@@ -199,8 +212,8 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     const Json json = parsed(text);
     if (!json.is_object() || value_of(json, "format") != format_name)
         throw InputError(fmt::format("format: must be \"{}\"", format_name));
-    if (integer_at<int>(json, "version") != json_version)
-        refuse("version", json["version"], std::to_string(json_version));
+    if (const int version = integer_at<int>(json, "version"); version < 1 || version > json_version)
+        refuse("version", json["version"], fmt::format("1 or {}", json_version));
     for (const auto& [key, value] : json.items()) {
         if (std::ranges::find(known_keys, key) == known_keys.end())
             throw InputError(
@@ -214,6 +227,11 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     if (!(std::abs(radius - relative_radius_of(set.squared_min_distance, set.parameters)) < 1e-6))
         refuse("guaranteed_relative_radius", json["guaranteed_relative_radius"], "that of min_distance");
     set.points = points_from_json(value_of(json, "tile_points"), set.parameters);
+    if (set.parameters.border == TileBorder::chain) {
+        const std::size_t chains = std::size_t{2} * set.parameters.colors * set.parameters.colors;
+        for (const Json& length : list_of(value_of(json, "chain_lengths"), chains, "chain_lengths"))
+            set.chain_lengths.push_back(integer<std::uint16_t>(length, "chain_lengths"));
+    }
     return set;
 }
 

@@ -17,18 +17,22 @@ class Filling
 public:
     Filling(const FillSettings& settings, const FillStage& stage, const FillProblem& problem)
         : settings_(settings), stage_(stage), points_(problem.held), active_begin_(problem.held.size())
-    {}
+    {
+        points_.insert(points_.end(), problem.given.begin(), problem.given.end());
+        if (stage.in_polygon) polygon_ = problem.held;
+    }
 
-    /// Throws darts until there are `count` more points; false when they do not fit.
-    bool throw_darts(const DartZone& zone, std::size_t count, std::uint32_t attempts, std::uint32_t stream,
+    /// Throws darts until there are `count` points that are not held; false when they do not fit.
+    bool throw_darts(const DartZone& darts, std::size_t count, std::uint32_t attempts, std::uint32_t stream,
                      std::uint32_t attempt, std::uint32_t zone_number)
     {
-        const std::size_t target = points_.size() + count;
+        const std::size_t target = active_begin_ + count;
+        const Zone zone = zone_of(darts.cells);
         std::size_t level = 0;
         std::uint32_t failures = 0;
         for (std::uint32_t dart = 0; points_.size() < target && dart < contract::tile_filling::MAX_DARTS; ++dart) {
-            const TilePosition position = dart_at(zone, {dart, stream, attempt, zone_number});
-            if (!is_allowed(stage_.regions, zone.cells, position)) continue;
+            const TilePosition position = dart_at(darts, {dart, stream, attempt, zone_number});
+            if (!is_allowed(zone, position)) continue;
             if (squared_nearest(position, points_.size()) >= settings_.squared_distances[level]) {
                 points_.push_back(position);
                 failures = 0;
@@ -112,6 +116,7 @@ public:
 
 private:
     std::size_t dimension() const { return static_cast<std::size_t>(settings_.dimension); }
+    Zone zone_of(CellSet cells) const { return {stage_.regions, cells, polygon_}; }
     std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
 
     TilePosition dart_at(const DartZone& zone, const std::array<std::uint32_t, 4>& counter) const
@@ -174,9 +179,9 @@ private:
     /// All points at once.
     void move(const std::vector<TilePosition>& movements, bool slides)
     {
-        for (std::size_t i = active_begin_; i < active_end_; ++i) {
-            points_[i] = allowed_end(stage_.regions, stage_.active.cells, points_[i], movements[i], slides);
-        }
+        const Zone zone = zone_of(stage_.active.cells);
+        for (std::size_t i = active_begin_; i < active_end_; ++i)
+            points_[i] = allowed_end(zone, points_[i], movements[i], slides);
     }
 
     TilePosition repelled(std::size_t i) const
@@ -214,6 +219,7 @@ private:
     const FillSettings& settings_;
     const FillStage& stage_;
     std::vector<TilePosition> points_;
+    std::vector<TilePosition> polygon_; ///< none: points lie in cells
     std::size_t active_begin_;
     std::size_t active_end_ = 0;
 };
@@ -241,8 +247,8 @@ private:
         filling.mark_active_end();
         result.thrown = filling.active();
         if (!is_filled) return result;
-        filling.throw_darts(stage.surroundings, problem.surroundings, settings_.surrounding_attempts, problem.stream,
-                            attempt, 2 * stage.number + 1);
+        filling.throw_darts(stage.surroundings, problem.active + problem.surroundings, settings_.surrounding_attempts,
+                            problem.stream, attempt, 2 * stage.number + 1);
         filling.relax();
         if (settings_.repulsion_passes > 0) filling.repel();
         result.active = filling.active();

@@ -24,10 +24,12 @@ std::vector<float> tile_points(const PoissonTileSet& tiles, const PoissonTiling&
 {
     check(block, tiles.parameters.dimension);
     const auto dimension = static_cast<std::size_t>(tiles.parameters.dimension);
+    const StoredScale scale = stored_scale(tiles.parameters.border);
     std::vector<float> values;
     for_each_tile(tiles, tiling, block, [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
         for (std::size_t n = 0; n < units.size(); ++n)
-            values.push_back(static_cast<float>(units[n]) / 65536 + static_cast<float>(place[n % dimension]));
+            values.push_back(static_cast<float>(scale.step * units[n]) / 65536 +
+                             (static_cast<float>(place[n % dimension]) + static_cast<float>(scale.low) / 65536));
     });
     return values;
 }
@@ -37,9 +39,12 @@ std::vector<std::uint32_t> exact_tile_points(const PoissonTileSet& tiles, const 
 {
     check(block, tiles.parameters.dimension);
     const auto dimension = static_cast<std::size_t>(tiles.parameters.dimension);
+    const StoredScale scale = stored_scale(tiles.parameters.border);
     std::vector<std::uint32_t> values;
     for_each_tile(tiles, tiling, block, [&](std::span<const std::uint16_t> units, std::array<std::uint32_t, 3> place) {
-        for (std::size_t n = 0; n < units.size(); ++n) values.push_back(place[n % dimension] << tile_bits | units[n]);
+        for (std::size_t n = 0; n < units.size(); ++n)
+            values.push_back((place[n % dimension] << tile_bits) +
+                             static_cast<std::uint32_t>(scale.position(units[n])));
     });
     return values;
 }

@@ -122,20 +122,20 @@ TEST_P(TileTorus, MovementsEndWhereTheyAreAllowed)
     for (const CellSet cells : {interior, outside_corners}) {
         for (int i = 0; i < 60'000; ++i) {
             const TilePosition start = random_position(random, dimension_);
-            if (!is_allowed(regions_, cells, start)) continue;
+            if (!is_allowed({regions_, cells}, start)) continue;
             TilePosition movement{};
             for (int k = 0; k < dimension_; ++k)
                 movement[k] = static_cast<std::int32_t>(random() % (2 * width)) - width;
             TilePosition free_end{};
             for (int k = 0; k < dimension_; ++k) free_end[k] = wrapped(start[k] + movement[k]);
             for (const bool slides : {false, true}) {
-                const TilePosition end = allowed_end(regions_, cells, start, movement, slides);
-                EXPECT_TRUE(is_allowed(regions_, cells, end));
-                if (is_allowed(regions_, cells, free_end)) {
+                const TilePosition end = allowed_end({regions_, cells}, start, movement, slides);
+                EXPECT_TRUE(is_allowed({regions_, cells}, end));
+                if (is_allowed({regions_, cells}, free_end)) {
                     EXPECT_EQ(end, free_end);
                 }
             }
-            stopped += !is_allowed(regions_, cells, free_end);
+            stopped += !is_allowed({regions_, cells}, free_end);
         }
     }
     EXPECT_GT(stopped, 500);

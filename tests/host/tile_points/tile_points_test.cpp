@@ -4,7 +4,10 @@
 #include "tests/support/random_tile_set.hpp"
 
 #include <gmock/gmock.h>
+
+#include <array>
 #include <gtest/gtest.h>
+#include <set>
 
 #include <algorithm>
 
@@ -123,6 +126,50 @@ INSTANTIATE_TEST_SUITE_P(Sizes, TilePoints,
                                          Case{corner, 2, 3, 24}, Case{corner, 2, 8, 65}, Case{corner, 3, 2, 16},
                                          Case{corner, 3, 2, 13}, Case{edge, 2, 2, 16, 128}, Case{frame, 2, 1, 31},
                                          Case{frame, 2, 1, 1}, Case{frame, 2, 1, 40, 64}));
+
+/// Points of chains lie outside of their squares: below the lowest tile as well.
+TEST(TilePointsOfChains, AreThoseOfTheReference)
+{
+    for (const std::uint32_t points : {3u, 20u, 64u}) {
+        const PoissonTileSet tiles = random_chain_set(3, points);
+        TilePointGenerator generator(Device::open(), tiles);
+        const TileBlock block{{-3, -2, 0}, {5, 7, 1}};
+        const std::size_t values = block.tiles() * generator.values_per_tile();
+        auto floats = Device::open().buffer<float>(values);
+        generator.place({9, 0}, block, {0, 35}, floats);
+        EXPECT_EQ(floats.read(0, values), reference::tile_points(tiles, {9, 0}, block));
+        auto integers = Device::open().buffer<std::uint32_t>(values);
+        generator.place({9, 0}, block, {0, 35}, integers);
+        EXPECT_EQ(integers.read(0, values), reference::exact_tile_points(tiles, {9, 0}, block));
+        for (std::size_t i = 0; i < values; ++i)
+            ASSERT_EQ(static_cast<float>(static_cast<std::int32_t>(integers.read(i, 1)[0])) / 65536,
+                      floats.read(i, 1)[0]);
+    }
+}
+
+TEST(TilePointsOfChains, OfATorusAreInsideOfIt)
+{
+    const PoissonTileSet tiles = random_chain_set(2, 16);
+    TilePointGenerator generator(Device::open(), tiles);
+    for (const std::uint32_t period : {1u, 3u, 8u}) {
+        const PointSet points = generator.generate_torus(5, period);
+        EXPECT_EQ(points, reference::torus_points(tiles, 5, period));
+        // By the header for engines, far from the origin, modulo the period.
+        const ptiles_tiling tiling = runtime_tiling(tiles, {5, static_cast<std::int32_t>(period)});
+        std::multiset<std::array<double, 2>> expected, found;
+        const double side = period, low[] = {7 * side, -4 * side}, high[] = {8 * side, -3 * side};
+        std::vector<ptiles_point> window(ptiles_in_window(&tiling, low, high, nullptr, 0));
+        ptiles_in_window(&tiling, low, high, window.data(), window.size());
+        for (const ptiles_point& p : window) expected.insert({p.position[0] - low[0], p.position[1] - low[1]});
+        for (std::size_t i = 0; i < points.size(); ++i)
+            found.insert({points.coordinates[2 * i] * side, points.coordinates[2 * i + 1] * side});
+        ASSERT_EQ(expected.size(), found.size());
+        for (auto a = expected.begin(), b = found.begin(); a != expected.end(); ++a, ++b) {
+            EXPECT_NEAR((*a)[0], (*b)[0], 1e-12);
+            EXPECT_NEAR((*a)[1], (*b)[1], 1e-12);
+        }
+    }
+}
 
 TEST(TilePointStream, CoversBlocksLargerThanItsMemory)
 {

@@ -45,11 +45,12 @@ public:
     void append(const PoissonTileSet& set, int i, int j, int k, std::vector<TestPosition>& points) const
     {
         const auto tile_points = set.tile(tile(i, j, k));
+        const StoredScale scale = stored_scale(set.parameters.border);
         const std::array<int, 3> place{i, j, k};
         for (std::size_t p = 0; p < tile_points.size(); p += static_cast<std::size_t>(dimension_)) {
             TestPosition position{};
             for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension_); ++axis)
-                position[axis] = tile_points[p + axis] + place[axis] * tile_units;
+                position[axis] = scale.position(tile_points[p + axis]) + place[axis] * tile_units;
             points.push_back(position);
         }
     }

@@ -38,10 +38,19 @@ PoissonTileSet unusual_set()
     return set;
 }
 
+PoissonTileSet chain_set()
+{
+    PoissonTileParameters p = corner_parameters(2, 9, 0.4);
+    set_border(p, TileBorder::chain, 123, false);
+    PoissonTileSet set = random_points(p);
+    for (std::uint16_t length = 0; length < 8; ++length) set.chain_lengths.push_back(length);
+    return set;
+}
+
 std::vector<PoissonTileSet> one_of_each_kind()
 {
     return {unusual_set(), random_points(edge_parameters(1)), random_points(template_parameters(5)),
-            random_points(sphere_parameters(2))};
+            random_points(sphere_parameters(2)), chain_set()};
 }
 
 /// The message with which these bytes are refused, or "accepted".
@@ -126,7 +135,7 @@ TEST(TileSetFile, BytesAreAsDocumented)
 TEST(TileSetFile, EveryFieldIsChecked)
 {
     EXPECT_EQ(error_of(encode_tile_set(unusual_set())), "accepted");
-    EXPECT_EQ(error_after(8, 2u), "a.ptiles: version of the format 2: must be 1");
+    EXPECT_EQ(error_after(8, 3u), "a.ptiles: version of the format 3: must be 1 or 2");
     EXPECT_EQ(error_after(12, 64u), "a.ptiles: offset of the points 64: must be 128");
     EXPECT_EQ(error_after(16, 3u), "a.ptiles: kind = 3: must be at most 2");
     EXPECT_THAT(error_after(16, 2u), HasSubstr("colors = 3: must be 1"));
@@ -146,9 +155,32 @@ TEST(TileSetFile, EveryFieldIsChecked)
     EXPECT_EQ(error_after(32, 8u), "a.ptiles: has 2396 bytes: must be 2720 for 81 tiles of 8 points");
 }
 
-TEST(TileSetFile, DamageIsNeverOverlooked)
+TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
 {
-    const std::string bytes = encode_tile_set(random_points(corner_parameters(2, 6)));
+    const std::string bytes = encode_tile_set(chain_set());
+    EXPECT_EQ(error_of(bytes), "accepted");
+    const auto error = [&](std::size_t offset, auto value) {
+        return error_of(resealed(changed(bytes, offset, value)));
+    };
+    EXPECT_EQ(error(8, 1u), "a.ptiles: reserved bytes 88 to 119: must be 0");
+    EXPECT_EQ(error(88, 2u), "a.ptiles: border = 2: must be at most 1");
+    EXPECT_THAT(error(88, 0u), HasSubstr("joint_iterations = 123: must be 0 for tiles with strips"));
+    EXPECT_THAT(error(92, 100'001u), HasSubstr("joint_iterations = 100001: must be an integer from 0 to 100000"));
+    EXPECT_EQ(error(92, 0u), "accepted");
+    EXPECT_EQ(error(96, 2u), "a.ptiles: null_peaks = 2: must be at most 1");
+    EXPECT_THAT(error(84, 0u), HasSubstr("repulsion = false: must be true for tiles with chains"));
+    EXPECT_THAT(error(100, 12u), HasSubstr("overhang = 12: must be "));
+    EXPECT_EQ(error(104, 1u), "a.ptiles: reserved bytes 104 to 119: must be 0");
+    EXPECT_THAT(error_of(bytes.substr(0, bytes.size() - 16)), HasSubstr("must be "));
+}
+
+class DamagedTileSetFile : public testing::TestWithParam<bool>
+{
+};
+
+TEST_P(DamagedTileSetFile, IsNeverOverlooked)
+{
+    const std::string bytes = encode_tile_set(GetParam() ? chain_set() : random_points(corner_parameters(2, 6)));
     for (std::size_t offset = 0; offset < 128; ++offset)
         for (int change = 1; change < 256; ++change)
             ASSERT_NE(error_of(changed(bytes, offset, static_cast<char>(bytes[offset] ^ change))), "accepted")
@@ -164,6 +196,8 @@ TEST(TileSetFile, DamageIsNeverOverlooked)
                     HasSubstr("is damaged: its checksum is "));
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Borders, DamagedTileSetFile, testing::Bool());
 
 /// For as long as it lives, the process can have no more memory. The address sanitizer needs all of it.
 class MemoryLimit
@@ -263,7 +297,7 @@ TEST_F(TileSetJson, EveryValueIsChecked)
 {
     EXPECT_EQ(error_of(text_), "accepted");
     EXPECT_EQ(error_with("poissonlab tile set", "x"), "a.ptiles: format: must be \"poissonlab tile set\"");
-    EXPECT_EQ(error_with("\"version\": 1", "\"version\": 2"), "a.ptiles: version = 2: must be 1");
+    EXPECT_EQ(error_with("\"version\": 2", "\"version\": 3"), "a.ptiles: version = 3: must be 1 or 2");
     EXPECT_EQ(error_with("\"corner\"", "\"corn\""),
               "a.ptiles: kind = \"corn\": must be one of corner, edge, template, sphere");
     EXPECT_EQ(error_with("\"corner\"", "\"sphere\""), "a.ptiles: dimension = 2: must be 3");

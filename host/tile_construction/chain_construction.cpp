@@ -1,0 +1,288 @@
+#include "host/tile_construction/chain_construction.hpp"
+
+#include "base/errors/errors.hpp"
+#include "host/tile_construction/chain_choice.hpp"
+#include "host/tile_construction/chain_corners.hpp"
+#include "host/tile_construction/chain_relaxation.hpp"
+#include "tiles/poisson/chain_geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::uint32_t interior_stage = 11;
+constexpr std::uint32_t repair_stage = 12;
+
+/// Fillings of a tile before one of its chains is replaced, and how often that is done.
+constexpr std::uint32_t max_tile_attempts = 8;
+constexpr std::uint32_t max_rounds = 12;
+
+/// Random numbers of a round begin here.
+constexpr std::uint32_t attempts_a_round = 64;
+
+/// The last joint iterations move insides alone: chains are final before tiles are mended.
+constexpr std::uint32_t last_iterations = 3;
+
+/// What rounding to even units may take from the distance of two points, units.
+constexpr double rounding = 3;
+
+std::int32_t even(std::int32_t x) { return (x + 1) & ~1; }
+
+/// Settings that ask for a little more than the minimum distance, which rounding then takes.
+FillSettings settings_with_margin(PoissonTileParameters p)
+{
+    p.repulsion = true;
+    const double distance = asked_min_distance(p) * tile_units;
+    p.relative_radius *= (distance + rounding) / distance;
+    return fill_settings(p);
+}
+
+class ChainConstruction
+{
+public:
+    ChainConstruction(const PoissonTileParameters& parameters, const ChainEngines& engines,
+                      const ConstructionOptions& options)
+        : p_(parameters), engines_(engines), options_(options), pieces_(p_.colors, p_.tiles),
+          choice_(p_, engines.tori, options_, report_), wanted_(chain_interior_settings(p_).wanted)
+    {}
+
+    ConstructedTileSet run()
+    {
+        pieces_.corners = spread_corners(p_);
+        choice_.choose(pieces_);
+        fill_all_tiles();
+        relax_tiles();
+        return {tile_set_of(pieces_, p_), report_};
+    }
+
+private:
+    using Tiles = std::vector<std::uint32_t>;
+
+    // Filling.
+
+    void fill_all_tiles()
+    {
+        Tiles open(p_.tiles);
+        std::iota(open.begin(), open.end(), 0u);
+        for (std::uint32_t round = 0; !open.empty(); ++round) {
+            const Tiles failed = fill_anew(open, interior_stage, round);
+            if (failed.empty()) return;
+            if (round + 1 == max_rounds) give_up(failed);
+            open = with_other_chains(failed, round);
+        }
+    }
+
+    /// Returns those that could not be filled.
+    Tiles fill_anew(Tiles open, std::uint32_t stage_number, std::uint32_t round)
+    {
+        const std::size_t total = open.size();
+        Tiles hopeless;
+        std::erase_if(open, [&](std::uint32_t tile) {
+            const bool has_room =
+                interior_size(pieces_, tile, p_.points_per_tile) >= 0 && is_simple(border_polygon(pieces_, tile));
+            if (!has_room) hopeless.push_back(tile);
+            return !has_room;
+        });
+        for (std::uint32_t attempt = 0; attempt < max_tile_attempts && !open.empty(); ++attempt) {
+            std::vector<FillProblem> problems;
+            for (const std::uint32_t tile : open) problems.push_back(problem_of(tile));
+            open = fill(open, problems, stage_number, round * attempts_a_round + attempt);
+            if (options_.progress) options_.progress("tiles", total - open.size(), total);
+        }
+        open.insert(open.end(), hopeless.begin(), hopeless.end());
+        std::ranges::sort(open);
+        return open;
+    }
+
+    /// Pushes the points of tiles apart, each tile on its own. Returns those that do not get the minimum distance.
+    Tiles repel(const Tiles& open)
+    {
+        Tiles failed, possible;
+        std::vector<FillProblem> problems;
+        for (const std::uint32_t tile : open) {
+            const auto border = border_polygon(pieces_, tile);
+            const auto is_inside = [&](const UnitPosition& point) { return is_strictly_inside(border, point); };
+            if (!is_simple(border) || !std::ranges::all_of(pieces_.interiors[tile], is_inside)) {
+                failed.push_back(tile);
+                continue;
+            }
+            possible.push_back(tile);
+            problems.push_back(problem_of(tile));
+            for (const UnitPosition& point : pieces_.interiors[tile])
+                problems.back().given.push_back({wrapped(point[0]), wrapped(point[1]), 0});
+        }
+        const Tiles left = fill(possible, problems, repair_stage, 0);
+        failed.insert(failed.end(), left.begin(), left.end());
+        std::ranges::sort(failed);
+        return failed;
+    }
+
+    FillProblem problem_of(std::uint32_t tile) const
+    {
+        FillProblem problem;
+        for (const UnitPosition& point : border_polygon(pieces_, tile))
+            problem.held.push_back({wrapped(point[0]), wrapped(point[1]), 0});
+        problem.active = static_cast<std::uint32_t>(interior_size(pieces_, tile, p_.points_per_tile));
+        problem.stream = tile;
+        return problem;
+    }
+
+    /// Returns the tiles whose points did not get the distance; those of the others are taken over.
+    Tiles fill(const Tiles& tiles, const std::vector<FillProblem>& problems, std::uint32_t stage_number,
+               std::uint32_t attempt)
+    {
+        FillStage stage{regions_of(p_), stage_number, false, {}, {}};
+        stage.active = {0, -tile_units / 2, torus_units};
+        stage.in_polygon = true;
+        const std::vector<FilledTorus> filled = engines_.interiors.fill(stage, problems, attempt);
+        report_.tori += filled.size();
+        Tiles failed;
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            const bool is_good = filled[i].active.size() == problems[i].active &&
+                                 (problems[i].active == 0 || filled[i].squared_min_distance >= wanted_);
+            if (!is_good) {
+                ++report_.failures;
+                failed.push_back(tiles[i]);
+                continue;
+            }
+            auto& interior = pieces_.interiors[tiles[i]];
+            interior.clear();
+            for (const TilePosition& point : filled[i].active) {
+                constexpr std::int32_t middle = tile_units / 2;
+                interior.push_back(
+                    {even(shortest(point[0] - middle) + middle), even(shortest(point[1] - middle) + middle), 0});
+            }
+        }
+        return failed;
+    }
+
+    /// Gives failed tiles another chain each. Returns all tiles that have one of these.
+    Tiles with_other_chains(const Tiles& failed, std::uint32_t round)
+    {
+        Replaced replaced;
+        for (const std::uint32_t tile : failed) {
+            const auto chains = chains_around(tile, p_.colors);
+            bool has_new = std::ranges::any_of(chains, [&](const PlacedChain& c) { return replaced.contains(key(c)); });
+            for (std::uint32_t k = 0; k < chains.size() && !has_new; ++k) {
+                const PlacedChain& chain = chains[(tile + round + k) % chains.size()];
+                has_new = choice_.replace(pieces_, chain.direction, chain.number(p_.colors));
+                if (has_new) replaced.insert(key(chain));
+            }
+            if (!has_new) give_up(failed);
+        }
+        report_.remade += replaced.size();
+        return tiles_with(replaced);
+    }
+
+    using Replaced = std::set<std::array<std::size_t, 2>>; ///< direction, number
+
+    std::array<std::size_t, 2> key(const PlacedChain& chain) const
+    {
+        return {chain.direction, chain.number(p_.colors)};
+    }
+
+    Tiles tiles_with(const Replaced& replaced) const
+    {
+        Tiles tiles;
+        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
+            if (std::ranges::any_of(chains_around(tile, p_.colors),
+                                    [&](const PlacedChain& chain) { return replaced.contains(key(chain)); }))
+                tiles.push_back(tile);
+        return tiles;
+    }
+
+    [[noreturn]] void give_up(const Tiles& failed) const
+    {
+        throw InputError(
+            fmt::format("relative_radius = {}: {} of {} tiles could not be filled; a smaller number helps, or "
+                        "more points per tile",
+                        p_.relative_radius, failed.size(), p_.tiles));
+    }
+
+    // Relaxation of all tiles together.
+
+    void relax_tiles()
+    {
+        const std::uint32_t last = std::min(p_.joint_iterations, last_iterations);
+        const std::uint32_t first = p_.joint_iterations - last;
+        const ChainPieces saved = pieces_;
+        for (std::uint32_t iteration = 0; iteration < first; ++iteration) iterate(iteration, true);
+        if (first > 0) mend_tiles(saved);
+        for (std::uint32_t iteration = first; iteration < p_.joint_iterations; ++iteration) {
+            const auto before = pieces_.interiors;
+            iterate(iteration, false);
+            for (const std::uint32_t tile : repel(all_tiles())) pieces_.interiors[tile] = before[tile];
+        }
+    }
+
+    void iterate(std::uint32_t iteration, bool chains_move)
+    {
+        relax_together(pieces_, p_, engines_.joint, iteration, chains_move);
+        if (options_.progress) options_.progress("joint iterations", iteration + 1, p_.joint_iterations);
+    }
+
+    Tiles all_tiles() const
+    {
+        Tiles all(p_.tiles);
+        std::iota(all.begin(), all.end(), 0u);
+        return all;
+    }
+
+    /// Brings back the minimum distance. Tiles that can neither be pushed apart nor filled anew get the chains back
+    /// that they were filled with before: at the latest when all chains are back, all tiles are good.
+    void mend_tiles(const ChainPieces& saved)
+    {
+        Replaced back;
+        Tiles open = all_tiles();
+        for (std::uint32_t round = 0; !open.empty(); ++round) {
+            const Tiles failed = fill_anew(repel(open), repair_stage, round);
+            for (const std::uint32_t tile : failed)
+                for (const PlacedChain& chain : chains_around(tile, p_.colors)) back.insert(key(chain));
+            if (failed.empty()) return;
+            report_.remade += failed.size();
+            for (const auto& [direction, number] : back)
+                pieces_.chains[direction][number] = saved.chains[direction][number];
+            open = tiles_with(back);
+            std::erase_if(open, [&](std::uint32_t tile) {
+                const bool is_as_before =
+                    std::ranges::all_of(chains_around(tile, p_.colors),
+                                        [&](const PlacedChain& chain) { return back.contains(key(chain)); });
+                if (is_as_before) pieces_.interiors[tile] = saved.interiors[tile];
+                return is_as_before;
+            });
+        }
+    }
+
+    const PoissonTileParameters p_;
+    const ChainEngines& engines_;
+    const ConstructionOptions& options_;
+    ConstructionReport report_;
+    ChainPieces pieces_;
+    ChainChoice choice_;
+    std::uint64_t wanted_; ///< squared distance of points before they are rounded
+};
+
+}
+
+FillSettings chain_torus_settings(const PoissonTileParameters& parameters) { return settings_with_margin(parameters); }
+
+FillSettings chain_interior_settings(const PoissonTileParameters& parameters)
+{
+    FillSettings settings = settings_with_margin(parameters);
+    settings.lloyd_iterations = 0;
+    return settings;
+}
+
+ConstructedTileSet construct_chain_tiles(const PoissonTileParameters& parameters, const ChainEngines& engines,
+                                         const ConstructionOptions& options)
+{
+    return ChainConstruction(parameters, engines, options).run();
+}
+
+}

@@ -1,0 +1,17 @@
+// One iteration of relaxing all tiles of a set with chains together: docs/chain-tiles.md.
+#pragma once
+
+#include "host/tile_construction/joint_relaxation.hpp"
+#include "tiles/poisson/chain_pieces.hpp"
+
+#include <cstdint>
+
+namespace poissonlab {
+
+/// Moves insides and, if asked for, chains by the mean of what Lloyd relaxation does to their copies and by nulling;
+/// shifts chains towards the balance of all, and mends them. Afterwards chains are sound, and points inside of their
+/// borders; the minimum distance is not looked at.
+void relax_together(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine,
+                    std::uint32_t iteration, bool chains_move);
+
+}

@@ -1,0 +1,78 @@
+// Relaxing all tiles of a set together, and making their mean even: docs/chain-tiles.md.
+//
+// A torus of tiles shows every tile several times, next to others. Each stored point moves by the mean of what Lloyd
+// relaxation would do to its copies. Nulling moves stored points so that the transform of the mean tile, which every
+// tiling shows at the frequencies of the lattice, becomes small.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "host/device/device.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// A movement in units.
+using Displacement = std::array<double, 2>;
+
+/// A copy of a stored point on a torus of tiles.
+struct PointCopy
+{
+    std::uint32_t stored = 0;
+    std::array<std::int32_t, 2> position{}; ///< units, from 0 to the torus' side
+};
+
+/// All copies on a torus of `side` tiles a side.
+struct JointTorus
+{
+    std::uint32_t side = 0;
+    std::vector<PointCopy> copies;
+};
+
+/// A stored point as the mean tile has it.
+struct WeightedPoint
+{
+    UnitPosition position{};
+    double weight = 0; ///< the share of tiles that have it
+    bool moves = true;
+};
+
+/// The two computations that take the time, by kernels or sequentially; the results are the same but where a Voronoi
+/// cell's centroid is rounded.
+class JointEngine
+{
+public:
+    virtual ~JointEngine() = default;
+
+    /// From each copy to the centroid of its Voronoi cell, as a part of the torus.
+    virtual std::vector<double> centroid_displacements(const PointSet& points) = 0;
+
+    /// The mean displacement of each stored point's copies, in their order; 0 without any.
+    std::vector<Displacement> mean_displacements(const JointTorus& torus, std::size_t stored);
+
+    /// Moves that lower the power of the mean tile below twice the principal frequency: a step of gradient descent, at
+    /// most `longest` units. Points that do not move count, but get none.
+    virtual std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
+                                                            std::uint32_t points_per_tile, double longest) = 0;
+};
+
+/// Frequencies below twice the square root of the points a tile, one of each two opposite ones.
+std::vector<std::array<std::int32_t, 2>> nulled_frequencies(std::uint32_t points_per_tile);
+
+/// The step of nulling, over pi times the sum of squared weights of what moves.
+double nulling_step(std::span<const WeightedPoint> points);
+
+namespace reference {
+std::unique_ptr<JointEngine> make_joint_engine();
+}
+
+/// By kernels/voronoi_2d.cl and joint_nulling.cl.
+std::unique_ptr<JointEngine> make_joint_engine(Device device, std::size_t work_group_size = 0);
+
+}

@@ -1,0 +1,355 @@
+// Tile sets with chains: the minimum distance as proven and as seen, the same tiles whoever makes them, and what joint
+// relaxation and nulling are for.
+#include "host/tile_construction/chain_construction.hpp"
+
+#include "host/tile_construction/chain_paths.hpp"
+#include "host/tile_construction/joint_tiling.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/small_tile_sets.hpp"
+#include "tests/tiles/poisson/made_up_tilings.hpp"
+#include "tiles/poisson/chain_geometry.hpp"
+#include "tiles/poisson/chain_pieces.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_pieces.hpp"
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+PoissonTileParameters chain_parameters(std::uint32_t colors, std::uint32_t points, double radius,
+                                       std::uint32_t joint_iterations = 8, bool null_peaks = true)
+{
+    PoissonTileParameters p = tile_set_parameters(PoissonTileKind::corner, 2, colors, points, radius);
+    p.lloyd_iterations = 10;
+    set_border(p, TileBorder::chain, joint_iterations, null_peaks);
+    return p;
+}
+
+PoissonTileParameters template_chain_parameters(std::uint32_t tiles)
+{
+    PoissonTileParameters p = tile_set_parameters(PoissonTileKind::frame, 2, tiles, 32, 0.75);
+    p.lloyd_iterations = 10;
+    set_border(p, TileBorder::chain, 8);
+    return p;
+}
+
+PoissonTileSet chains_by_device(const PoissonTileParameters& p, std::size_t work_group_size = 0, unsigned threads = 0)
+{
+    const Device device = Device::open({}, threads);
+    const auto tori = make_tile_filler(chain_torus_settings(p), device, work_group_size);
+    const auto interiors = make_tile_filler(chain_interior_settings(p), device, work_group_size);
+    const auto joint = make_joint_engine(device, work_group_size);
+    return construct_chain_tiles(p, {*tori, *interiors, *joint}).set;
+}
+
+PoissonTileSet chains_by_reference(const PoissonTileParameters& p)
+{
+    const auto tori = reference::make_tile_filler(chain_torus_settings(p));
+    const auto interiors = reference::make_tile_filler(chain_interior_settings(p));
+    const auto joint = reference::make_joint_engine();
+    return construct_chain_tiles(p, {*tori, *interiors, *joint}).set;
+}
+
+const PoissonTileSet& three_colors()
+{
+    static const PoissonTileSet set = chains_by_device(chain_parameters(3, 32, 0.75));
+    return set;
+}
+
+class ChainTiles : public testing::TestWithParam<SmallSet>
+{
+};
+
+double squared_distance_of_nearest(const std::vector<TestPosition>& points)
+{
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    std::vector<Kernel::Point_2> positions;
+    for (const TestPosition& p : points) positions.emplace_back(p[0], p[1]);
+    CGAL::Delaunay_triangulation_2<Kernel> triangulation(positions.begin(), positions.end());
+    double least = 1e300;
+    for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end(); ++edge)
+        least = std::min(least, triangulation.segment(*edge).squared_length());
+    return least;
+}
+
+TEST_P(ChainTiles, EveryTilingKeepsTheDistance)
+{
+    const PoissonTileParameters& p = GetParam().parameters;
+    const PoissonTileSet set = chains_by_device(p);
+    const TileCertificate proof = certify(set);
+    EXPECT_GE(proof.squared_min_distance, asked_squared_distance(p));
+    const MadeUpTiling tiling(p, 100, 5);
+    std::vector<TestPosition> points;
+    for (int j = 0; j < 100; ++j)
+        for (int i = 0; i < 100; ++i) tiling.append(set, i, j, 0, points);
+    EXPECT_GE(squared_distance_of_nearest(points), static_cast<double>(proof.squared_min_distance));
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, ChainTiles,
+                         testing::Values(SmallSet{"three_colors", chain_parameters(3, 32, 0.75)},
+                                         SmallSet{"without_joint_iterations", chain_parameters(2, 32, 0.75, 0, false)},
+                                         SmallSet{"dense", chain_parameters(2, 64, 0.85)},
+                                         SmallSet{"few_points", chain_parameters(2, 8, 0.7)},
+                                         SmallSet{"one_color", chain_parameters(1, 100, 0.8)},
+                                         SmallSet{"template", template_chain_parameters(9)}),
+                         [](const auto& sets) { return sets.param.name; });
+
+/// Each of the 2^16 surroundings that a tile of two colours can have: 3 x 3 tiles by 16 corners.
+TEST(ChainTilesExhaustively, NoSurroundingsBreakTheDistance)
+{
+    const PoissonTileParameters p = chain_parameters(2, 12, 0.75, 4);
+    const PoissonTileSet set = chains_by_device(p);
+    const auto wanted = static_cast<std::int64_t>(certify(set).squared_min_distance);
+    EXPECT_GE(static_cast<std::uint64_t>(wanted), asked_squared_distance(p));
+    std::int64_t least = INT64_MAX;
+    std::vector<TestPosition> middle, around;
+    for (unsigned colors = 0; colors < 1u << 16; ++colors) {
+        const auto color = [&](unsigned x, unsigned y) { return colors >> (4 * y + x) & 1; };
+        middle.clear();
+        around.clear();
+        for (unsigned y = 0; y < 3; ++y)
+            for (unsigned x = 0; x < 3; ++x) {
+                const std::uint32_t tile =
+                    corner_tile_of({color(x, y), color(x + 1, y), color(x, y + 1), color(x + 1, y + 1)}, 2, p.colors);
+                for (std::uint32_t i = 0; i < p.points_per_tile; ++i) {
+                    const UnitPosition point = set.position(tile, i);
+                    const TestPosition at{point[0] + std::int64_t{x} * tile_units,
+                                          point[1] + std::int64_t{y} * tile_units, 0};
+                    (x == 1 && y == 1 ? middle : around).push_back(at);
+                }
+            }
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            for (std::size_t j = i + 1; j < middle.size(); ++j)
+                least = std::min(least, squared_distance(middle[i], middle[j]));
+            for (const TestPosition& other : around) least = std::min(least, squared_distance(middle[i], other));
+        }
+    }
+    EXPECT_GE(least, wanted);
+}
+
+TEST(ChainTilesDeterminism, AnyWorkGroupSizeAndNumberOfThreadsMakeTheSameTiles)
+{
+    EXPECT_EQ(chains_by_device(three_colors().parameters, 7), three_colors());
+    EXPECT_EQ(chains_by_device(three_colors().parameters, 64), three_colors());
+    EXPECT_EQ(chains_by_device(three_colors().parameters, 0, 1), three_colors());
+}
+
+TEST(ChainTilesDeterminism, TheReferenceMakesTheSameTiles)
+{
+    for (const PoissonTileParameters& p : {chain_parameters(2, 32, 0.75), template_chain_parameters(4)})
+        EXPECT_EQ(chains_by_reference(p), chains_by_device(p));
+}
+
+TEST(ChainTilesDeterminism, SeedsMakeOtherTiles)
+{
+    PoissonTileParameters p = chain_parameters(2, 32, 0.75);
+    const PoissonTileSet one = chains_by_device(p);
+    ++p.seed;
+    EXPECT_NE(chains_by_device(p).points, one.points);
+}
+
+// The certificate.
+
+PoissonTileSet changed_set(const std::function<void(ChainPieces&)>& change)
+{
+    ChainPieces pieces = chain_pieces_of(three_colors());
+    change(pieces);
+    return tile_set_of(pieces, three_colors().parameters);
+}
+
+std::string refusal_after(const std::function<void(ChainPieces&)>& change)
+{
+    return refusal_of([&] { certify(changed_set(change)); });
+}
+
+TEST(ChainCertificate, ReadsThePiecesThatWereStored)
+{
+    EXPECT_EQ(changed_set([](ChainPieces&) {}), three_colors());
+    EXPECT_EQ(refusal_after([](ChainPieces&) {}), "accepted");
+}
+
+TEST(ChainCertificate, RefusesWhatTheTheoremDoesNotHoldFor)
+{
+    EXPECT_THAT(refusal_after([](ChainPieces& p) {
+                    Chain& chain = p.chains[0][4]; // one link over two
+                    const UnitPosition gone = chain[2];
+                    chain.erase(chain.begin() + 2);
+                    for (std::uint32_t tile = 0; tile < 81; ++tile) // as many points as before
+                        if (chains_around(tile, 3).front().number(3) == 4) p.interiors[tile].push_back(gone);
+                }),
+                HasSubstr("chain to the right from colour 1 to 1: link from "));
+    EXPECT_THAT(refusal_after([](ChainPieces& p) { p.interiors[5].front()[0] -= tile_units / 2; }),
+                HasSubstr("tile 5: its point at "));
+    EXPECT_THAT(refusal_after([](ChainPieces& p) { p.chains[0][3][2][1] += 80000; }),
+                HasSubstr("its border must not cross itself"));
+    EXPECT_THAT(refusal_after([](ChainPieces& p) { p.chains[0][7].front() = {5000, 9000, 0}; }), HasSubstr("must be"));
+}
+
+TEST(ChainCertificate, RefusesLinksThatAreTooLong)
+{
+    // A point less on a chain, and one more inside of all tiles that own it, far from the chain.
+    const std::string message = refusal_after([](ChainPieces& p) {
+        Chain& chain = p.chains[1][8];
+        chain.erase(chain.begin() + 2);
+        for (std::uint32_t tile = 0; tile < 81; ++tile) {
+            if (chains_around(tile, 3).back().number(3) != 8) continue;
+            const std::vector<UnitPosition>& inside = p.interiors[tile];
+            UnitPosition best{};
+            std::int64_t most = -1;
+            for (std::int32_t y = 20000; y < 50000; y += 500)
+                for (std::int32_t x = 20000; x < 50000; x += 500) {
+                    std::int64_t nearest = INT64_MAX;
+                    for (const UnitPosition& point : inside)
+                        nearest = std::min(nearest, squared_length(point, {x, y, 0}));
+                    if (nearest > most) most = nearest, best = {x, y, 0};
+                }
+            p.interiors[tile].push_back(best);
+        }
+    });
+    EXPECT_THAT(message, HasSubstr("link from "));
+}
+
+TEST(ChainCertificate, RefusesTilesThatDifferInWhatTheyShare)
+{
+    PoissonTileSet set = three_colors();
+    ++set.points[2 * 32 * 40]; // of tile 40
+    EXPECT_THAT(refusal_of([&] { certify(set); }), HasSubstr("tile 40: its corner point differs from tile "));
+    set = three_colors();
+    set.points[2 * (32 * 50 + 2)] += 2;
+    EXPECT_THAT(refusal_of([&] { certify(set); }), HasSubstr("tile 50: its lower chain differs from tile "));
+    set = three_colors();
+    set.chain_lengths[0] = 40;
+    EXPECT_THAT(refusal_of([&] { certify(set); }), HasSubstr("must leave one of 32 for its corner"));
+    set.chain_lengths.pop_back();
+    EXPECT_THAT(refusal_of([&] { certify(set); }), HasSubstr("lengths of chains: must be 18"));
+}
+
+TEST(ChainCertificate, SaysWhatDistanceThereIs)
+{
+    // Where two points inside of a tile are closer together, links are too long for what distance is left.
+    const std::string message = refusal_after([](ChainPieces& p) {
+        const UnitPosition a = p.interiors[7][3];
+        p.interiors[7][4] = {a[0] + 2000, a[1], 0};
+    });
+    EXPECT_THAT(message, HasSubstr("must be at most sqrt 3 times the minimum distance, 3464.1"));
+}
+
+// What it is good for.
+
+/// The mean over a ring of frequencies of the power of the mean tile, in points: directly.
+double power_of_mean_tile(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    const double root = std::sqrt(p.points_per_tile);
+    double sum = 0;
+    int count = 0;
+    for (int x = -20; x <= 20; ++x)
+        for (int y = -20; y <= 20; ++y) {
+            if (std::hypot(x, y) < 0.5 || std::hypot(x, y) > 1.13 * root) continue;
+            std::complex<double> transform = 0;
+            for (std::uint32_t tile = 0; tile < p.tiles; ++tile)
+                for (std::uint32_t i = 0; i < p.points_per_tile; ++i) {
+                    const UnitPosition at = set.position(tile, i);
+                    const double turns = (double{1} * x * at[0] + double{1} * y * at[1]) / tile_units;
+                    transform += std::polar(1.0, -2 * std::numbers::pi * turns);
+                }
+            sum += std::norm(transform / static_cast<double>(p.tiles)) / p.points_per_tile;
+            ++count;
+        }
+    return sum / count;
+}
+
+TEST(JointRelaxation, NullingTakesThePowerOutOfTheMeanTile)
+{
+    // A prototype had 0.055 of what strips have, and 0.63 without relaxation: with chains 0.0029 to 0.004.
+    const double without = power_of_mean_tile(chains_by_device(chain_parameters(3, 32, 0.75, 0, false)));
+    const double with = power_of_mean_tile(chains_by_device(chain_parameters(3, 32, 0.75, 20)));
+    EXPECT_LT(with, 0.01);
+    EXPECT_LT(with, 0.2 * without);
+}
+
+TEST(JointRelaxation, TheToriShowEveryTile)
+{
+    for (const PoissonTileParameters& p :
+         {chain_parameters(2, 32, 0.75), chain_parameters(4, 32, 0.75), template_chain_parameters(50)}) {
+        std::map<std::uint32_t, int> counts;
+        for (const std::uint32_t tile : joint_tiling(p, 3)) ++counts[tile];
+        EXPECT_EQ(counts.size(), p.tiles);
+        EXPECT_NE(joint_tiling(p, 3), joint_tiling(p, 4));
+    }
+}
+
+TEST(JointRelaxation, TilesOfATorusFitTogether)
+{
+    const PoissonTileParameters p = chain_parameters(3, 32, 0.75);
+    const std::uint32_t side = joint_side(p);
+    const auto tiles = joint_tiling(p, 0);
+    for (std::uint32_t y = 0; y < side; ++y)
+        for (std::uint32_t x = 0; x < side; ++x) {
+            const auto here = corner_colors_of(tiles[y * side + x], 2, 3);
+            const auto right = corner_colors_of(tiles[y * side + (x + 1) % side], 2, 3);
+            const auto above = corner_colors_of(tiles[(y + 1) % side * side + x], 2, 3);
+            EXPECT_EQ(here[1], right[0]);
+            EXPECT_EQ(here[3], right[2]);
+            EXPECT_EQ(here[2], above[0]);
+            EXPECT_EQ(here[3], above[1]);
+        }
+}
+
+TEST(JointRelaxation, KernelAndTwinNullAlike)
+{
+    std::mt19937 random(4);
+    std::vector<WeightedPoint> points;
+    for (int i = 0; i < 300; ++i)
+        points.push_back({{static_cast<std::int32_t>(random() % 98304) - 16384,
+                           static_cast<std::int32_t>(random() % 98304) - 16384, 0},
+                          i < 10 ? 0.25 : 0.01,
+                          i >= 10});
+    const auto by_kernel = make_joint_engine(Device::open(), 7)->nulling_displacements(points, 32, 200);
+    EXPECT_EQ(by_kernel, reference::make_joint_engine()->nulling_displacements(points, 32, 200));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_LE(std::hypot(by_kernel[i][0], by_kernel[i][1]), i < 10 ? 0 : 200.0001);
+}
+
+/// The area of a tile is its share and what its four chains leave it.
+TEST(ChainBalance, AddsUpToAreas)
+{
+    const ChainPieces pieces = chain_pieces_of(three_colors());
+    for (std::uint32_t tile = 0; tile < 81; ++tile) {
+        const auto chains = chains_around(tile, 3);
+        const auto area_of = [&](std::size_t side) {
+            const PlacedChain& c = chains[side];
+            const double n = static_cast<double>(pieces.chains[c.direction][c.number(3)].size());
+            return (chain_balance(pieces, c.direction, c.lower, c.upper, 32) + 0.5 * n) / 32;
+        };
+        const double area = static_cast<double>(twice_area(border_polygon(pieces, tile))) / 2 / tile_units / tile_units;
+        EXPECT_NEAR(area, 1 + area_of(2) - area_of(0) + area_of(1) - area_of(3), 1e-12);
+    }
+}
+
+TEST(ChainTilesErrors, SayWhatIsAllowed)
+{
+    const auto refusal = [](const PoissonTileParameters& p) { return refusal_of([&] { check(p); }); };
+    PoissonTileParameters p = chain_parameters(2, 32, 0.75);
+    EXPECT_EQ(refusal(p), "accepted");
+    p.repulsion = false;
+    EXPECT_THAT(refusal(p), HasSubstr("repulsion = false: must be true for tiles with chains"));
+    p = tile_set_parameters(PoissonTileKind::edge, 2, 2, 32, 0.75);
+    set_border(p, TileBorder::chain);
+    EXPECT_THAT(refusal(p), HasSubstr("border = chain: must be \"strip\" for edge tiles"));
+    EXPECT_THAT(refusal_of([] { chains_by_device(chain_parameters(2, 16, 0.4, 0, false)); }),
+                HasSubstr("relative_radius = 0.4: no chain from colour"));
+}
+
+}
+}

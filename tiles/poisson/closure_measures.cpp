@@ -1,0 +1,98 @@
+#include "tiles/poisson/closure_measures.hpp"
+
+#include "tiles/poisson/empty_ball_bound.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Tiles that are searched for empty circles first, each on its own: the others need only look for larger
+/// ones.
+constexpr std::uint32_t first_tiles = 32;
+
+/// Goes along x: points that are farther apart along it than the smallest distance are not compared.
+std::uint64_t squared_min_distance(std::vector<UnitPosition>& points)
+{
+    std::ranges::sort(points, {}, [](const UnitPosition& position) { return position[0]; });
+    std::int64_t smallest = INT64_MAX;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            const std::int64_t x = points[j][0] - points[i][0];
+            if (x * x >= smallest) break;
+            const std::int64_t y = points[j][1] - points[i][1];
+            const std::int64_t z = points[j][2] - points[i][2];
+            smallest = std::min(smallest, x * x + y * y + z * z);
+        }
+    }
+    return static_cast<std::uint64_t>(smallest);
+}
+
+ClosureMeasures joined(ClosureMeasures a, const ClosureMeasures& b)
+{
+    a.squared_distance = std::min(a.squared_distance, b.squared_distance);
+    a.empty_radius = std::max(a.empty_radius, b.empty_radius);
+    return a;
+}
+
+ClosureMeasures measure_range(int dimension, const ClosureSource& closure_of, std::uint32_t first, std::uint32_t last,
+                              double known_empty_radius)
+{
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(first, last), ClosureMeasures{},
+        [&](const tbb::blocked_range<std::uint32_t>& range, ClosureMeasures measures) {
+            EmptyBallSearch search(dimension);
+            std::vector<UnitPosition> closure;
+            for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile) {
+                closure_of(tile, closure);
+                const std::uint64_t squared = squared_min_distance(closure);
+                measures = joined(measures, {squared, search.radius(closure, known_empty_radius)});
+            }
+            return measures;
+        },
+        joined);
+}
+
+}
+
+/// The largest radius of the first tiles does not depend on threads, and so nor does what is found with its help.
+ClosureMeasures measure_closures(const PoissonTileParameters& parameters, const ClosureSource& closure_of)
+{
+    const std::uint32_t first = std::min(parameters.tiles, first_tiles);
+    const ClosureMeasures measures = measure_range(parameters.dimension, closure_of, 0, first, 0);
+    return joined(measures,
+                  measure_range(parameters.dimension, closure_of, first, parameters.tiles, measures.empty_radius));
+}
+
+TileCertificate certificate_of(const PoissonTileParameters& p, const ClosureMeasures& measures,
+                               std::uint64_t squared_separation)
+{
+    TileCertificate result{p.tiles, p.points_per_tile};
+    result.squared_closure_distance = measures.squared_distance;
+    result.squared_separation = squared_separation;
+    result.squared_min_distance = std::min(result.squared_closure_distance, result.squared_separation);
+    result.relative_radius = relative_radius_of(result.squared_min_distance, p);
+    result.largest_empty_radius = (1 + EmptyBallSearch::tolerance) * measures.empty_radius / tile_units;
+    result.largest_empty_radius_in_min_distances =
+        result.largest_empty_radius * tile_units / std::sqrt(static_cast<double>(result.squared_min_distance));
+    return result;
+}
+
+std::uint32_t first_tile_where(std::uint32_t tiles, const std::function<bool(std::uint32_t tile)>& holds)
+{
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, tiles), tiles,
+        [&](const tbb::blocked_range<std::uint32_t>& range, std::uint32_t lowest) {
+            for (std::uint32_t tile = range.begin(); tile < std::min(range.end(), lowest); ++tile) {
+                if (holds(tile)) return tile;
+            }
+            return lowest;
+        },
+        [](std::uint32_t a, std::uint32_t b) { return std::min(a, b); });
+}
+
+}

@@ -1,0 +1,31 @@
+// What is measured in the closures of all tiles of a set: the points of a tile with all shared pieces around it.
+#pragma once
+
+#include "tiles/poisson/tile_certificate.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace poissonlab {
+
+struct ClosureMeasures
+{
+    std::uint64_t squared_distance = UINT64_MAX; ///< the smallest in any closure, in squared units
+    double empty_radius = 0;                     ///< as EmptyBallSearch::radius(), of all tiles
+};
+
+/// Makes the closure of a tile; called from several threads at once.
+using ClosureSource = std::function<void(std::uint32_t tile, std::vector<UnitPosition>& closure)>;
+
+/// Runs on all threads; the result is the same for any number of them.
+ClosureMeasures measure_closures(const PoissonTileParameters& parameters, const ClosureSource& closure_of);
+
+/// A certificate with these measures and this distance of points without a common tile; without region counts.
+TileCertificate certificate_of(const PoissonTileParameters& parameters, const ClosureMeasures& measures,
+                               std::uint64_t squared_separation);
+
+/// The lowest tile for which this holds, or the number of tiles. Runs on all threads.
+std::uint32_t first_tile_where(std::uint32_t tiles, const std::function<bool(std::uint32_t tile)>& holds);
+
+}
