@@ -4,10 +4,11 @@ target_compile_options(lab_options INTERFACE
   -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wconversion -Wno-sign-conversion
   # Same source, same bits: no fused multiply-add that the source does not ask for.
   -ffp-contract=off)
-if(POISSONLAB_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(lab_options INTERFACE -Wshadow=local) # names that a file has to itself hide nothing
-else()
+if(NOT POISSONLAB_UNITY)
   target_compile_options(lab_options INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Names that a file has to itself hide nothing of the files that are compiled with it. Clang has no such warning.
+  target_compile_options(lab_options INTERFACE -Wshadow=local)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 warns of overlaps inside std::string that cannot be (GCC bugs 105329 and 105651).
