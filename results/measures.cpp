@@ -209,6 +209,14 @@ std::vector<Measure> spectral_measures()
                    MeasureKind::estimate, significant(3),
                    "The largest of these peaks, which chance alone lets grow with their number.",
                    from(&Measures::lattice_peaks, &LatticePeaks::max_ratio))),
+        detail(number("near_lattice_peaks", "mean lattice peak up to the first ring", "power over that around",
+                      Better::lower, MeasureKind::estimate, significant(3),
+                      "The mean of those peaks only that are where a good distribution has no power or its first "
+                      "{ring|shell}, and seen most.")),
+        detail(number("lattice_excess", "power in lattice peaks", "of all up to the first {ring|shell}", Better::lower,
+                      MeasureKind::estimate, significant(2),
+                      "What these peaks have above the power around them, of all power up to there: near 0 where tiles "
+                      "leave no trace.")),
     };
 }
 

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace poissonlab {
@@ -23,7 +24,10 @@ public:
 
     bool fits(int along) const { return along - width_ >= -half_ && along + width_ < half_; }
 
-    double ratio(const Frequency& f) const
+    double ratio(const Frequency& f) const { return power_(f) / std::max(around(f), least_power_); }
+
+    /// The mean power of the ring.
+    double around(const Frequency& f) const
     {
         const int slices = dimension_ == 3 ? width_ : 0;
         double sum = 0;
@@ -37,7 +41,7 @@ public:
                 }
             }
         }
-        return power_(f) / std::max(sum / samples, least_power_);
+        return sum / samples;
     }
 
 private:
@@ -76,16 +80,56 @@ LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, co
     return result;
 }
 
+/// The power at a frequency.
+auto power_of(const Spectrum& spectrum)
+{
+    return [&spectrum](const Frequency& f) {
+        const auto m = static_cast<std::size_t>(spectrum.size);
+        const auto index = [&](int along) { return static_cast<std::size_t>(along + spectrum.size / 2); };
+        const std::size_t slice = spectrum.dimension == 3 ? index(f[2]) : 0;
+        return spectrum.power[(slice * m + index(f[1])) * m + index(f[0])];
+    };
+}
+
+/// The shortest vectors of the reciprocal lattices of the hexagonal and of the face-centred cubic packing are
+/// sqrt(2 / sqrt 3) sqrt N and sqrt 3 cbrt(N / 4) long.
+double near_limit(std::size_t points, int dimension)
+{
+    const auto n = static_cast<double>(points);
+    return 1.05 * (dimension == 2 ? std::sqrt(2 / std::sqrt(3.0) * n) : std::sqrt(3.0) * std::cbrt(n / 4));
+}
+
 }
 
 LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles)
 {
-    const auto m = static_cast<std::size_t>(spectrum.size);
-    const auto index = [&](int along) { return static_cast<std::size_t>(along + spectrum.size / 2); };
-    return peaks_of(spectrum.dimension, spectrum.size, spectrum.points, tiles, [&](const Frequency& f) {
-        const std::size_t slice = spectrum.dimension == 3 ? index(f[2]) : 0;
-        return spectrum.power[(slice * m + index(f[1])) * m + index(f[0])];
-    });
+    return peaks_of(spectrum.dimension, spectrum.size, spectrum.points, tiles, power_of(spectrum));
+}
+
+std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles)
+{
+    if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
+    const auto power = power_of(spectrum);
+    const Rings rings(spectrum.dimension, spectrum.size, spectrum.points, tiles, power);
+    const double limit = near_limit(spectrum.points, spectrum.dimension);
+    const auto reach = std::min(static_cast<int>(limit), spectrum.size / 2 - 1);
+    const int slices = spectrum.dimension == 3 ? reach : 0;
+    double ratios = 0, excess = 0, all = 0;
+    int peaks = 0;
+    for (int z = -slices; z <= slices; ++z)
+        for (int y = -reach; y <= reach; ++y)
+            for (int x = -reach; x <= reach; ++x) {
+                const Frequency f{x, y, z};
+                if (x * x + y * y + z * z > limit * limit || (x == 0 && y == 0 && z == 0)) continue;
+                all += power(f);
+                if (x % tiles != 0 || y % tiles != 0 || z % tiles != 0) continue;
+                if (!rings.fits(x) || !rings.fits(y) || (slices > 0 && !rings.fits(z))) continue;
+                ratios += rings.ratio(f);
+                excess += power(f) - rings.around(f);
+                ++peaks;
+            }
+    if (peaks == 0 || !(all > 0)) return std::nullopt;
+    return NearLatticePeaks{ratios / peaks, excess / all};
 }
 
 LatticePeaks lattice_peaks(const HalfSpectrum& periodogram, std::size_t points, int tiles)

@@ -40,6 +40,19 @@ struct LatticePeaks
 /// exact_periodogram ends. Spectra too small for any ring have no peaks.
 LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles);
 
+/// The peaks where a good distribution has no power, or its first ring: up to 1.05 times the principal frequency of the
+/// densest packing, 1.075 sqrt N (3D: 1.091 cbrt N).
+struct NearLatticePeaks
+{
+    double mean_ratio = 0;   ///< as in LatticePeaks
+    double excess_share = 0; ///< what these peaks have above the power around them, of all power up to there
+
+    bool operator==(const NearLatticePeaks&) const = default;
+};
+
+/// Nothing where no multiple of `tiles` is as low.
+std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles);
+
 /// The lattice peaks of the periodogram of a set of so many points.
 ///
 /// The standard error of mean_ratio over K realizations is taken from the spread of their own mean ratios. That is a

@@ -161,7 +161,13 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial, realizations);
     measures_.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
-    if (options_.tiles > 0) measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
+    if (options_.tiles > 0) {
+        measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
+        if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
+            measures_.numbers["near_lattice_peaks"] = {near->mean_ratio, {}};
+            measures_.numbers["lattice_excess"] = {near->excess_share, {}};
+        }
+    }
     if (realizations > 1) measure_errors(radial, mean.dimension);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Tori that are filled for each two colours at once, and how often at most; one fifth of all edges have no path.
 constexpr std::uint32_t tori_a_pair = 12;
-constexpr std::uint32_t max_rounds = 8;
+constexpr std::uint32_t max_torus_rounds = 8;
 
 /// Chains to choose from for each two colours and direction.
 constexpr std::size_t wanted_candidates = 6;
@@ -43,9 +43,9 @@ ChainChoice::ChainChoice(const PoissonTileParameters& parameters, TileFiller& fi
 
 void ChainChoice::choose(ChainPieces& pieces)
 {
-    for (std::uint32_t round = 0; round < max_rounds && !are_enough(); ++round) {
+    for (std::uint32_t round = 0; round < max_torus_rounds && !are_enough(); ++round) {
         fill_tori(pieces, round);
-        if (options_.progress) options_.progress("chains", round + 1, max_rounds);
+        if (options_.progress) options_.progress("chains", round + 1, max_torus_rounds);
     }
     sort_by_balance();
     for (std::size_t direction = 0; direction < chain_directions; ++direction)
@@ -54,8 +54,8 @@ void ChainChoice::choose(ChainPieces& pieces)
                 throw InputError(
                     fmt::format("relative_radius = {}: no chain from colour {} to {} was found in {} tori of "
                                 "{} points; a smaller number helps, or more points per tile",
-                                p_.relative_radius, number / p_.colors, number % p_.colors, max_rounds * tori_a_pair,
-                                4 * p_.points_per_tile));
+                                p_.relative_radius, number / p_.colors, number % p_.colors,
+                                max_torus_rounds * tori_a_pair, 4 * p_.points_per_tile));
             pieces.chains[direction][number] = candidates(direction, number).front().chain;
         }
 }

@@ -16,30 +16,30 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint32_t interior_stage = 11;
+constexpr std::uint32_t inside_stage = 11;
 constexpr std::uint32_t repair_stage = 12;
 
 /// Fillings of a tile before one of its chains is replaced, and how often that is done.
-constexpr std::uint32_t max_tile_attempts = 8;
-constexpr std::uint32_t max_rounds = 12;
+constexpr std::uint32_t max_inside_attempts = 8;
+constexpr std::uint32_t max_chain_rounds = 12;
 
 /// Random numbers of a round begin here.
-constexpr std::uint32_t attempts_a_round = 64;
+constexpr std::uint32_t inside_attempts_a_round = 64;
 
 /// The last joint iterations move insides alone: chains are final before tiles are mended.
 constexpr std::uint32_t last_iterations = 3;
 
 /// What rounding to even units may take from the distance of two points, units.
-constexpr double rounding = 3;
+constexpr double rounding_loss = 3;
 
 std::int32_t even(std::int32_t x) { return (x + 1) & ~1; }
 
-/// Settings that ask for a little more than the minimum distance, which rounding then takes.
+/// Settings that ask for a little more than the minimum distance, which rounding_loss then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)
 {
     p.repulsion = true;
     const double distance = asked_min_distance(p) * tile_units;
-    p.relative_radius *= (distance + rounding) / distance;
+    p.relative_radius *= (distance + rounding_loss) / distance;
     return fill_settings(p);
 }
 
@@ -71,9 +71,9 @@ private:
         Tiles open(p_.tiles);
         std::iota(open.begin(), open.end(), 0u);
         for (std::uint32_t round = 0; !open.empty(); ++round) {
-            const Tiles failed = fill_anew(open, interior_stage, round);
+            const Tiles failed = fill_anew(open, inside_stage, round);
             if (failed.empty()) return;
-            if (round + 1 == max_rounds) give_up(failed);
+            if (round + 1 == max_chain_rounds) give_up(failed);
             open = with_other_chains(failed, round);
         }
     }
@@ -89,10 +89,10 @@ private:
             if (!has_room) hopeless.push_back(tile);
             return !has_room;
         });
-        for (std::uint32_t attempt = 0; attempt < max_tile_attempts && !open.empty(); ++attempt) {
+        for (std::uint32_t attempt = 0; attempt < max_inside_attempts && !open.empty(); ++attempt) {
             std::vector<FillProblem> problems;
             for (const std::uint32_t tile : open) problems.push_back(problem_of(tile));
-            open = fill(open, problems, stage_number, round * attempts_a_round + attempt);
+            open = fill(open, problems, stage_number, round * inside_attempts_a_round + attempt);
             if (options_.progress) options_.progress("tiles", total - open.size(), total);
         }
         open.insert(open.end(), hopeless.begin(), hopeless.end());

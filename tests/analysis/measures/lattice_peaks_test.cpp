@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace poissonlab {
 namespace {
 
@@ -47,6 +49,32 @@ TEST(LatticePeaks, AreThePowerOverThatOfTheirSurroundings)
             EXPECT_EQ(peaks.peaks, (d == 2 ? along * along : along * along * along) - 1) << tiles;
         }
     }
+}
+
+TEST(NearLatticePeaks, AreThoseUpToTheFirstRing)
+{
+    for (const int d : {2, 3}) {
+        const int size = d == 2 ? 64 : 32, tiles = 5;
+        const Spectrum spectrum = spectrum_with_peaks(d, size, tiles, 250);
+        // 100 points: the limit is 11.28 in 2D, 5.32 in 3D. All of the power is counted.
+        const double limit = d == 2 ? 1.05 * 10.7457 : 1.05 * 1.73205 * std::cbrt(25.0);
+        double peaks = 0, all = 0;
+        const int reach = static_cast<int>(limit), slices = d == 3 ? reach : 0;
+        for (int z = -slices; z <= slices; ++z)
+            for (int y = -reach; y <= reach; ++y)
+                for (int x = -reach; x <= reach; ++x) {
+                    if (x * x + y * y + z * z > limit * limit || (x == 0 && y == 0 && z == 0)) continue;
+                    const bool multiple = x % tiles == 0 && y % tiles == 0 && z % tiles == 0;
+                    peaks += multiple;
+                    all += multiple ? 250 : 1;
+                }
+        EXPECT_EQ(peaks, d == 2 ? 20 : 6);
+        const auto near = near_lattice_peaks(spectrum, tiles);
+        ASSERT_TRUE(near);
+        EXPECT_NEAR(near->mean_ratio, 250, 1e-10);
+        EXPECT_NEAR(near->excess_share, peaks * 249 / all, 1e-12);
+    }
+    EXPECT_FALSE(near_lattice_peaks(spectrum_with_peaks(2, 64, 13, 250), 13)) << "none is as low";
 }
 
 TEST(LatticePeaks, SayWhichIsTheLargest)
