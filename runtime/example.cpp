@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT-0
+//
 // Points from a tile set file: those in a window as text, and the one that is nearest to the window's middle.
 //
 //   poisson_tiles_example FILE X Y W H     (in 3D the window is one tile deep)

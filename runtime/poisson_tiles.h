@@ -1,4 +1,6 @@
-/* Poisson disk (sphere) distributions without end, from a tile set file: for renderers, games and tools.
+/* SPDX-License-Identifier: MIT-0
+ *
+ * Poisson disk (sphere) distributions without end, from a tile set file: for renderers, games and tools.
  *
  * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 3 to 5: a hash function says which tile is
  * where, so that points anywhere are found in constant time and nothing is stored but the tiles.

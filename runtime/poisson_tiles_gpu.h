@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: MIT-0
+//
 // Poisson disk (sphere) distributions on GPUs: the look-ups of poisson_tiles.h as OpenCL C 1.2 and as
 // GLSL 4.3.
 //

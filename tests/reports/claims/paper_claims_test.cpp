@@ -308,6 +308,43 @@ TEST(PaperClaimList, HasEachClaimOnceWithItsSection)
     for (const auto& claim : claim_cases()) EXPECT_TRUE(ids.contains(claim.id)) << claim.id;
 }
 
+/// A curve that rises steeply at the principal frequency of so many points.
+void set_steep_curve(ReportSeries& series)
+{
+    const double ring = std::sqrt(static_cast<double>(series.stored->points));
+    series.curve.bins.clear();
+    for (int k = 1; k <= 300; ++k) {
+        RadialBin bin{};
+        bin.frequency = k;
+        bin.power = 4 / (1 + std::exp(-100 * (k / ring - 1)));
+        bin.samples = 200;
+        series.curve.bins.push_back(bin);
+    }
+}
+
+TEST(PaperClaimList, CurvesOfSetsOfDifferentSizesAreComparedAtEqualDensity)
+{
+    MadeUpReport report;
+    set_steep_curve(report.add("lloyd", {{"until_relative_radius", "0.75"}, {"repulsion", "true"}}));
+    auto& tiling = tiles(report, "corner", 4, 48, 5);
+    const_cast<Series*>(tiling.stored)->points = 15552; // 18 x 18 tiles of 48
+    set_steep_curve(tiling);
+    const auto judged = outcome(report, "6.11-radial");
+    ASSERT_TRUE(judged);
+    EXPECT_EQ(judged->agreement, Agreement::agrees);
+    EXPECT_THAT(judged->measured, testing::StartsWith("0.00"));
+}
+
+TEST(PaperClaimList, ChainsAreNotOfThePapers)
+{
+    MadeUpReport report;
+    tiles(report, "edge", 2, 64, 20);
+    auto& chains = tiles(report, "corner", 4, 64, 10);
+    EXPECT_TRUE(outcome(report, "6.11-better"));
+    const_cast<Series*>(chains.stored)->parameters.emplace_back("border", "chain");
+    EXPECT_FALSE(outcome(report, "6.11-better"));
+}
+
 TEST(PaperClaimList, LeavesOutWhatTheReportHasNoSeriesFor)
 {
     EXPECT_THAT(judge_claims({}), IsEmpty());
