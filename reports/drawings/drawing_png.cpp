@@ -12,12 +12,12 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <new>
 #include <numbers>
-#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -59,31 +59,36 @@ CairoSurface surface_of(const PngPixels& pixels)
     return surface;
 }
 
-/// Sets a row of pixels to the means of samples, rounded; `row` is the first row of these.
-void write_means(cairo_surface_t* surface, int samples, int row, std::uint8_t* pixel, int columns, int channels)
+/// Sets a row of pixels to the means of samples, rounded, halves up; `row` is the first row of these. The number of
+/// samples is known to the compiler, as this is done for every sample of every picture.
+template <int samples>
+void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
 {
-    const auto count = static_cast<unsigned>(samples * samples);
-    std::vector<std::uint32_t> sums(static_cast<std::size_t>(columns * samples));
-    for (int channel = 0; channel < channels; ++channel) {
-        const int shift = 8 * (2 - channel);
-        std::ranges::fill(sums, samples / 2); // halves are rounded up
-        for (int y = 0; y < samples; ++y) {
-            const std::uint32_t* const line = row_of(surface, row + y);
-            for (std::size_t x = 0; x < sums.size(); ++x) sums[x] += line[x] >> shift & 0xff;
-        }
-        for (int x = 0; x < columns; ++x) {
-            const std::uint32_t* const first = &sums[static_cast<std::size_t>(x * samples)];
-            pixel[x * channels + channel] =
-                static_cast<std::uint8_t>(std::accumulate(first, first + samples, 0U) / count);
-        }
+    constexpr std::uint32_t count = samples * samples, half = count / 2;
+    std::array<const std::uint32_t*, samples> rows{};
+    for (int y = 0; y < samples; ++y) rows[static_cast<std::size_t>(y)] = row_of(surface, row + y);
+    for (int x = 0; x < columns; ++x, pixel += channels) {
+        std::uint32_t red_and_blue = half << 16 | half, green = half; // 16 bits are enough for each sum
+        for (const std::uint32_t* const line : rows)
+            for (int i = 0; i < samples; ++i) {
+                const std::uint32_t color = line[x * samples + i];
+                red_and_blue += color & 0xff00ff;
+                green += color >> 8 & 0xff;
+            }
+        pixel[0] = static_cast<std::uint8_t>((red_and_blue >> 16) / count);
+        if (channels == 1) continue;
+        pixel[1] = static_cast<std::uint8_t>(green / count);
+        pixel[2] = static_cast<std::uint8_t>((red_and_blue & 0xffff) / count);
     }
 }
+
+constexpr int smooth_samples = 4; // a pixel in each direction, where there are polygons
 
 /// Of a pixel.
 int samples_a_side(const Drawing& drawing)
 {
     const auto is_polygon = [](const Shape& shape) { return std::holds_alternative<Polygon>(shape.form); };
-    return std::ranges::any_of(drawing.shapes, is_polygon) ? 4 : 1;
+    return std::ranges::any_of(drawing.shapes, is_polygon) ? smooth_samples : 1;
 }
 
 /// Paints a drawing, so many rows of pixels at a time.
@@ -113,10 +118,11 @@ public:
     {
         for (int left = 0; left < layout_.width; left += widest_surface) {
             paint_samples(left * samples_, top * samples_, (top + rows) * samples_);
+            const auto write = samples_ > 1 ? write_means<smooth_samples> : write_means<1>;
             for (int row = 0; row < rows; ++row)
-                write_means(surface_.get(), samples_, row * samples_,
-                            pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
-                            std::min(widest_surface, layout_.width - left), layout_.channels);
+                write(surface_.get(), row * samples_,
+                      pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
+                      std::min(widest_surface, layout_.width - left), layout_.channels);
         }
     }
 
