@@ -48,6 +48,7 @@ TEST_F(TilesCommand, SummarizesSoundSets)
                                           "colours               2\n"
                                           "tiles                 16\n"
                                           "points per tile       48\n"
+                                          "border                strip\n"
                                           "relative radius       0\\.55.* proven, 0\\.550000 asked for\n"
                                           "minimum distance      0\\.085.* tiles\n"
                                           "stored guarantee      0\\.55.*: what is proven\n"

@@ -1,0 +1,80 @@
+// `poissonlab tiles build --border chain`: what it means by itself, what it refuses, and a file that is proven.
+#include "tests/support/program.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+class TilesBuildCommand : public testing::Test
+{
+protected:
+    Outcome run(const std::string& arguments) const
+    {
+        std::istringstream stream("tiles " + arguments);
+        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+        return run_program(folder_.path(), words);
+    }
+
+    /// Of an error, which leaves no file.
+    std::string refusal(const std::string& arguments) const
+    {
+        const Outcome outcome = run("build " + arguments + " --out refused.ptiles");
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "refused.ptiles"));
+        return outcome.error;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(TilesBuildCommand, ChainsComeWithWhatTheyAreGoodWith)
+{
+    ASSERT_EQ(run("build corner --colors 2 --points 32 --border chain --out a.ptiles --quiet").status, 0);
+    const PoissonTileParameters p = read_tile_set(folder_.path() / "a.ptiles").parameters;
+    EXPECT_EQ(p.border, TileBorder::chain);
+    EXPECT_TRUE(p.repulsion);
+    EXPECT_EQ(p.joint_iterations, 20u);
+    EXPECT_TRUE(p.null_peaks);
+    const Outcome verified = run("verify a.ptiles");
+    EXPECT_EQ(verified.status, 0);
+    EXPECT_THAT(verified.out, HasSubstr("border                chain\n"));
+    EXPECT_THAT(verified.out, HasSubstr("chains  "));
+    EXPECT_THAT(run("verify a.ptiles --json").out, HasSubstr("\"joint_iterations\": 20"));
+}
+
+TEST_F(TilesBuildCommand, OptionsSayOtherwise)
+{
+    ASSERT_EQ(run("build template --tiles 5 --points 32 --border chain --joint-iterations 5 --null-peaks off "
+                  "--out a.json --quiet")
+                  .status,
+              0);
+    const PoissonTileParameters p = read_tile_set(folder_.path() / "a.json").parameters;
+    EXPECT_EQ(p.joint_iterations, 5u);
+    EXPECT_FALSE(p.null_peaks);
+    EXPECT_EQ(run("verify a.json").status, 0);
+}
+
+TEST_F(TilesBuildCommand, SaysWhatIsAllowed)
+{
+    EXPECT_THAT(refusal("corner --colors 2 --points 32 --border chian"), HasSubstr("--border \"chian\": unknown"));
+    EXPECT_THAT(refusal("corner --colors 2 --points 32 --border chain --null-peaks yes"),
+                HasSubstr("--null-peaks \"yes\": unknown"));
+    EXPECT_THAT(refusal("edge --colors 1 --points 32 --border chain"),
+                HasSubstr("tiles build: border = chain: must be \"strip\" for edge tiles"));
+    EXPECT_THAT(refusal("corner --colors 2 --points 32 --joint-iterations 3"),
+                HasSubstr("joint_iterations = 3: must be 0 for tiles with strips"));
+    EXPECT_THAT(refusal("corner --colors 2 --points 32 --border chain --joint-iterations 0 --null-peaks on"),
+                HasSubstr("null_peaks = true: must be false without joint iterations"));
+}
+
+}
+}
