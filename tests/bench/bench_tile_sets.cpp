@@ -24,8 +24,16 @@ enum Set
     corner_4,
     corner_8,
     edge_2,
-    sphere_2
+    sphere_2,
+    chain_4,
+    chain_8
 };
+
+PoissonTileParameters with_chains(PoissonTileParameters parameters)
+{
+    set_border(parameters, TileBorder::chain);
+    return parameters;
+}
 
 PoissonTileParameters parameters_of(std::int64_t set)
 {
@@ -39,6 +47,10 @@ PoissonTileParameters parameters_of(std::int64_t set)
         return made(PoissonTileKind::corner, 2, 8, 64);
     case edge_2:
         return made(PoissonTileKind::edge, 2, 2, 64);
+    case chain_4:
+        return with_chains(made(PoissonTileKind::corner, 2, 4, 32));
+    case chain_8:
+        return with_chains(made(PoissonTileKind::corner, 2, 8, 32));
     default:
         return made(PoissonTileKind::corner, 3, 2, 128);
     }
@@ -53,7 +65,8 @@ void build(benchmark::State& state)
     const DeviceProvider provider = []() -> Device& { return device(); };
     build_tile_set(small, Engine::opencl, provider);
     for (auto _ : state) benchmark::DoNotOptimize(build_tile_set(parameters, Engine::opencl, provider));
-    state.SetLabel(kind_name(parameters) + ", " + std::to_string(parameters.tiles) + " tiles");
+    state.SetLabel(kind_name(parameters) + (parameters.border == TileBorder::chain ? " with chains, " : ", ") +
+                   std::to_string(parameters.tiles) + " tiles");
 }
 
 /// Some of the tori that tiles with 8 colours are taken from.
@@ -135,6 +148,8 @@ int main(int argc, char** argv)
     add("build", build, corner_8, 3);
     add("build", build, edge_2, 3);
     add("build", build, sphere_2, 1);
+    add("build", build, chain_4, 5);
+    add("build", build, chain_8, 3);
     return run_benchmarks(
         argc, argv,
         {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}});

@@ -98,8 +98,8 @@ TEST(TileDensity, IsTheSameInAllRegions)
 }
 
 /// The density at distances from the border, in strips of a radius. Points of interiors that would enter
-/// strips stop at their border, where they gather, and leave room behind: the construction of the papers has
-/// that as well. Over a strip it is a tenth at most.
+/// strips stop at their border, where they gather, and leave room behind; in the papers, where what is around
+/// them moves as well, half as many gather. Over a strip it is a tenth at most.
 TEST(TileDensity, ChangesLittleWithTheDistanceFromTheBorder)
 {
     const int strip = regions_of(parameters(1)).width;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -21,7 +22,8 @@ PoissonTileParameters parameters(int dimension)
     return p;
 }
 
-/// Some of the stages that there are: nothing held, corners held, an interior among held corners.
+/// Some of the stages that there are: nothing held, corners held, an interior among held corners, the inside of a
+/// polygon.
 struct Case
 {
     const char* name;
@@ -29,6 +31,7 @@ struct Case
     bool is_one_tile;
     int held_corners;
     bool is_interior;
+    bool in_polygon = false;
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -70,8 +73,23 @@ protected:
                 problem.active = p.points_per_tile / 2;
                 problem.surroundings = p.points_per_tile * (tiles - 1) - 2;
             }
+            if (c.in_polygon) fill_polygon(problem);
             problems_.push_back(problem);
         }
+    }
+
+    /// A star around the tile at (0, 0) that reaches beyond it on all sides, across the seam of the torus.
+    void fill_polygon(FillProblem& problem)
+    {
+        stage_.in_polygon = true;
+        stage_.active = {0, -tile_units / 2, torus_units};
+        problem.held.clear();
+        for (int i = 0; i < 16; ++i) {
+            const double angle = 2 * std::numbers::pi * i / 16, radius = (i % 2 == 0 ? 0.62 : 0.45) * tile_units;
+            problem.held.push_back({wrapped(tile_units / 2 + static_cast<std::int32_t>(radius * std::cos(angle))),
+                                    wrapped(tile_units / 2 + static_cast<std::int32_t>(radius * std::sin(angle))), 0});
+        }
+        problem.active = 14;
     }
 
     FillSettings settings_;
@@ -92,6 +110,33 @@ TEST_P(TileFilling, KernelsAndReferenceAgree)
             EXPECT_EQ(filled[i].squared_min_distance, expected[i].squared_min_distance);
             ASSERT_EQ(filled[i].active.size(), problems_[i].active);
         }
+        /// Points that are given are only relaxed and pushed apart.
+        TEST_P(TileFilling, PointsMayBeGiven)
+        {
+            const auto filler = make_tile_filler(settings_, Device::open());
+            const auto first = filler->fill(stage_, problems_, 1);
+            for (std::size_t i = 0; i < problems_.size(); ++i) problems_[i].given = first[i].thrown;
+            const auto again = filler->fill(stage_, problems_, 2);
+            const auto expected = reference::make_tile_filler(settings_)->fill(stage_, problems_, 2);
+            for (std::size_t i = 0; i < problems_.size(); ++i) {
+                EXPECT_EQ(again[i].thrown, first[i].thrown);
+                EXPECT_EQ(again[i], expected[i]);
+            }
+        }
+    }
+}
+
+/// Points that are given are only relaxed and pushed apart.
+TEST_P(TileFilling, PointsMayBeGiven)
+{
+    const auto filler = make_tile_filler(settings_, Device::open());
+    const auto first = filler->fill(stage_, problems_, 1);
+    for (std::size_t i = 0; i < problems_.size(); ++i) problems_[i].given = first[i].thrown;
+    const auto again = filler->fill(stage_, problems_, 2);
+    const auto expected = reference::make_tile_filler(settings_)->fill(stage_, problems_, 2);
+    for (std::size_t i = 0; i < problems_.size(); ++i) {
+        EXPECT_EQ(again[i].thrown, first[i].thrown);
+        EXPECT_EQ(again[i], expected[i]);
     }
 }
 
@@ -99,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(Stages, TileFilling,
                          testing::Values(Case{"empty", 2, false, 0, false}, Case{"one_tile", 2, true, 0, false},
                                          Case{"corners", 2, false, 3, false}, Case{"interior", 2, false, 4, true},
                                          Case{"empty_3d", 3, false, 0, false}, Case{"corners_3d", 3, false, 5, false},
-                                         Case{"interior_3d", 3, false, 8, true}),
+                                         Case{"interior_3d", 3, false, 8, true},
+                                         Case{"polygon", 2, false, 0, false, true}),
                          [](const auto& stage) { return std::string(stage.param.name); });
 
 }
