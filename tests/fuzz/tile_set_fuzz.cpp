@@ -32,16 +32,30 @@ std::uint32_t word_at(const unsigned char* data, std::size_t offset)
     return word;
 }
 
+/// Sets what a header says of how far points with so many coordinates are outside of their squares.
+void mend_overhang(unsigned char* data, std::uint64_t coordinates)
+{
+    std::int32_t overhang = 0;
+    for (std::uint64_t i = 0; i < coordinates; ++i) {
+        const std::int32_t stored = data[header_size + 2 * i] | data[header_size + 2 * i + 1] << 8;
+        overhang = std::max({overhang, 32768 - 2 * stored, 2 * stored - 98304});
+    }
+    std::memcpy(data + 100, &overhang, sizeof(overhang));
+}
+
 /// Makes the file as long as its header says, where there is room, and its checksum right. Returns the new size.
 std::size_t mended(unsigned char* data, std::size_t size, std::size_t max_size)
 {
     if (size < header_size || std::memcmp(data, "PTILES", 6) != 0) return size;
     const std::uint64_t points = std::uint64_t{word_at(data, 28)} * word_at(data, 32);
     const std::uint64_t dimension = word_at(data, 20) % 4;
-    if (points <= max_size && header_size + points * dimension * 2 <= max_size) {
-        const std::size_t declared = header_size + points * dimension * 2;
+    const bool has_chains = word_at(data, 8) == 2 && word_at(data, 88) == 1;
+    const std::uint64_t lengths = has_chains ? std::uint64_t{2} * word_at(data, 24) * word_at(data, 24) : 0;
+    if (points <= max_size && lengths <= max_size && header_size + (points * dimension + lengths) * 2 <= max_size) {
+        const std::size_t declared = header_size + (points * dimension + lengths) * 2;
         for (std::size_t i = size; i < declared; ++i) data[i] = static_cast<unsigned char>(i * i * 37);
         size = declared;
+        if (has_chains) mend_overhang(data, points * dimension);
     }
     Xxh64 hash;
     const auto* bytes = reinterpret_cast<const char*>(data);
@@ -58,19 +72,17 @@ void check_certificate(const PoissonTileSet& set)
     require(certificate.squared_min_distance <= certificate.squared_closure_distance,
             "more than the distance that occurs is guaranteed");
     // Points of one tile are points of a tiling.
-    const auto d = static_cast<std::size_t>(set.parameters.dimension);
-    for (std::uint32_t tile = 0; tile < std::min(set.parameters.tiles, 16U); ++tile) {
-        const auto points = set.tile(tile);
-        for (std::size_t i = 0; i < points.size(); i += d)
-            for (std::size_t j = 0; j < i; j += d) {
+    for (std::uint32_t tile = 0; tile < std::min(set.parameters.tiles, 16U); ++tile)
+        for (std::uint32_t i = 0; i < set.parameters.points_per_tile; ++i)
+            for (std::uint32_t j = 0; j < i; ++j) {
+                const UnitPosition a = set.position(tile, i), b = set.position(tile, j);
                 std::uint64_t squared = 0;
-                for (std::size_t k = 0; k < d; ++k) {
-                    const std::int64_t x = std::int64_t{points[i + k]} - points[j + k];
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::int64_t x = std::int64_t{a[k]} - b[k];
                     squared += static_cast<std::uint64_t>(x * x);
                 }
                 require(certificate.squared_min_distance <= squared, "points of a tile are nearer than is guaranteed");
             }
-    }
 }
 
 void check_lookup(const PoissonTileSet& set)

@@ -110,19 +110,6 @@ TEST_P(TileFilling, KernelsAndReferenceAgree)
             EXPECT_EQ(filled[i].squared_min_distance, expected[i].squared_min_distance);
             ASSERT_EQ(filled[i].active.size(), problems_[i].active);
         }
-        /// Points that are given are only relaxed and pushed apart.
-        TEST_P(TileFilling, PointsMayBeGiven)
-        {
-            const auto filler = make_tile_filler(settings_, Device::open());
-            const auto first = filler->fill(stage_, problems_, 1);
-            for (std::size_t i = 0; i < problems_.size(); ++i) problems_[i].given = first[i].thrown;
-            const auto again = filler->fill(stage_, problems_, 2);
-            const auto expected = reference::make_tile_filler(settings_)->fill(stage_, problems_, 2);
-            for (std::size_t i = 0; i < problems_.size(); ++i) {
-                EXPECT_EQ(again[i].thrown, first[i].thrown);
-                EXPECT_EQ(again[i], expected[i]);
-            }
-        }
     }
 }
 
