@@ -47,7 +47,7 @@ kernel void look_up_tiles(struct Run run, struct Window window, global uint* til
     const uint id = get_global_id(0);
     if (id >= run.count) return;
     const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, window.seed, window.period,
-                                         LOW,  STEP,      0};
+                                         LOW,  STEP,      0,      0};
     const uint3 place = place_in_block(id, run);
     tiles[id] = ptiles_tile(
         tiling, (int3)(window.west + (int)place.x, window.south + (int)place.y, window.bottom + (int)place.z));

@@ -43,7 +43,7 @@
 #endif
 
 /// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in
-/// poisson_tiles.h. Tiles with strips: low 0, step 1, overhang 0.
+/// poisson_tiles.h. Tiles with strips: low 0, step 1, below and above 0.
 struct ptiles_tiling
 {
     uint kind;
@@ -55,7 +55,8 @@ struct ptiles_tiling
     int period;
     int low;
     int step;
-    int overhang;
+    int below;
+    int above;
 };
 
 struct ptiles_nearest
@@ -160,11 +161,12 @@ PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_ti
 }
 
 /// The squared distance along an axis of a position in the tile 0 from where points of the tile `offset` tiles away can
-/// be, which is `overhang` more than its square.
-PTILES_FUNCTION float ptiles_gap(float f, int offset, float overhang)
+/// be, which is `below` and `above` more than its square.
+PTILES_FUNCTION float ptiles_gap(float f, int offset, float below, float above)
 {
-    float gap = offset > 0 ? PTILES_FLOAT(offset) - f : offset < 0 ? f - PTILES_FLOAT(offset + 1) : 0.0f;
-    gap = max(gap - overhang, 0.0f);
+    float gap = 0.0f;
+    if (offset > 0) gap = max(PTILES_FLOAT(offset) - below - f, 0.0f);
+    if (offset < 0) gap = max(f - (PTILES_FLOAT(offset + 1) + above), 0.0f);
     return gap * gap;
 }
 
@@ -178,9 +180,10 @@ PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
     if (is_3d) border = min(border, min(f.z, 1.0f - f.z));
     PTILES_STRUCT(ptiles_nearest) nearest;
     float squared = 1e30f;
-    float overhang = PTILES_FLOAT(t.overhang) / 65536.0f;
+    float below = PTILES_FLOAT(t.below) / 65536.0f;
+    float above = PTILES_FLOAT(t.above) / 65536.0f;
     for (int ring = 0;; ++ring) {
-        float away = border + PTILES_FLOAT(ring - 1) - overhang; // of points in the ring, at least
+        float away = border + PTILES_FLOAT(ring - 1) - max(below, above); // of points in the ring, at least
         if (ring > 0 && away > 0.0f && away * away >= squared) break;
         int layers = is_3d ? ring : 0;
         for (int k = -layers; k <= layers; ++k) {
@@ -188,8 +191,8 @@ PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
                 // Rows inside the ring contribute only their ends.
                 bool outer = ring == 0 || j == -ring || j == ring || (is_3d && (k == -ring || k == ring));
                 for (int i = -ring; i <= ring; i += outer ? 1 : 2 * ring) {
-                    float gap = ptiles_gap(f.x, i, overhang) + ptiles_gap(f.y, j, overhang) +
-                                ptiles_gap(f.z, k, overhang);
+                    float gap = ptiles_gap(f.x, i, below, above) + ptiles_gap(f.y, j, below, above) +
+                                ptiles_gap(f.z, k, below, above);
                     if (gap >= squared) continue;
                     ptiles_int3 place = home + PTILES_INT3(i, j, k);
                     uint tile = ptiles_tile(t, place);

@@ -91,9 +91,34 @@ void load_and_place_16384(benchmark::State& state)
     }
 }
 
-void nearest_point(benchmark::State& state)
+/// Points that are up to 0.15 tiles below and 0.04 above their squares: what was measured for 3 to 8 colours.
+PoissonTileSet chain_set()
 {
-    const PoissonTileSet tiles = random_tile_set(PoissonTileKind::corner, 2, 4, points_per_tile);
+    PoissonTileSet set = random_chain_set(4, points_per_tile);
+    for (std::uint16_t& stored : set.points)
+        stored = static_cast<std::uint16_t>((0.5 - 0.15 + 1.19 * stored / 65536) * 32768);
+    return set;
+}
+
+PoissonTileSet strip_set() { return random_tile_set(PoissonTileKind::corner, 2, 4, points_per_tile); }
+
+/// 16 x 16 tiles, which chains make two rows and columns more.
+void window(benchmark::State& state, PoissonTileSet (*make)())
+{
+    const PoissonTileSet tiles = make();
+    const ptiles_tiling tiling = runtime_tiling(tiles, {});
+    std::vector<ptiles_point> points(17 * 17 * points_per_tile);
+    double low[] = {0, 0};
+    for (auto _ : state) {
+        low[0] += 0.618;
+        const double high[] = {low[0] + 16, low[1] + 16};
+        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size()));
+    }
+}
+
+void nearest_point(benchmark::State& state, PoissonTileSet (*make)())
+{
+    const PoissonTileSet tiles = make();
     const ptiles_tiling tiling = runtime_tiling(tiles, {});
     double position[] = {0, 0};
     for (auto _ : state) {
@@ -108,7 +133,10 @@ BENCHMARK(fill)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(tile_points, colors_4, 4)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(tile_points, colors_8, 8)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(load_and_place_16384)->Repetitions(5)->Unit(benchmark::kMillisecond);
-BENCHMARK(nearest_point)->Repetitions(5);
+BENCHMARK_CAPTURE(window, strips, strip_set)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(window, chains, chain_set)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(nearest_point, strips, strip_set)->Repetitions(9);
+BENCHMARK_CAPTURE(nearest_point, chains, chain_set)->Repetitions(9);
 
 }
 
@@ -117,5 +145,7 @@ int main(int argc, char** argv)
     return poissonlab::bench::run_benchmarks(
         argc, argv,
         {{"speed over that of filling, 4 colours", "fill/", "tile_points/colors_4/", 0.8},
-         {"speed over that of filling, 8 colours", "fill/", "tile_points/colors_8/", 0}});
+         {"speed over that of filling, 8 colours", "fill/", "tile_points/colors_8/", 0},
+         {"window of 16 x 16 tiles: time with strips / with chains", "window/strips/", "window/chains/", 0.8},
+         {"nearest point: time with strips / with chains", "nearest_point/strips/", "nearest_point/chains/", 0.67}});
 }

@@ -35,12 +35,12 @@ std::uint32_t word_at(const unsigned char* data, std::size_t offset)
 /// Sets what a header says of how far points with so many coordinates are outside of their squares.
 void mend_overhang(unsigned char* data, std::uint64_t coordinates)
 {
-    std::int32_t overhang = 0;
+    std::array<std::int32_t, 2> overhang{}; // below, above
     for (std::uint64_t i = 0; i < coordinates; ++i) {
         const std::int32_t stored = data[header_size + 2 * i] | data[header_size + 2 * i + 1] << 8;
-        overhang = std::max({overhang, 32768 - 2 * stored, 2 * stored - 98304});
+        overhang = {std::max(overhang[0], 32768 - 2 * stored), std::max(overhang[1], 2 * stored - 98304)};
     }
-    std::memcpy(data + 100, &overhang, sizeof(overhang));
+    std::memcpy(data + 100, overhang.data(), sizeof(overhang));
 }
 
 /// Makes the file as long as its header says, where there is room, and its checksum right. Returns the new size.

@@ -16,7 +16,7 @@ trap 'rm -f "$shader" "$shader.out"' EXIT
     cat <<'END'
 void main()
 {
-    ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0, -32768, 2, 9000);
+    ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0, -32768, 2, 9000, 2000);
     ivec3 home = ivec3(gl_GlobalInvocationID);
     ids[home.x] = ptiles_nearest_point(t, home, vec3(0.5, 0.5, 0.0)).id;
 }

@@ -16,12 +16,12 @@ namespace {
 /// in it.
 constexpr auto kernels = R"(
     kernel void query(global const uint* words, uint kind, uint dimension, uint colors, uint tiles, uint points_per_tile,
-                      uint seed, int period, int low, int step, int overhang, global const int* places, global const float* positions, uint count,
+                      uint seed, int period, int low, int step, int below, int above, global const int* places, global const float* positions, uint count,
                       global uint* results, global float* distances, global float* coordinates)
     {
         const uint id = get_global_id(0);
         if (id >= count) return;
-        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period, low, step, overhang};
+        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period, low, step, below, above};
         const int3 home = vload3(id, places);
         const struct ptiles_nearest nearest = ptiles_nearest_point(words, t, home, vload3(id, positions));
         global uint* result = results + 6 * id;
@@ -86,7 +86,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     auto coordinates = device_.buffer<float>(3 * count);
     device_.kernel_from_text(kernel_source("runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
-             tiling.period, s.low, s.step, s.overhang, copied(queries.places), copied(queries.positions), count,
+             tiling.period, s.low, s.step, s.below, s.above, copied(queries.places), copied(queries.positions), count,
              results, distances, coordinates);
     const auto found = results.read(0, results.size());
     const auto squared_of = distances.read(0, count);

@@ -59,9 +59,11 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
     if (has_chains) {
         bytes[88] = 1;
         const auto [low, high] = std::minmax_element(set.points.begin(), set.points.end());
-        const int overhang = std::max({0, 32768 - 2 * *low, 2 * *high - 98304});
-        for (int byte = 0; byte < 4; ++byte)
-            bytes[static_cast<std::size_t>(100 + byte)] = static_cast<char>(overhang >> 8 * byte);
+        const int below = std::max(0, 32768 - 2 * *low), above = std::max(0, 2 * *high - 98304);
+        for (std::size_t byte = 0; byte < 4; ++byte) {
+            bytes[100 + byte] = static_cast<char>(below >> 8 * byte);
+            bytes[104 + byte] = static_cast<char>(above >> 8 * byte);
+        }
     }
     for (const std::uint16_t coordinate : set.points) put(coordinate, 2);
     for (const std::uint16_t length : set.chain_lengths) put(length, 2);

@@ -149,12 +149,12 @@ void check(const PoissonTileParameters& p)
                                   std::floor(limit * 1000) / 1000, p.points_per_tile));
 }
 
-std::int32_t overhang_of(const PoissonTileSet& set)
+Overhang overhang_of(const PoissonTileSet& set)
 {
-    if (set.parameters.border == TileBorder::strip || set.points.empty()) return 0;
+    if (set.parameters.border == TileBorder::strip || set.points.empty()) return {};
     const StoredScale scale = stored_scale(set.parameters.border);
     const auto [lowest, highest] = std::ranges::minmax(set.points);
-    return std::max({0, -scale.position(lowest), scale.position(highest) - tile_units});
+    return {std::max(0, -scale.position(lowest)), std::max(0, scale.position(highest) - tile_units)};
 }
 
 double relative_radius_of(std::uint64_t squared_distance, const PoissonTileParameters& parameters)

@@ -168,8 +168,16 @@ struct PoissonTileSet
     bool operator==(const PoissonTileSet&) const = default;
 };
 
-/// How far outside of their tile's square points are at most, in units.
-std::int32_t overhang_of(const PoissonTileSet& set);
+/// How far points are outside of their tile's square at most along any axis, in units.
+struct Overhang
+{
+    std::int32_t below = 0;
+    std::int32_t above = 0;
+
+    bool operator==(const Overhang&) const = default;
+};
+
+Overhang overhang_of(const PoissonTileSet& set);
 
 /// The relative radius of a squared distance in units: 0.75 where tilings are sure to have the minimum
 /// distance of 0.75.

@@ -20,8 +20,9 @@ inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTi
 {
     const PoissonTileParameters& p = tiles.parameters;
     const StoredScale scale = stored_scale(p.border);
+    const Overhang overhang = overhang_of(tiles);
     return {{static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles,
-             p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang_of(tiles)},
+             p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang.below, overhang.above},
             tiling.seed,
             tiling.period};
 }

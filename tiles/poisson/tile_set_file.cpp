@@ -23,7 +23,7 @@ constexpr std::string_view magic = "PTILES\r\n";
 constexpr std::uint32_t first_version = 1, last_version = 2;
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
-constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 104; ///< of either version
+constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 108; ///< of either version
 
 /// Writes numbers one after the other, little-endian.
 class HeaderWriter
@@ -106,7 +106,7 @@ struct Header
     std::uint32_t version = 0;
     PoissonTileParameters parameters;
     std::uint64_t squared_min_distance = 0;
-    std::int32_t overhang = 0;
+    Overhang overhang;
     std::uint64_t checksum = 0;
     std::uint64_t file_size = 0;
 };
@@ -139,7 +139,8 @@ Header decode_fields(std::string_view bytes)
         p.border = choice<TileBorder>(reader, "border", 1);
         p.joint_iterations = reader.next<std::uint32_t>();
         p.null_peaks = choice<bool>(reader, "null_peaks", 1);
-        header.overhang = static_cast<std::int32_t>(choice<std::uint32_t>(reader, "overhang", tile_units / 2));
+        header.overhang.below = choice<std::int32_t>(reader, "points below squares", tile_units / 2);
+        header.overhang.above = choice<std::int32_t>(reader, "points above squares", tile_units / 2);
     }
     header.checksum = load<std::uint64_t>(bytes.substr(checksum_offset), std::endian::little);
     return header;
@@ -190,8 +191,11 @@ PoissonTileSet decode_binary(std::string_view bytes)
     const std::size_t coordinates = coordinate_count(set.parameters);
     set.points = numbers_of(bytes.substr(header_size, coordinates * sizeof(std::uint16_t)));
     set.chain_lengths = numbers_of(bytes.substr(header_size + coordinates * sizeof(std::uint16_t)));
-    if (const std::int32_t overhang = overhang_of(set); overhang != header.overhang)
-        throw InputError(fmt::format("overhang = {}: must be {}", header.overhang, overhang));
+    const Overhang overhang = overhang_of(set);
+    if (overhang.below != header.overhang.below)
+        throw InputError(fmt::format("points below squares = {}: must be {}", header.overhang.below, overhang.below));
+    if (overhang.above != header.overhang.above)
+        throw InputError(fmt::format("points above squares = {}: must be {}", header.overhang.above, overhang.above));
     return set;
 }
 
@@ -255,6 +259,7 @@ std::string encode_tile_set(const PoissonTileSet& set)
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinate_count(p)));
     if (set.chain_lengths.size() != chain_count(p))
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chain_count(p)));
+    const Overhang overhang = overhang_of(set);
     std::string bytes(magic);
     bytes.reserve(header_size + 2 * set.points.size());
     HeaderWriter writer(bytes);
@@ -263,7 +268,7 @@ std::string encode_tile_set(const PoissonTileSet& set)
            << set.squared_min_distance << p.relative_radius << p.seed << static_cast<std::uint32_t>(p.filling)
            << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion)
            << static_cast<std::uint32_t>(p.border) << p.joint_iterations << static_cast<std::uint32_t>(p.null_peaks)
-           << static_cast<std::uint32_t>(overhang_of(set));
+           << static_cast<std::uint32_t>(overhang.below) << static_cast<std::uint32_t>(overhang.above);
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
     for (const std::uint16_t length : set.chain_lengths) writer << length;

@@ -169,8 +169,9 @@ TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
     EXPECT_EQ(error(92, 0u), "accepted");
     EXPECT_EQ(error(96, 2u), "a.ptiles: null_peaks = 2: must be at most 1");
     EXPECT_THAT(error(84, 0u), HasSubstr("repulsion = false: must be true for tiles with chains"));
-    EXPECT_THAT(error(100, 12u), HasSubstr("overhang = 12: must be "));
-    EXPECT_EQ(error(104, 1u), "a.ptiles: reserved bytes 104 to 119: must be 0");
+    EXPECT_THAT(error(100, 12u), HasSubstr("points below squares = 12: must be "));
+    EXPECT_THAT(error(104, 12u), HasSubstr("points above squares = 12: must be "));
+    EXPECT_EQ(error(108, 1u), "a.ptiles: reserved bytes 108 to 119: must be 0");
     EXPECT_THAT(error_of(bytes.substr(0, bytes.size() - 16)), HasSubstr("must be "));
 }
 
