@@ -58,6 +58,66 @@ std::string comment_of(const TilesPointsOptions& options, const TileBlock& block
                        options.seed);
 }
 
+/// With chains, points lie outside of their tiles' squares: those of a window are looked for one tile farther.
+TileBlock searched_block(const TileBlock& window, const PoissonTileParameters& p)
+{
+    if (p.border == TileBorder::strip) return window;
+    TileBlock block = window;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        --block.lowest[axis];
+        block.size[axis] += 2;
+    }
+    check(block, p.dimension);
+    return block;
+}
+
+/// Hands on the coordinates, in tiles, of the points of a window, in pieces.
+class WindowPoints
+{
+public:
+    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window)
+        : p_(tiles.parameters), window_(window), block_(searched_block(window, p_)), generator_(device, tiles)
+    {}
+
+    std::size_t count(std::uint32_t seed)
+    {
+        if (p_.border == TileBorder::strip) return window_.tiles() * p_.points_per_tile;
+        std::size_t points = 0;
+        stream(seed, [&](std::span<const double> coordinates) { points += coordinates.size() / 2; });
+        return points;
+    }
+
+    void stream(std::uint32_t seed, const PointSink& sink)
+    {
+        generator_.stream({seed, 0}, block_, [&](std::span<const std::uint32_t> units) {
+            stop_if_interrupted();
+            coordinates_.clear();
+            if (p_.border == TileBorder::strip)
+                for (const std::uint32_t unit : units) coordinates_.push_back(unit / 65536.0);
+            else
+                for (std::size_t i = 0; i < units.size(); i += 2) append_if_inside(units[i], units[i + 1]);
+            sink(coordinates_);
+        });
+    }
+
+private:
+    void append_if_inside(std::uint32_t x, std::uint32_t y)
+    {
+        constexpr std::uint32_t tile = 65536;
+        const auto is_inside = [&](std::uint32_t unit, std::size_t axis) {
+            return unit >= tile && unit - tile < std::uint64_t{tile} * window_.size[axis];
+        };
+        if (!is_inside(x, 0) || !is_inside(y, 1)) return;
+        coordinates_.push_back((x - tile) / 65536.0);
+        coordinates_.push_back((y - tile) / 65536.0);
+    }
+
+    PoissonTileParameters p_;
+    TileBlock window_, block_;
+    TilePointGenerator generator_;
+    std::vector<double> coordinates_;
+};
+
 void write_tile_points(const TilesPointsOptions& options)
 {
     const PoissonTileSet tiles = read_tile_set(options.file);
@@ -65,17 +125,9 @@ void write_tile_points(const TilesPointsOptions& options)
     const TileBlock block = checked_window(options.window, p.dimension);
     const Device device = Device::open(options.device);
     check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
-    TilePointGenerator generator(device, tiles);
-    std::vector<double> coordinates;
-    write_points_in_pieces(options.out, p.dimension, block.tiles() * p.points_per_tile, comment_of(options, block),
-                           [&](const PointSink& sink) {
-                               generator.stream({options.seed, 0}, block, [&](std::span<const std::uint32_t> units) {
-                                   stop_if_interrupted();
-                                   coordinates.clear();
-                                   for (const std::uint32_t unit : units) coordinates.push_back(unit / 65536.0);
-                                   sink(coordinates);
-                               });
-                           });
+    WindowPoints points(device, tiles, block);
+    write_points_in_pieces(options.out, p.dimension, points.count(options.seed), comment_of(options, block),
+                           [&](const PointSink& sink) { points.stream(options.seed, sink); });
 }
 
 }

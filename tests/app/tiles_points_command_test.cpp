@@ -71,6 +71,23 @@ TEST_F(TilesPointsCommand, WritesSpheres)
               expected_points(spheres, {1, 0}, {{-1, -2, 3}, {4, 2, 3}}, 4));
 }
 
+/// With chains a window has the points in it, whichever tile they belong to: as engines find them.
+TEST_F(TilesPointsCommand, WindowsOfChainsFitTogether)
+{
+    const PoissonTileSet tiles = random_chain_set(3, 20);
+    write_tile_set(folder_.path() / "chains.ptiles", tiles);
+    ASSERT_EQ(run("chains.ptiles --window -3 5 8 8 --seed 7 --out points.txt").status, 0);
+    const PointSet found = read_points(folder_.path() / "points.txt").at(0);
+    const ptiles_tiling tiling = runtime_tiling(tiles, {7, 0});
+    const double low[] = {-3, 5}, high[] = {5, 13};
+    std::vector<ptiles_point> expected(ptiles_in_window(&tiling, low, high, nullptr, 0));
+    ptiles_in_window(&tiling, low, high, expected.data(), expected.size());
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            EXPECT_EQ(found.coordinates[2 * i + axis], (expected[i].position[axis] - low[axis]) / 8);
+}
+
 TEST_F(TilesPointsCommand, SaysWhatIsWrong)
 {
     expect_error("none.ptiles --window 0 0 1 1 --out points.npy", "none.ptiles: cannot be read");
