@@ -53,7 +53,7 @@ void ChainChoice::choose(ChainPieces& pieces)
             if (candidates(direction, number).empty())
                 throw InputError(
                     fmt::format("relative_radius = {}: no chain from colour {} to {} was found in {} tori of "
-                                "{} points; a smaller number helps, or more points per tile",
+                                "{} points; must be about 0.6 to 0.85 for chains, and more points per tile help",
                                 p_.relative_radius, number / p_.colors, number % p_.colors,
                                 max_torus_rounds * tori_a_pair, 4 * p_.points_per_tile));
             pieces.chains[direction][number] = candidates(direction, number).front().chain;
