@@ -50,7 +50,7 @@ struct NearLatticePeaks
     bool operator==(const NearLatticePeaks&) const = default;
 };
 
-/// Nothing where no multiple of `tiles` is as low.
+/// The result is empty where no multiple of `tiles` is as low.
 std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int tiles);
 
 /// The lattice peaks of the periodogram of a set of so many points.

@@ -1,6 +1,7 @@
 #include "host/tile_construction/chain_choice.hpp"
 
 #include "base/errors/errors.hpp"
+#include "host/tile_construction/fill_stages.hpp"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,6 @@ constexpr std::uint32_t max_torus_rounds = 8;
 
 /// Chains to choose from for each two colours and direction.
 constexpr std::size_t wanted_candidates = 6;
-
-constexpr std::uint32_t chain_stage = 10;
-
-TilePosition even(const TilePosition& position)
-{
-    return {wrapped((position[0] + 1) & ~1), wrapped((position[1] + 1) & ~1), 0};
-}
 
 }
 
@@ -103,7 +97,8 @@ void ChainChoice::fill_tori(const ChainPieces& pieces, std::uint32_t round)
 void ChainChoice::collect(const ChainPieces& pieces, std::uint32_t a, std::uint32_t b, const FilledTorus& torus)
 {
     std::vector<TilePosition> points;
-    for (const TilePosition& point : torus.active) points.push_back(even(point));
+    for (const TilePosition& point : torus.active)
+        points.push_back({wrapped(storable(point[0])), wrapped(storable(point[1])), 0});
     for (std::size_t direction = 0; direction < chain_directions; ++direction)
         for (std::int32_t y = 0; y < 2; ++y)
             for (std::int32_t x = 0; x < 2; ++x) {
@@ -121,7 +116,7 @@ bool ChainChoice::are_enough() const
     });
 }
 
-/// Those first that are nearest to the mean of their direction.
+/// Candidates whose balance is nearest to the mean of their direction come first.
 void ChainChoice::sort_by_balance()
 {
     for (auto& direction : candidates_) {

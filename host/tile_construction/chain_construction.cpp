@@ -4,6 +4,7 @@
 #include "host/tile_construction/chain_choice.hpp"
 #include "host/tile_construction/chain_corners.hpp"
 #include "host/tile_construction/chain_relaxation.hpp"
+#include "host/tile_construction/fill_stages.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 
 #include <fmt/format.h>
@@ -16,30 +17,15 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint32_t inside_stage = 11;
-constexpr std::uint32_t repair_stage = 12;
-
-/// Fillings of a tile before one of its chains is replaced, and how often that is done.
-constexpr std::uint32_t max_inside_attempts = 8;
-constexpr std::uint32_t max_chain_rounds = 12;
-
-/// Random numbers of a round begin here.
-constexpr std::uint32_t inside_attempts_a_round = 64;
-
 /// The last joint iterations move insides alone: chains are final before tiles are mended.
 constexpr std::uint32_t last_iterations = 3;
 
-/// What rounding to even units may take from the distance of two points, units.
-constexpr double rounding_loss = 3;
-
-std::int32_t even(std::int32_t x) { return (x + 1) & ~1; }
-
-/// Settings that ask for a little more than the minimum distance, which rounding_loss then takes.
+/// Settings that ask for a little more than the minimum distance, which rounding then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)
 {
     p.repulsion = true;
     const double distance = asked_min_distance(p) * tile_units;
-    p.relative_radius *= (distance + rounding_loss) / distance;
+    p.relative_radius *= (distance + chain_rounding) / distance;
     return fill_settings(p);
 }
 
@@ -73,7 +59,7 @@ private:
         for (std::uint32_t round = 0; !open.empty(); ++round) {
             const Tiles failed = fill_anew(open, inside_stage, round);
             if (failed.empty()) return;
-            if (round + 1 == max_chain_rounds) give_up(failed);
+            if (round + 1 == max_rounds) give_up(failed);
             open = with_other_chains(failed, round);
         }
     }
@@ -89,10 +75,10 @@ private:
             if (!has_room) hopeless.push_back(tile);
             return !has_room;
         });
-        for (std::uint32_t attempt = 0; attempt < max_inside_attempts && !open.empty(); ++attempt) {
+        for (std::uint32_t attempt = 0; attempt < max_tile_attempts && !open.empty(); ++attempt) {
             std::vector<FillProblem> problems;
             for (const std::uint32_t tile : open) problems.push_back(problem_of(tile));
-            open = fill(open, problems, stage_number, round * inside_attempts_a_round + attempt);
+            open = fill(open, problems, stage_number, round * attempts_a_round + attempt);
             if (options_.progress) options_.progress("tiles", total - open.size(), total);
         }
         open.insert(open.end(), hopeless.begin(), hopeless.end());
@@ -155,8 +141,8 @@ private:
             interior.clear();
             for (const TilePosition& point : filled[i].active) {
                 constexpr std::int32_t middle = tile_units / 2;
-                interior.push_back(
-                    {even(shortest(point[0] - middle) + middle), even(shortest(point[1] - middle) + middle), 0});
+                interior.push_back({storable(shortest(point[0] - middle) + middle),
+                                    storable(shortest(point[1] - middle) + middle), 0});
             }
         }
         return failed;

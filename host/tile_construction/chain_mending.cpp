@@ -11,9 +11,6 @@ namespace {
 
 constexpr int max_passes = 400;
 
-/// What rounding to even units may take from a distance, units.
-constexpr double mending_margin = 3;
-
 using Position = std::array<double, 2>;
 
 Position position_of(const UnitPosition& point)
@@ -78,8 +75,8 @@ private:
         moves_.assign(points_.size(), {0, 0});
         for (std::size_t i = 0; i < last(); ++i)
             for (std::size_t j = i + 1; j <= last(); ++j) {
-                keep_length(i, j, distance_ + mending_margin, true);
-                if (j == i + 1) keep_length(i, j, std::sqrt(3.0) * distance_ - mending_margin, false);
+                keep_length(i, j, distance_ + chain_rounding, true);
+                if (j == i + 1) keep_length(i, j, std::sqrt(3.0) * distance_ - chain_rounding, false);
             }
         for (std::size_t i = 1; i < last(); ++i) {
             push_into_cone(i, points_.front(), 1);
@@ -110,7 +107,7 @@ private:
         const std::size_t d = chain_.direction;
         const double along = outward * (points_[i][d] - corner[d]), across = points_[i][1 - d] - corner[1 - d];
         const double lacking =
-            (distance_ / 2 + mending_margin - (along - std::abs(across)) / std::sqrt(2.0)) / std::sqrt(2.0);
+            (distance_ / 2 + chain_rounding - (along - std::abs(across)) / std::sqrt(2.0)) / std::sqrt(2.0);
         if (lacking <= 0) return;
         moves_[i][d] += outward * lacking;
         moves_[i][1 - d] -= across > 0 ? lacking : -lacking;
@@ -119,7 +116,7 @@ private:
     void push_to_edge(std::size_t i)
     {
         const double across = points_[i][1 - chain_.direction];
-        const double beyond = std::abs(across) - (tile_units - distance_) / 2 + mending_margin;
+        const double beyond = std::abs(across) - (tile_units - distance_) / 2 + chain_rounding;
         if (beyond > 0) moves_[i][1 - chain_.direction] -= across > 0 ? beyond : -beyond;
     }
 

@@ -11,7 +11,8 @@
 namespace poissonlab {
 namespace {
 
-/// Of what a chain's balance lacks, an iteration; and the most that nulling or this moves a point, in spacings.
+/// An iteration shifts a chain by this part of what its balance lacks; neither this nor nulling moves a point farther
+/// than the longest move, in spacings.
 constexpr double shift_gain = 0.6;
 constexpr double longest_move = 0.05;
 

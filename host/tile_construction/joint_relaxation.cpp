@@ -12,10 +12,10 @@
 namespace poissonlab {
 namespace {
 
-/// Of a step down the gradient. Smaller steps take longer, larger ones overshoot.
+/// The gain is the part of a step down the gradient that is made: less takes longer, more overshoots.
 constexpr double nulling_gain = 0.3;
 
-/// Of frequencies, in square roots of the points a tile. Less, and power beyond them grows.
+/// Nulling reaches frequencies up to this many square roots of the points a tile: with less, power beyond them grows.
 constexpr double nulling_reach = 2;
 
 constexpr std::size_t default_work_group_size = 16;

@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/tile_construction/boundary_stages.hpp"
+#include "host/tile_construction/fill_stages.hpp"
 #include "host/tile_construction/piece_choice.hpp"
 #include "host/tile_construction/piece_store.hpp"
 
@@ -19,16 +20,6 @@ namespace {
 
 /// A torus succeeds in one or two attempts or hardly ever.
 constexpr std::uint32_t max_piece_attempts = 24;
-constexpr std::uint32_t max_tile_attempts = 8;
-
-/// The most rounds in which pieces are made again for tiles that could not be filled.
-constexpr std::uint32_t max_rounds = 12;
-
-/// Random numbers of a round begin here.
-constexpr std::uint32_t attempts_a_round = 64;
-
-constexpr std::uint32_t frame_stage = 8;
-constexpr std::uint32_t interior_stage = 9;
 
 class Construction
 {

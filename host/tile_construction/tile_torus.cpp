@@ -69,7 +69,7 @@ TilePosition around_middle(const TilePosition& position)
     return {shortest(position[0] - tile_units / 2), shortest(position[1] - tile_units / 2), 0};
 }
 
-/// Whether a ray to the left meets the polygon an odd number of times.
+/// A position is inside where a ray to the left meets the polygon an odd number of times.
 bool is_inside(std::span<const TilePosition> polygon, const TilePosition& position)
 {
     const TilePosition p = around_middle(position);

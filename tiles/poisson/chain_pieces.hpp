@@ -16,6 +16,13 @@ namespace poissonlab {
 /// Chains go right (along axis 0) or up (along axis 1).
 inline constexpr std::size_t chain_directions = 2;
 
+/// Sets with chains store even coordinates only. Rounding two points to these takes up to so many units from their
+/// distance.
+inline constexpr double chain_rounding = 3;
+
+/// The even coordinate at or above one.
+constexpr std::int32_t storable(std::int32_t coordinate) { return (coordinate + 1) & ~1; }
+
 /// The points of a chain between its corner points, from the lower corner on.
 using Chain = std::vector<UnitPosition>;
 

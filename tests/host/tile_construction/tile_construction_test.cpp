@@ -3,13 +3,12 @@
 #include "host/tile_construction/tile_construction.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tests/support/cgal_distance.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/tiles/poisson/made_up_tilings.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -32,20 +31,6 @@ PoissonTileSet built_by_reference(const PoissonTileParameters& parameters)
 {
     const auto filler = reference::make_tile_filler(fill_settings(parameters));
     return construct_tile_set(parameters, *filler).set;
-}
-
-/// The shortest edge of the Delaunay triangulation, squared, in squared units: the distance of the two
-/// nearest points.
-double squared_distance_by_cgal(const std::vector<TestPosition>& points)
-{
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    std::vector<Kernel::Point_2> positions;
-    for (const TestPosition& p : points) positions.emplace_back(p[0], p[1]);
-    CGAL::Delaunay_triangulation_2<Kernel> triangulation(positions.begin(), positions.end());
-    double least = 1e300;
-    for (auto edge = triangulation.finite_edges_begin(); edge != triangulation.finite_edges_end(); ++edge)
-        least = std::min(least, triangulation.segment(*edge).squared_length());
-    return least;
 }
 
 class TileConstruction : public testing::TestWithParam<SmallSet>

@@ -109,6 +109,28 @@ TEST(ChainGeometry, PointsNearTheirEdgeLeaveHalfTheDistance)
     EXPECT_FALSE(is_near_edge({0, 40000, 0}, 0, distance * distance));
 }
 
+/// A chain of one colour, whose corner point is 8,000 units above the lattice point.
+std::string fault_of(const Chain& chain, std::int64_t distance)
+{
+    ChainPieces pieces(1, 1);
+    pieces.corners = {{0, 8000, 0}};
+    pieces.chains[0] = {chain};
+    return fault_of_chain(pieces, 0, 0, 0, distance * distance).value_or("none");
+}
+
+TEST(ChainGeometry, FaultsNameThePoint)
+{
+    const Chain chain{{20000, 8000, 0}, {32768, 22000, 0}, {45536, 8000, 0}};
+    EXPECT_EQ(fault_of(chain, 20000), "none");
+    EXPECT_EQ(fault_of({chain[0], {32768, 26000, 0}, chain[2]}, 20000),
+              "point at (32768, 26000): must be nearer to its edge");
+    EXPECT_EQ(fault_of({chain[0], {32768, 27000, 0}, chain[2]}, 20000),
+              "point at (32768, 27000): must be in the cones of its ends");
+    EXPECT_EQ(fault_of({chain[0], chain[2]}, 14000),
+              "link from (20000, 8000) to (45536, 8000) of length 25536.0: must be at most sqrt 3 times the minimum "
+              "distance, 24248.7");
+}
+
 /// The lemma: a point that is 2 r from both ends of a link of length 2 sqrt 3 r is r away from all of it.
 TEST(ChainGeometry, ShortLinksKeepDisksApart)
 {

@@ -1,0 +1,24 @@
+// How often fillings are tried, and which random numbers they have: every stage of a construction has its own.
+#pragma once
+
+#include <cstdint>
+
+namespace poissonlab {
+
+/// Fillings of a tile before a piece of its border is made again.
+inline constexpr std::uint32_t max_tile_attempts = 8;
+
+/// The most rounds in which pieces are made again for tiles that could not be filled.
+inline constexpr std::uint32_t max_rounds = 12;
+
+/// Random numbers of a round begin here.
+inline constexpr std::uint32_t attempts_a_round = 64;
+
+/// Stages of boundary_stages() have lower numbers.
+inline constexpr std::uint32_t frame_stage = 8;
+inline constexpr std::uint32_t interior_stage = 9;
+inline constexpr std::uint32_t chain_stage = 10;
+inline constexpr std::uint32_t inside_stage = 11; ///< inside of chains
+inline constexpr std::uint32_t repair_stage = 12; ///< the same after joint relaxation
+
+}
