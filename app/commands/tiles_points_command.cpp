@@ -64,6 +64,11 @@ TileBlock searched_block(const TileBlock& window, const PoissonTileParameters& p
     if (p.border == TileBorder::strip) return window;
     TileBlock block = window;
     for (std::size_t axis = 0; axis < 2; ++axis) {
+        constexpr std::uint32_t most = 65'534;
+        if (window.size[axis] > most)
+            throw InputError(fmt::format("tiles points: --window: {} tiles along an axis: must be at most {} for tiles "
+                                         "with chains",
+                                         window.size[axis], most));
         --block.lowest[axis];
         block.size[axis] += 2;
     }

@@ -44,6 +44,7 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
         if (given.is_given("joint_iterations")) iterations = integer("joint_iterations");
         if (given.is_given("null_peaks")) nulling = given.flag("null_peaks");
         set_border(p, *tile_borders.find(given.text("border")), iterations, nulling);
+        if (given.is_given("repulsion")) p.repulsion = given.flag("repulsion");
     }
     p.seed = seed;
     return p;

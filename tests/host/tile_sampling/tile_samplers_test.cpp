@@ -128,6 +128,16 @@ TEST_F(TileSamplers, OfOneTileAreDeterministic)
     EXPECT_TRUE(is_deterministic("template-tiles", "tiles", 1));
 }
 
+TEST_F(TileSamplers, ChainsBringWhatTheyNeedButOverruleNothing)
+{
+    const std::pair<std::string, ParameterValue> colors{"colors", whole(2)}, chains{"border", std::string("chain")};
+    EXPECT_EQ(refusal("corner-tiles", {colors, chains}), "accepted");
+    EXPECT_THAT(refusal("corner-tiles", {colors, chains, {"repulsion", false}}),
+                HasSubstr("repulsion = false: must be true for tiles with chains"));
+    EXPECT_THAT(refusal("corner-tiles", {colors, {"joint_iterations", whole(3)}}),
+                HasSubstr("joint_iterations = 3: must be 0 for tiles with strips"));
+}
+
 TEST_F(TileSamplers, RefuseWhatCannotBe)
 {
     EXPECT_EQ(refusal("corner-tiles", {{"colors", whole(2)}}), "accepted");
