@@ -31,8 +31,8 @@ typedef ushort16 LooseUnits __attribute__((aligned(2)));
 #endif
 #endif
 
-/// The place in the block of the tile number `n` of a run. n + run.x is below 2^31, so that the quotient by the width is
-/// that of a product, which processors have for vectors, unlike division.
+/// The place in the block of the tile number `n` of a run. n + run.x is below 2^31, so that the quotient by the width
+/// is that of a product, which processors have for vectors, unlike division.
 PTILES_FUNCTION uint3 place_in_block(uint n, struct Run run)
 {
     const uint row = (uint)((ulong)(run.x + n) * run.reciprocal >> run.shift);
@@ -46,8 +46,8 @@ kernel void look_up_tiles(struct Run run, struct Window window, global uint* til
 {
     const uint id = get_global_id(0);
     if (id >= run.count) return;
-    const struct ptiles_tiling tiling = {KIND, DIMENSION, COLORS, TILES, POINTS, window.seed, window.period,
-                                         LOW,  STEP,      0,      0};
+    const struct ptiles_tiling tiling = {KIND,          DIMENSION, COLORS, TILES, POINTS, window.seed,
+                                         window.period, LOW,       STEP,   0,     0,      0};
     const uint3 place = place_in_block(id, run);
     tiles[id] = ptiles_tile(
         tiling, (int3)(window.west + (int)place.x, window.south + (int)place.y, window.bottom + (int)place.z));

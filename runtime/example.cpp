@@ -23,8 +23,8 @@ int main(int argc, char** argv)
 
     const double low[] = {std::atof(argv[2]), std::atof(argv[3]), 0};
     const double high[] = {low[0] + std::atof(argv[4]), low[1] + std::atof(argv[5]), 1};
-    std::vector<ptiles_point> points(ptiles_in_window(&tiling, low, high, nullptr, 0)); // how many there are
-    ptiles_in_window(&tiling, low, high, points.data(), points.size());
+    std::vector<ptiles_point> points(ptiles_in_window(&tiling, low, high, nullptr, 0, 1)); // how many there are
+    ptiles_in_window(&tiling, low, high, points.data(), points.size(), 1);
     for (const ptiles_point& p : points) std::printf("%.9g %.9g %.9g\n", p.position[0], p.position[1], p.position[2]);
 
     const double middle[] = {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, 0.5};

@@ -20,6 +20,7 @@ typedef struct ptiles_set
     const uint16_t* points; /* tile after tile, point after point, x before y before z */
     int32_t low, step;      /* the number u is the coordinate low + step * u, in units of 1/65536 */
     int32_t below, above;   /* units that points are below or above their tile's square at most, along any axis */
+    const uint16_t* ranks;  /* of each point in its tile, in the order of points; 0: the set is not ranked */
 } ptiles_set;
 
 /* Which tile is where: every seed gives another tiling. It closes after `period` tiles along each axis, 0:
@@ -37,6 +38,7 @@ typedef struct ptiles_point
     int32_t tile[3]; /* the place of its tile; 0 along z in 2D */
     uint32_t index;  /* in its tile */
     uint32_t id;     /* random bits that stay with the point (and its repetitions), such as for its looks */
+    double level;    /* the density, from 0 to 1, above which the point is there: see ptiles_in_window */
 } ptiles_point;
 
 static inline uint32_t ptiles_word(const unsigned char* bytes)
@@ -80,8 +82,9 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
     set->step = chains ? 2 : 1;
     set->below = version == 2 ? (int32_t)ptiles_word(bytes + 100) : 0;
     set->above = version == 2 ? (int32_t)ptiles_word(bytes + 104) : 0;
-    if (chains > 1 || set->below < 0 || set->below > 32768 || set->above < 0 || set->above > 32768)
-        return "an unknown kind of borders";
+    const uint32_t ranked = version == 2 ? ptiles_word(bytes + 108) : 0; /* no, or yes */
+    if (ranked > 1 || chains > 1 || set->below < 0 || set->below > 32768 || set->above < 0 || set->above > 32768)
+        return "an unknown kind of borders or ranks";
     if (set->kind > 2 || (set->dimension != 2 && (set->dimension != 3 || set->kind != 0)))
         return "an unknown kind of tiles";
     if (set->colors == 0 || set->tiles == 0 || set->points_per_tile == 0 || set->points_per_tile > 65536 ||
@@ -89,8 +92,10 @@ static inline const char* ptiles_open(ptiles_set* set, const void* file, uint64_
         return "numbers of colours, tiles and points that do not fit together";
     /* Lengths of chains lie behind the points; nothing here needs them. */
     const uint64_t lengths = chains ? (uint64_t)2 * set->colors * set->colors : 0;
-    if (size != 128 + (uint64_t)2 * set->tiles * set->points_per_tile * set->dimension + 2 * lengths)
-        return "too short or too long for its points";
+    const uint64_t points = (uint64_t)set->tiles * set->points_per_tile;
+    const uint64_t before_ranks = points * set->dimension + lengths; /* numbers */
+    set->ranks = ranked ? set->points + before_ranks : 0;
+    if (size != 128 + 2 * (before_ranks + (ranked ? points : 0))) return "too short or too long for its points";
     if (*(const unsigned char*)&one != 1) return "files are little-endian, this machine is not";
     if ((uintptr_t)file % 2 != 0) return "bytes must be at an even address";
     return 0;
@@ -120,14 +125,8 @@ static inline uint32_t ptiles_place(int32_t i, int32_t period)
     if (period != 0) i = i % period < 0 ? i % period + period : i % period;
     return (uint32_t)i;
 }
-static inline uint32_t ptiles_after(uint32_t x, int32_t period)
-{
-    return x + 1 == (uint32_t)period ? 0 : x + 1;
-}
-static inline uint32_t ptiles_before(uint32_t x, int32_t period)
-{
-    return (x == 0 ? (uint32_t)period : x) - 1;
-}
+static inline uint32_t ptiles_after(uint32_t x, int32_t period) { return x + 1 == (uint32_t)period ? 0 : x + 1; }
+static inline uint32_t ptiles_before(uint32_t x, int32_t period) { return (x == 0 ? (uint32_t)period : x) - 1; }
 
 /* The digits of a corner tile: NE, SE, SW, NW at the height z. */
 static inline uint32_t ptiles_corners(const ptiles_tiling* t, uint32_t x, uint32_t y, uint32_t z)
@@ -148,16 +147,14 @@ static inline uint32_t ptiles_edges(const ptiles_tiling* t, uint32_t x, uint32_t
                                    {east, north, 0}, {east, north, 1}, {east, y, 0},     {east, south, 1},
                                    {west, y, 0},     {x, south, 1},    {west, north, 0}, {x, north, 1}};
     uint32_t tile = 0;
-    for (int e = 0; e < 12; ++e)
-        tile = tile * t->set.colors + ptiles_color(t, edges[e][0], edges[e][1], edges[e][2]);
+    for (int e = 0; e < 12; ++e) tile = tile * t->set.colors + ptiles_color(t, edges[e][0], edges[e][1], edges[e][2]);
     return tile;
 }
 
 /* The number of the tile at a place; k: 0 in 2D. */
 static inline uint32_t ptiles_tile(const ptiles_tiling* t, int32_t i, int32_t j, int32_t k)
 {
-    const uint32_t x = ptiles_place(i, t->period), y = ptiles_place(j, t->period),
-                   z = ptiles_place(k, t->period);
+    const uint32_t x = ptiles_place(i, t->period), y = ptiles_place(j, t->period), z = ptiles_place(k, t->period);
     const uint32_t c = t->set.colors;
     if (t->set.kind == 2) return ptiles_hash(t->seed, x, y, 0) % t->set.tiles;
     if (t->set.kind == 1) return ptiles_edges(t, x, y);
@@ -181,24 +178,45 @@ static inline double ptiles_coordinate(const ptiles_set* set, uint16_t number)
 static inline ptiles_point ptiles_point_at(const ptiles_tiling* t, const int32_t tile[3], uint32_t index,
                                            const uint16_t* numbers)
 {
-    ptiles_point p = {{0, 0, 0}, {tile[0], tile[1], tile[2]}, index, 0};
+    ptiles_point p = {{0, 0, 0}, {tile[0], tile[1], tile[2]}, index, 0, 0};
     uint32_t place[3];
     for (uint32_t a = 0; a < 3; ++a) {
         place[a] = ptiles_place(tile[a], t->period);
         if (a < t->set.dimension) p.position[a] = tile[a] + ptiles_coordinate(&t->set, numbers[a]);
     }
     p.id = ptiles_mix(ptiles_hash(t->seed, place[0], place[1], place[2]) + 1 + index);
+    if (t->set.ranks)
+        p.level = (t->set.ranks[(numbers - t->set.points) / t->set.dimension] + 0.5) / t->set.points_per_tile;
+    else
+        p.level = p.id / 4294967296.0;
     return p;
+}
+
+/* Points of a ranked tile with a rank below this have a level below the density. */
+static inline uint32_t ptiles_ranks_below(const ptiles_set* set, double density)
+{
+    const uint32_t n = set->points_per_tile;
+    uint32_t rank = density >= 1 ? n : density > 0 ? (uint32_t)(density * n) : 0;
+    while (rank > 0 && (rank - 0.5) / n >= density) --rank;
+    while (rank < n && (rank + 0.5) / n < density) ++rank;
+    return rank;
 }
 
 static inline int32_t ptiles_floor(double x) { return (int32_t)x - (x < (int32_t)x); }
 
 /* All points p with low <= p < high along each axis: how many there are, the first `capacity` of them in
- * `points`. Rows of tiles from south to north (3D: layers from the bottom), in each from west to east. */
+ * `points`. Rows of tiles from south to north (3D: layers from the bottom), in each from west to east.
+ *
+ * Of these, those with a level below `density`: 1 for all of them, 0.25 for a quarter. Ranked sets (tiles build
+ * --ranked) are spread evenly at any density, others lose points at random. More density adds points and moves none, so
+ * that a density that differs from place to place is: the largest one here, then of each point whether its level is
+ * below the density at its position. */
 static inline uint64_t ptiles_in_window(const ptiles_tiling* t, const double* low, const double* high,
-                                        ptiles_point* points, uint64_t capacity)
+                                        ptiles_point* points, uint64_t capacity, double density)
 {
     const uint32_t d = t->set.dimension;
+    const uint16_t* ranks = density < 1 ? t->set.ranks : 0; /* that have to be looked at */
+    const uint32_t ranks_below = ptiles_ranks_below(&t->set, density);
     int32_t at[3], first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
     uint64_t found = 0;
     for (uint32_t a = 0; a < d; ++a) {
@@ -208,14 +226,17 @@ static inline uint64_t ptiles_in_window(const ptiles_tiling* t, const double* lo
     for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
         for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
             for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
-                const uint16_t* numbers = ptiles_points(&t->set, ptiles_tile(t, at[0], at[1], at[2]));
+                const uint32_t tile = ptiles_tile(t, at[0], at[1], at[2]);
+                const uint16_t* numbers = ptiles_points(&t->set, tile);
+                const uint64_t first_point = (uint64_t)tile * t->set.points_per_tile;
                 for (uint32_t n = 0; n < t->set.points_per_tile; ++n, numbers += d) {
-                    int inside = 1;
+                    int inside = !ranks || ranks[first_point + n] < ranks_below;
                     for (uint32_t a = 0; a < d; ++a) {
                         const double x = at[a] + ptiles_coordinate(&t->set, numbers[a]);
                         inside = inside && x >= low[a] && x < high[a];
                     }
                     if (!inside) continue;
+                    if (density < 1 && !ranks && ptiles_point_at(t, at, n, numbers).level >= density) continue;
                     if (found < capacity) points[found] = ptiles_point_at(t, at, n, numbers);
                     ++found;
                 }
@@ -265,7 +286,7 @@ static inline void ptiles_visit(const ptiles_tiling* t, const int32_t home[3], c
 static inline double ptiles_nearest(const ptiles_tiling* t, const double* position, ptiles_point* nearest)
 {
     const int32_t d = (int32_t)t->set.dimension;
-    const ptiles_point none = {{0, 0, 0}, {0, 0, 0}, 0, 0};
+    const ptiles_point none = {{0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     int32_t home[3] = {0, 0, 0}, o[3];
     const double below = t->set.below / 65536.0, above = t->set.above / 65536.0;
     double f[3] = {0, 0, 0}, squared = 1e300, border = 1; /* of the home tile */
@@ -283,8 +304,7 @@ static inline double ptiles_nearest(const ptiles_tiling* t, const double* positi
         for (o[2] = -layers; o[2] <= layers; ++o[2])
             for (o[1] = -ring; o[1] <= ring; ++o[1]) {
                 /* Of rows inside the ring, only the ends. */
-                const int outer =
-                    o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
+                const int outer = o[1] == -ring || o[1] == ring || (d == 3 && (o[2] == -ring || o[2] == ring));
                 for (o[0] = -ring; o[0] <= ring; o[0] += outer || ring == 0 ? 1 : 2 * ring)
                     if (ptiles_gap(f[0], o[0], below, above) + ptiles_gap(f[1], o[1], below, above) +
                             ptiles_gap(f[2], o[2], below, above) <

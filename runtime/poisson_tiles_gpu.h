@@ -43,7 +43,8 @@
 #endif
 
 /// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in
-/// poisson_tiles.h. Tiles with strips: low 0, step 1, below and above 0.
+/// poisson_tiles.h. Tiles with strips: low 0, step 1, below and above 0. `ranks` says where ranks are in the buffer: in
+/// terms of poisson_tiles.h set.ranks - set.points; 0: the set is not ranked.
 struct ptiles_tiling
 {
     uint kind;
@@ -57,6 +58,7 @@ struct ptiles_tiling
     int step;
     int below;
     int above;
+    uint ranks;
 };
 
 struct ptiles_nearest
@@ -105,8 +107,7 @@ PTILES_FUNCTION uint ptiles_corners(PTILES_STRUCT(ptiles_tiling) t, uint x, uint
 }
 
 /// Two more digits: the edges that go east from (x0, y0) and north from (x1, y1).
-PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1,
-                                      uint y1)
+PTILES_FUNCTION uint ptiles_edge_pair(PTILES_STRUCT(ptiles_tiling) t, uint tile, uint x0, uint y0, uint x1, uint y1)
 {
     return (tile * t.colors + ptiles_color(t, x0, y0, 0u)) * t.colors + ptiles_color(t, x1, y1, 1u);
 }
@@ -120,8 +121,7 @@ PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
     if (t.kind == 0u && t.dimension == 2u) return ptiles_corners(t, x, y, 0u);
     if (t.kind == 0u) {
         uint z = ptiles_place(at.z, t.period);
-        return ptiles_corners(t, x, y, ptiles_after(z, t.period)) *
-                   (t.colors * t.colors * t.colors * t.colors) +
+        return ptiles_corners(t, x, y, ptiles_after(z, t.period)) * (t.colors * t.colors * t.colors * t.colors) +
                ptiles_corners(t, x, y, z);
     }
     uint east = ptiles_after(x, t.period);
@@ -149,8 +149,7 @@ PTILES_FUNCTION float ptiles_coordinate(PTILES_BUFFER PTILES_STRUCT(ptiles_tilin
 }
 
 /// The point of this index of a tile: from the tile's lowest corner, without rounding. In 2D z is 0.
-PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile,
-                                           uint index)
+PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile, uint index)
 {
     uint n = (tile * t.points_per_tile + index) * t.dimension;
     ptiles_float3 p;
@@ -158,6 +157,15 @@ PTILES_FUNCTION ptiles_float3 ptiles_point(PTILES_BUFFER PTILES_STRUCT(ptiles_ti
     p.y = ptiles_coordinate(PTILES_WORDS t, n + 1u);
     p.z = t.dimension == 3u ? ptiles_coordinate(PTILES_WORDS t, n + 2u) : 0.0f;
     return p;
+}
+
+/// The density, from 0 to 1, above which a point is there: ranked sets are spread evenly at any density, others lose
+/// points at random. `tile` is the number of its tile, `id` its random bits.
+PTILES_FUNCTION float ptiles_level(PTILES_BUFFER PTILES_STRUCT(ptiles_tiling) t, uint tile, uint index, uint id)
+{
+    if (t.ranks == 0u) return PTILES_FLOAT(id >> 8) / 16777216.0f;
+    uint rank = ptiles_number(PTILES_WORDS t.ranks + tile * t.points_per_tile + index);
+    return (PTILES_FLOAT(rank) + 0.5f) / PTILES_FLOAT(t.points_per_tile);
 }
 
 /// The squared distance along an axis of a position in the tile 0 from where points of the tile `offset` tiles away can
@@ -213,9 +221,9 @@ PTILES_FUNCTION PTILES_STRUCT(ptiles_nearest)
     }
     nearest.distance = sqrt(squared);
     uint z = ptiles_place(nearest.tile.z, t.period);
-    nearest.id = ptiles_mix(ptiles_hash(t.seed, ptiles_place(nearest.tile.x, t.period),
-                                        ptiles_place(nearest.tile.y, t.period), z) +
-                            1u + nearest.index);
+    nearest.id = ptiles_mix(
+        ptiles_hash(t.seed, ptiles_place(nearest.tile.x, t.period), ptiles_place(nearest.tile.y, t.period), z) + 1u +
+        nearest.index);
     return nearest;
 }
 

@@ -55,6 +55,7 @@ struct TilesBuildOptions
     std::string border = otherwise().text("border");
     std::uint32_t joint_iterations = not_given;
     std::string null_peaks; ///< "on" or "off"; empty: not given
+    bool ranked = false;
     std::uint64_t seed = 1;
     std::filesystem::path out;
     std::string engine = "opencl";
@@ -98,6 +99,7 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     set_border(p, *tile_borders.find(o.border),
                o.joint_iterations == not_given ? std::nullopt : std::optional(o.joint_iterations),
                o.null_peaks.empty() ? std::nullopt : std::optional(o.null_peaks == "on"));
+    p.ranked = o.ranked;
     p.seed = o.seed;
     try {
         check(p);
@@ -177,6 +179,7 @@ Command tiles_build_command()
              {"--border", &o->border, option_help(parameter_of(sampler, "border")), "NAME"},
              {"--joint-iterations", &o->joint_iterations, option_help(parameter_of(sampler, "joint_iterations")), "I"},
              {"--null-peaks", &o->null_peaks, option_help(parameter_of(sampler, "null_peaks")), "on|off"},
+             {"--ranked", &o->ranked, "Order points, so that any part of them is spread evenly: see tiles points"},
              {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
              {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
              {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},

@@ -19,6 +19,7 @@ enum class Purpose : std::uint32_t
     tile_filling = 5,
     chain_corners = 6,
     joint_tiling = 7,
+    tile_ranking = 8,
     tiling_colors = 16,
     scanline_tiling = 17,
     tile_choice = 18,

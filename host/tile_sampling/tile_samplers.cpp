@@ -4,7 +4,7 @@
 #include "base/random/random.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_construction/tile_construction.hpp"
-#include "host/tile_points/tile_points.hpp"
+#include "host/tile_points/point_levels.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
@@ -38,6 +38,7 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
     if (given.text("filling") == tile_fillings[TileFilling::dart_throwing]) set_dart_throwing(p);
     p.lloyd_iterations = integer("lloyd_iterations");
     p.repulsion = given.flag("repulsion");
+    p.ranked = given.flag("ranked");
     if (knows_chains(family)) {
         std::optional<std::uint32_t> iterations;
         std::optional<bool> nulling;
@@ -50,13 +51,15 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
     return p;
 }
 
+double density_of(const Parameters& given) { return given.number("density"); }
+
 class TileSampler final : public DeviceSampler
 {
 public:
-    TileSampler(const PoissonTileParameters& parameters, const SampleRequest& request, Engine engine,
+    TileSampler(const PoissonTileParameters& parameters, double density, const SampleRequest& request, Engine engine,
                 const DeviceProvider& device)
-        : DeviceSampler(engine, device), seed_(request.seed),
-          side_(tiling_side(request.points, parameters.points_per_tile, parameters.dimension))
+        : DeviceSampler(engine, device), seed_(request.seed), density_(density),
+          side_(tiling_side(request.points, density * parameters.points_per_tile, parameters.dimension))
     {
         const auto begin = std::chrono::steady_clock::now();
         CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
@@ -70,7 +73,9 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
-        return generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
+        PointSet points =
+            generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
+        return at_density(std::move(points), density_, tiles_, tiling, side_);
     }
 
     std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
@@ -79,6 +84,7 @@ public:
 
 private:
     std::uint64_t seed_;
+    double density_;
     std::uint32_t side_;
     double preparation_seconds_ = 0;
     PoissonTileSet tiles_;
@@ -146,6 +152,16 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
          .help = "push apart what Lloyd relaxation left too close: needed above 0.75 or 0.8",
          .otherwise = false},
     };
+    specs.push_back({.key = "ranked",
+                     .kind = Kind::boolean,
+                     .help = "order points, so that any part of them is spread evenly: see density",
+                     .otherwise = false});
+    specs.push_back({.key = "density",
+                     .help = "part of the points that is kept: those of the lowest ranks, without ranks at random",
+                     .maximum = 1,
+                     .exclusive_minimum = true,
+                     .symbol = "density",
+                     .otherwise = 1.0});
     if (!knows_chains(family)) return specs;
     specs.push_back({.key = "border",
                      .kind = Kind::choice,
@@ -188,22 +204,28 @@ void check_parameters(const PoissonTileFamily& family, const std::string& sample
     } catch (const InputError& error) {
         throw error.moved_to(place_of(parameters, error.key(), family));
     }
-    if (tiling_side(request.points, tiles.points_per_tile, family.dimension) > 65'536)
+    const double density = density_of(parameters);
+    if (tiles.ranked && density * tiles.points_per_tile <= 0.5)
+        throw invalid_value(place_of(parameters, "density", family), "density", fmt::format("{}", density),
+                            fmt::format("must be more than {}, or nothing is left of {} ranked points per tile",
+                                        0.5 / tiles.points_per_tile, tiles.points_per_tile));
+    if (tiling_side(request.points, density * tiles.points_per_tile, family.dimension) > 65'536)
         throw InputError::at(where, fmt::format("sampler = \"{}\": {} points are more than 65536 tiles along an axis",
                                                 sampler, request.points));
 }
 
 /// The number of tiles of a set's tiling.
-std::uint64_t tiles_of_sets(const PoissonTileParameters& tiles, std::size_t points)
+std::uint64_t tiles_of_sets(const PoissonTileParameters& tiles, double density, std::size_t points)
 {
-    return lattice_cells(tiling_side(points, tiles.points_per_tile, tiles.dimension), tiles.dimension);
+    return lattice_cells(tiling_side(points, density * tiles.points_per_tile, tiles.dimension), tiles.dimension);
 }
 
 /// Building the tile set, then taking points from it.
-DeviceMemory device_memory(const PoissonTileParameters& tiles, std::size_t points, const DeviceInfo& device)
+DeviceMemory device_memory(const PoissonTileParameters& tiles, double density, std::size_t points,
+                           const DeviceInfo& device)
 {
     return either(construction_memory(tiles, device),
-                  TilePointGenerator::memory(tiles, tiles_of_sets(tiles, points), device));
+                  TilePointGenerator::memory(tiles, tiles_of_sets(tiles, density, points), device));
 }
 
 SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std::string summary)
@@ -221,21 +243,22 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
     };
     spec.most_points = [family](const Parameters& parameters, const SampleRequest& request) -> std::size_t {
         const PoissonTileParameters tiles = tile_parameters(family, parameters, request.seed);
-        return tiles_of_sets(tiles, request.points) * tiles.points_per_tile;
+        return tiles_of_sets(tiles, density_of(parameters), request.points) * tiles.points_per_tile;
     };
     spec.device_memory = [family](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
-        return device_memory(tile_parameters(family, parameters, request.seed), request.points, device);
+        return device_memory(tile_parameters(family, parameters, request.seed), density_of(parameters), request.points,
+                             device);
     };
-    // A set of one tile has one tiling.
+    // A set of one tile has one tiling, but for what chance leaves out of it.
     spec.is_deterministic = [family](const Parameters& parameters) {
-        return parameters.integer(size_key(family)) == 1;
+        return parameters.integer(size_key(family)) == 1 && (parameters.flag("ranked") || density_of(parameters) == 1);
     };
     spec.create = [family](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {
-            return std::make_unique<TileSampler>(tile_parameters(family, parameters, request.seed), request, engine,
-                                                 device);
+            return std::make_unique<TileSampler>(tile_parameters(family, parameters, request.seed),
+                                                 density_of(parameters), request, engine, device);
         } catch (const InputError& error) { // the radius could not be reached
             throw error.moved_to(place_of(parameters, "relative_radius", family));
         }
@@ -245,7 +268,7 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
 
 }
 
-std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int dimension)
+std::uint32_t tiling_side(std::size_t points, double points_per_tile, int dimension)
 {
     const auto wanted = static_cast<double>(points) / points_per_tile;
     const double root = std::floor(dimension == 2 ? std::sqrt(wanted) : std::cbrt(wanted));

@@ -17,7 +17,8 @@ SamplerSpec edge_tile_sampler();
 SamplerSpec template_tile_sampler();
 SamplerSpec sphere_tile_sampler();
 
-/// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1.
-std::uint32_t tiling_side(std::size_t points, std::uint32_t points_per_tile, int dimension);
+/// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1. Tiles of which
+/// only a part of the points is kept have that many on average.
+std::uint32_t tiling_side(std::size_t points, double points_per_tile, int dimension);
 
 }

@@ -5,6 +5,7 @@
 #include "code_hashes.hpp"
 #include "host/store/file_lock.hpp"
 #include "host/tile_construction/chain_construction.hpp"
+#include "host/tile_construction/tile_ranking.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
@@ -133,6 +134,10 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
     } else {
         built = construct_tile_set(parameters, *filler(fill_settings(parameters)), options);
     }
+    if (parameters.ranked)
+        built.set.ranks = rank_points(built.set, [&](std::size_t done, std::size_t total) {
+            if (options.progress) options.progress("ranks", done, total);
+        });
     built.set.squared_min_distance = certify(built.set).squared_min_distance;
     if (built.set.squared_min_distance < asked_squared_distance(parameters))
         throw std::logic_error("a tile set was built whose tilings do not keep the minimum distance");
@@ -158,12 +163,13 @@ std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* de
         device ? fmt::format("opencl-{:08x}", xxh64_bytes(device->identity()) & 0xFFFFFFFFU) : "reference";
     const std::string joint =
         p.joint_iterations > 0 ? fmt::format("-joint{}{}", p.joint_iterations, p.null_peaks ? "-nulled" : "") : "";
-    return fmt::format(
-        "{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}{}{}-seed{}-{}-{}.ptiles", kind_name(p),
-        p.kind == PoissonTileKind::frame ? "t" : "c", p.kind == PoissonTileKind::frame ? p.tiles : p.colors,
-        p.points_per_tile, p.relative_radius, p.filling == TileFilling::dart_throwing ? "darts" : "relaxation",
-        p.attempts, p.factor, p.lloyd_iterations, p.repulsion ? "-repulsion" : "",
-        p.border == TileBorder::chain ? "-chains" : "", joint, p.seed, maker, POISSONLAB_CONSTRUCTION_VERSION);
+    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}{}{}{}-seed{}-{}-{}.ptiles", kind_name(p),
+                       p.kind == PoissonTileKind::frame ? "t" : "c",
+                       p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile, p.relative_radius,
+                       p.filling == TileFilling::dart_throwing ? "darts" : "relaxation", p.attempts, p.factor,
+                       p.lloyd_iterations, p.repulsion ? "-repulsion" : "",
+                       p.border == TileBorder::chain ? "-chains" : "", joint, p.ranked ? "-ranked" : "", p.seed, maker,
+                       POISSONLAB_CONSTRUCTION_VERSION);
 }
 
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,

@@ -80,8 +80,8 @@ TEST_F(TilesPointsCommand, WindowsOfChainsFitTogether)
     const PointSet found = read_points(folder_.path() / "points.txt").at(0);
     const ptiles_tiling tiling = runtime_tiling(tiles, {7, 0});
     const double low[] = {-3, 5}, high[] = {5, 13};
-    std::vector<ptiles_point> expected(ptiles_in_window(&tiling, low, high, nullptr, 0));
-    ptiles_in_window(&tiling, low, high, expected.data(), expected.size());
+    std::vector<ptiles_point> expected(ptiles_in_window(&tiling, low, high, nullptr, 0, 1));
+    ptiles_in_window(&tiling, low, high, expected.data(), expected.size(), 1);
     ASSERT_EQ(found.size(), expected.size());
     expect_error("chains.ptiles --window 0 0 65536 1 --out wide.npy",
                  "65536 tiles along an axis: must be at most 65534");

@@ -87,7 +87,7 @@ void load_and_place_16384(benchmark::State& state)
         if (const char* problem = ptiles_open(&tiling.set, bytes.data(), bytes.size())) state.SkipWithError(problem);
         const double low[] = {0, 0};
         const double high[] = {16, 16};
-        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size()));
+        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size(), 1));
     }
 }
 
@@ -112,7 +112,7 @@ void window(benchmark::State& state, PoissonTileSet (*make)())
     for (auto _ : state) {
         low[0] += 0.618;
         const double high[] = {low[0] + 16, low[1] + 16};
-        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size()));
+        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size(), 1));
     }
 }
 

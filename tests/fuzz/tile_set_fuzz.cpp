@@ -109,7 +109,8 @@ void check_runtime(std::string_view bytes)
     const double squared = ptiles_nearest(&tiling, position.data(), &nearest);
     require(squared >= 0 && nearest.index < tiling.set.points_per_tile, "a nearest point that is none");
     std::array<ptiles_point, 4> points{};
-    const std::uint64_t found = ptiles_in_window(&tiling, position.data(), high.data(), points.data(), points.size());
+    const std::uint64_t found =
+        ptiles_in_window(&tiling, position.data(), high.data(), points.data(), points.size(), 1);
     for (std::size_t i = 0; i < std::min<std::size_t>(found, points.size()); ++i)
         require(points[i].position[0] >= position[0] && points[i].position[0] < high[0],
                 "a point outside of the window");

@@ -16,9 +16,10 @@ trap 'rm -f "$shader" "$shader.out"' EXIT
     cat <<'END'
 void main()
 {
-    ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0, -32768, 2, 9000, 2000);
+    ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0, -32768, 2, 9000, 2000, 8192u);
     ivec3 home = ivec3(gl_GlobalInvocationID);
-    ids[home.x] = ptiles_nearest_point(t, home, vec3(0.5, 0.5, 0.0)).id;
+    ptiles_nearest n = ptiles_nearest_point(t, home, vec3(0.5, 0.5, 0.0));
+    ids[home.x] = ptiles_level(t, ptiles_tile(t, n.tile), n.index, n.id) < 0.5 ? n.id : 0u;
 }
 END
 } >"$shader"

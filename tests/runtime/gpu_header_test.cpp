@@ -16,12 +16,12 @@ namespace {
 /// in it.
 constexpr auto kernels = R"(
     kernel void query(global const uint* words, uint kind, uint dimension, uint colors, uint tiles, uint points_per_tile,
-                      uint seed, int period, int low, int step, int below, int above, global const int* places, global const float* positions, uint count,
-                      global uint* results, global float* distances, global float* coordinates)
+                      uint seed, int period, int low, int step, int below, int above, uint ranks, global const int* places, global const float* positions, uint count,
+                      global uint* results, global float* distances, global float* coordinates, global float* levels)
     {
         const uint id = get_global_id(0);
         if (id >= count) return;
-        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period, low, step, below, above};
+        const struct ptiles_tiling t = {kind, dimension, colors, tiles, points_per_tile, seed, period, low, step, below, above, ranks};
         const int3 home = vload3(id, places);
         const struct ptiles_nearest nearest = ptiles_nearest_point(words, t, home, vload3(id, positions));
         global uint* result = results + 6 * id;
@@ -32,6 +32,7 @@ constexpr auto kernels = R"(
         result[4] = nearest.index;
         result[5] = nearest.id;
         distances[id] = nearest.distance;
+        levels[id] = ptiles_level(words, t, ptiles_tile(t, nearest.tile), nearest.index, nearest.id);
         vstore3(ptiles_point(words, t, result[0], id % points_per_tile), id, coordinates);
     }
 )";
@@ -80,17 +81,22 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
     const ptiles_set& s = tiling.set;
     const Queries queries = make_queries(set.parameters.dimension);
     std::vector<std::uint16_t> words = set.points;
+    words.insert(words.end(), set.chain_lengths.begin(), set.chain_lengths.end());
+    const auto first_rank = static_cast<std::uint32_t>(set.ranks.empty() ? 0 : words.size());
+    words.insert(words.end(), set.ranks.begin(), set.ranks.end());
     words.resize((words.size() + 1) / 2 * 2);
     auto results = device_.buffer<std::uint32_t>(6 * count);
     auto distances = device_.buffer<float>(count);
     auto coordinates = device_.buffer<float>(3 * count);
+    auto levels = device_.buffer<float>(count);
     device_.kernel_from_text(kernel_source("runtime/poisson_tiles_gpu.h") + kernels, "gpu_header_test.cl", "query")
         .run(count, 64, copied(words), s.kind, s.dimension, s.colors, s.tiles, s.points_per_tile, tiling.seed,
-             tiling.period, s.low, s.step, s.below, s.above, copied(queries.places), copied(queries.positions), count,
-             results, distances, coordinates);
+             tiling.period, s.low, s.step, s.below, s.above, first_rank, copied(queries.places),
+             copied(queries.positions), count, results, distances, coordinates, levels);
     const auto found = results.read(0, results.size());
     const auto squared_of = distances.read(0, count);
     const auto points = coordinates.read(0, coordinates.size());
+    const auto level_of = levels.read(0, count);
 
     std::size_t ties = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -111,6 +117,7 @@ void GpuHeader::expect_same(const PoissonTileSet& set, const PoissonTiling& choi
                        [](std::int32_t a, std::uint32_t b) { return static_cast<std::uint32_t>(a) == b; }) &&
             nearest.index == f[4];
         ASSERT_TRUE(!same || nearest.id == f[5]);
+        ASSERT_TRUE(!same || std::abs(level_of[i] - nearest.level) < 1e-7);
         ties += !same; // equal distances as floats
     }
     EXPECT_LE(ties, count / 500);

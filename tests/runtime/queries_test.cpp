@@ -53,6 +53,7 @@ void expect_same(const ptiles_point& a, const ptiles_point& b)
     EXPECT_EQ(std::to_array(a.tile), std::to_array(b.tile));
     EXPECT_EQ(a.index, b.index);
     EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.level, b.level);
 }
 
 constexpr PoissonTiling query_tilings[] = {{1, 0}, {2, 3}, {3, 1}};
@@ -76,10 +77,37 @@ TEST(Window, HasThePointsInIt)
                 return !inside;
             });
             std::vector<ptiles_point> found(expected.size() + 1);
-            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size()), expected.size());
+            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), found.data(), found.size(), 1),
+                      expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) expect_same(found[i], expected[i]);
             // Points that there is no room for are counted.
-            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), nullptr, 0), expected.size());
+            ASSERT_EQ(ptiles_in_window(&tiling, from.data(), to.data(), nullptr, 0, 1), expected.size());
+        }
+    }
+}
+
+/// At any density a window has the points that the full one has, but for those of higher levels; levels are the ranks
+/// of a tile, or where there are none, the bits of the point.
+TEST(Window, GetsSparserByLevels)
+{
+    for (const PoissonTileSet& set : tile_sets_of_every_kind()) {
+        const ptiles_tiling tiling = runtime_tiling(set, {4, 0});
+        const std::uint32_t n = set.parameters.points_per_tile;
+        const Position low{-1.3, 0.4, -0.2}, high{1.5, 2.9, 1.1};
+        std::vector<ptiles_point> all(ptiles_in_window(&tiling, low.data(), high.data(), nullptr, 0, 1));
+        ptiles_in_window(&tiling, low.data(), high.data(), all.data(), all.size(), 1);
+        for (const ptiles_point& point : all) {
+            const std::uint32_t tile = ptiles_tile(&tiling, point.tile[0], point.tile[1], point.tile[2]);
+            EXPECT_EQ(point.level,
+                      set.parameters.ranked ? (set.ranks[tile * n + point.index] + 0.5) / n : point.id / 4294967296.0);
+        }
+        for (const double density : {-1.0, 0.0, 0.5 / n, 0.3, 1.5 / n, 0.5, 0.999, 1.0, 2.0}) {
+            std::vector<ptiles_point> kept(all.size());
+            kept.resize(ptiles_in_window(&tiling, low.data(), high.data(), kept.data(), kept.size(), density));
+            std::vector<ptiles_point> expected = all;
+            std::erase_if(expected, [&](const ptiles_point& point) { return point.level >= density; });
+            ASSERT_EQ(kept.size(), expected.size()) << name_of(set) << " at the density " << density;
+            for (std::size_t i = 0; i < kept.size(); ++i) expect_same(kept[i], expected[i]);
         }
     }
 }
@@ -92,7 +120,7 @@ TEST(Window, IsHalfOpen)
     const double low[] = {-2, -0.5};
     const double high[] = {1, 1.5};
     ptiles_point points[9];
-    ASSERT_EQ(ptiles_in_window(&tiling, low, high, points, 9), 6u);
+    ASSERT_EQ(ptiles_in_window(&tiling, low, high, points, 9, 1), 6u);
     EXPECT_EQ(points[0].position[0], -2);
     EXPECT_EQ(points[0].position[1], -0.5);
     EXPECT_EQ(points[5].position[0], 0);

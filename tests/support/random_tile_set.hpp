@@ -8,6 +8,7 @@
 #include <bit>
 #include <filesystem>
 #include <fstream>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -40,6 +41,20 @@ inline PoissonTileSet random_chain_set(std::uint32_t colors, std::uint32_t point
     return set;
 }
 
+/// The set with an arbitrary order of the points of each tile.
+inline PoissonTileSet with_random_ranks(PoissonTileSet set)
+{
+    const std::uint32_t n = set.parameters.points_per_tile;
+    set.parameters.ranked = true;
+    set.ranks.resize(std::size_t{set.parameters.tiles} * n);
+    std::mt19937_64 random(n);
+    for (auto first = set.ranks.begin(); first != set.ranks.end(); first += n) {
+        std::iota(first, first + n, std::uint16_t{0});
+        std::shuffle(first, first + n, random);
+    }
+    return set;
+}
+
 /// What docs/tile-set-file.md says, but for the checksum and parameters that nothing depends on, which are 0.
 inline std::string tile_set_file_bytes(const PoissonTileSet& set)
 {
@@ -49,7 +64,7 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
     };
     const PoissonTileParameters& p = set.parameters;
     const bool has_chains = p.border == TileBorder::chain;
-    for (const std::uint32_t word : {has_chains ? 2u : 1u, 128u, static_cast<std::uint32_t>(p.kind),
+    for (const std::uint32_t word : {has_chains || p.ranked ? 2u : 1u, 128u, static_cast<std::uint32_t>(p.kind),
                                      static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles, p.points_per_tile, 0u})
         put(word, 4);
     put(set.squared_min_distance, 8);
@@ -65,8 +80,10 @@ inline std::string tile_set_file_bytes(const PoissonTileSet& set)
             bytes[104 + byte] = static_cast<char>(above >> 8 * byte);
         }
     }
+    bytes[108] = p.ranked ? 1 : 0;
     for (const std::uint16_t coordinate : set.points) put(coordinate, 2);
     for (const std::uint16_t length : set.chain_lengths) put(length, 2);
+    for (const std::uint16_t rank : set.ranks) put(rank, 2);
     return bytes;
 }
 

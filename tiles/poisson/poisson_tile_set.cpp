@@ -149,6 +149,27 @@ void check(const PoissonTileParameters& p)
                                   std::floor(limit * 1000) / 1000, p.points_per_tile));
 }
 
+void check_ranks(const PoissonTileSet& set)
+{
+    const PoissonTileParameters& p = set.parameters;
+    const std::size_t expected = p.ranked ? std::size_t{p.tiles} * p.points_per_tile : 0;
+    if (set.ranks.size() != expected)
+        throw InputError(fmt::format("{} ranks of points: must be {}", set.ranks.size(), expected));
+    std::vector<bool> taken;
+    for (std::size_t i = 0; i < expected; ++i) {
+        const std::size_t tile = i / p.points_per_tile, point = i % p.points_per_tile;
+        if (point == 0) taken.assign(p.points_per_tile, false);
+        const std::uint16_t rank = set.ranks[i];
+        if (rank >= p.points_per_tile)
+            throw InputError(fmt::format("tile {}, point {}: rank {}: must be at most {}", tile, point, rank,
+                                         p.points_per_tile - 1));
+        if (taken[rank])
+            throw InputError(
+                fmt::format("tile {}, point {}: rank {}: another point of the tile has it", tile, point, rank));
+        taken[rank] = true;
+    }
+}
+
 Overhang overhang_of(const PoissonTileSet& set)
 {
     if (set.parameters.border == TileBorder::strip || set.points.empty()) return {};

@@ -77,6 +77,7 @@ struct PoissonTileParameters
     TileBorder border = TileBorder::strip;
     std::uint32_t joint_iterations = 0; ///< of relaxing all tiles together
     bool null_peaks = false;            ///< in these, the mean of all tiles is made even
+    bool ranked = false;                ///< whether points have ranks, by which tilings get sparser
     std::uint64_t seed = 1;
 
     bool operator==(const PoissonTileParameters&) const = default;
@@ -147,6 +148,10 @@ struct PoissonTileSet
     /// that go up, each by the colours of their lower and their upper end, the upper one counting fast.
     std::vector<std::uint16_t> chain_lengths = {};
 
+    /// Of each point in its tile, in the order of points: those of lower rank alone are spread evenly, too, in every
+    /// tiling. Empty: the set is not ranked.
+    std::vector<std::uint16_t> ranks = {};
+
     /// The coordinates of a tile's points as they are stored.
     std::span<const std::uint16_t> tile(std::uint32_t index) const
     {
@@ -167,6 +172,10 @@ struct PoissonTileSet
 
     bool operator==(const PoissonTileSet&) const = default;
 };
+
+/// Throws InputError, a sentence that starts with the tile, unless the ranks of each tile's points are 0 to N - 1, each
+/// once; or there are none, and the parameters say so.
+void check_ranks(const PoissonTileSet& set);
 
 /// How far points are outside of their tile's square at most along any axis, in units.
 struct Overhang

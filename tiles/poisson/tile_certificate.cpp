@@ -115,6 +115,7 @@ TileCertificate certify(const PoissonTileSet& set)
     const std::size_t chains = p.border == TileBorder::chain ? std::size_t{2} * p.colors * p.colors : 0;
     if (set.chain_lengths.size() != chains)
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chains));
+    check_ranks(set);
     return p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
 }
 

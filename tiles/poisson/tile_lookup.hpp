@@ -22,7 +22,8 @@ inline ptiles_tiling runtime_tiling(const PoissonTileSet& tiles, const PoissonTi
     const StoredScale scale = stored_scale(p.border);
     const Overhang overhang = overhang_of(tiles);
     return {{static_cast<std::uint32_t>(p.kind), static_cast<std::uint32_t>(p.dimension), p.colors, p.tiles,
-             p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang.below, overhang.above},
+             p.points_per_tile, tiles.points.data(), scale.low, scale.step, overhang.below, overhang.above,
+             tiles.ranks.empty() ? nullptr : tiles.ranks.data()},
             tiling.seed,
             tiling.period};
 }

@@ -23,7 +23,7 @@ constexpr std::string_view magic = "PTILES\r\n";
 constexpr std::uint32_t first_version = 1, last_version = 2;
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
-constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 108; ///< of either version
+constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 112; ///< of either version
 
 /// Writes numbers one after the other, little-endian.
 class HeaderWriter
@@ -80,9 +80,14 @@ std::size_t chain_count(const PoissonTileParameters& p)
     return p.border == TileBorder::chain ? std::size_t{2} * p.colors * p.colors : 0;
 }
 
+std::size_t rank_count(const PoissonTileParameters& p)
+{
+    return p.ranked ? std::size_t{p.tiles} * p.points_per_tile : 0;
+}
+
 std::uint32_t version_of(const PoissonTileParameters& p)
 {
-    const bool is_of_version_1 = p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks;
+    const bool is_of_version_1 = p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks && !p.ranked;
     return is_of_version_1 ? first_version : last_version;
 }
 
@@ -141,6 +146,7 @@ Header decode_fields(std::string_view bytes)
         p.null_peaks = choice<bool>(reader, "null_peaks", 1);
         header.overhang.below = choice<std::int32_t>(reader, "points below squares", tile_units / 2);
         header.overhang.above = choice<std::int32_t>(reader, "points above squares", tile_units / 2);
+        p.ranked = choice<bool>(reader, "ranked", 1);
     }
     header.checksum = load<std::uint64_t>(bytes.substr(checksum_offset), std::endian::little);
     return header;
@@ -158,7 +164,8 @@ Header decode_header(std::string_view bytes)
     if (reserved.find_first_not_of('\0') != std::string_view::npos)
         throw InputError(fmt::format("reserved bytes {} to {}: must be 0", first, checksum_offset - 1));
     check_stored(header.parameters, header.squared_min_distance);
-    const std::size_t numbers = coordinate_count(header.parameters) + chain_count(header.parameters);
+    const std::size_t numbers =
+        coordinate_count(header.parameters) + chain_count(header.parameters) + rank_count(header.parameters);
     header.file_size = header_size + numbers * sizeof(std::uint16_t);
     return header;
 }
@@ -188,9 +195,16 @@ PoissonTileSet decode_binary(std::string_view bytes)
     if (found != header.checksum)
         throw InputError(fmt::format("is damaged: its checksum is {:016x}, must be {:016x}", found, header.checksum));
     PoissonTileSet set{header.parameters, header.squared_min_distance, {}};
-    const std::size_t coordinates = coordinate_count(set.parameters);
-    set.points = numbers_of(bytes.substr(header_size, coordinates * sizeof(std::uint16_t)));
-    set.chain_lengths = numbers_of(bytes.substr(header_size + coordinates * sizeof(std::uint16_t)));
+    bytes.remove_prefix(header_size);
+    const auto next = [&](std::size_t count) {
+        std::vector<std::uint16_t> numbers = numbers_of(bytes.substr(0, count * sizeof(std::uint16_t)));
+        bytes.remove_prefix(count * sizeof(std::uint16_t));
+        return numbers;
+    };
+    set.points = next(coordinate_count(set.parameters));
+    set.chain_lengths = next(chain_count(set.parameters));
+    set.ranks = next(rank_count(set.parameters));
+    check_ranks(set);
     const Overhang overhang = overhang_of(set);
     if (overhang.below != header.overhang.below)
         throw InputError(fmt::format("points below squares = {}: must be {}", header.overhang.below, overhang.below));
@@ -259,6 +273,7 @@ std::string encode_tile_set(const PoissonTileSet& set)
         throw InputError(fmt::format("{} coordinates: must be {}", set.points.size(), coordinate_count(p)));
     if (set.chain_lengths.size() != chain_count(p))
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chain_count(p)));
+    check_ranks(set);
     const Overhang overhang = overhang_of(set);
     std::string bytes(magic);
     bytes.reserve(header_size + 2 * set.points.size());
@@ -268,10 +283,12 @@ std::string encode_tile_set(const PoissonTileSet& set)
            << set.squared_min_distance << p.relative_radius << p.seed << static_cast<std::uint32_t>(p.filling)
            << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion)
            << static_cast<std::uint32_t>(p.border) << p.joint_iterations << static_cast<std::uint32_t>(p.null_peaks)
-           << static_cast<std::uint32_t>(overhang.below) << static_cast<std::uint32_t>(overhang.above);
+           << static_cast<std::uint32_t>(overhang.below) << static_cast<std::uint32_t>(overhang.above)
+           << static_cast<std::uint32_t>(p.ranked);
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
     for (const std::uint16_t length : set.chain_lengths) writer << length;
+    for (const std::uint16_t rank : set.ranks) writer << rank;
     std::string sum;
     HeaderWriter(sum) << checksum(bytes);
     bytes.replace(checksum_offset, sum.size(), sum);

@@ -35,10 +35,12 @@ constexpr std::array known_keys{"format",
                                 "border",
                                 "joint_iterations",
                                 "null_peaks",
+                                "ranked",
                                 "seed",
                                 "min_distance",
                                 "guaranteed_relative_radius",
                                 "chain_lengths",
+                                "tile_ranks",
                                 "tile_points"};
 
 OrderedJson parameters_to_json(const PoissonTileSet& set)
@@ -60,6 +62,7 @@ OrderedJson parameters_to_json(const PoissonTileSet& set)
             {"border", tile_borders[p.border]},
             {"joint_iterations", p.joint_iterations},
             {"null_peaks", p.null_peaks},
+            {"ranked", p.ranked},
             {"seed", p.seed},
             {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
             {"guaranteed_relative_radius", relative_radius_of(set.squared_min_distance, p)},
@@ -141,6 +144,7 @@ PoissonTileParameters parameters_from_json(const Json& json)
         p.border = word_at(json, "border", tile_borders);
         p.joint_iterations = integer_at<std::uint32_t>(json, "joint_iterations");
         p.null_peaks = bool_at(json, "null_peaks");
+        p.ranked = bool_at(json, "ranked");
     }
     p.seed = integer_at<std::uint64_t>(json, "seed");
     return p;
@@ -177,6 +181,18 @@ std::vector<std::uint16_t> points_from_json(const Json& json, const PoissonTileP
     return points;
 }
 
+std::vector<std::uint16_t> ranks_from_json(const Json& json, const PoissonTileParameters& p)
+{
+    std::vector<std::uint16_t> ranks;
+    list_of(json, p.tiles, "tile_ranks");
+    for (std::size_t tile = 0; tile < p.tiles; ++tile) {
+        const std::string what = fmt::format("tile_ranks[{}]", tile);
+        for (const Json& rank : list_of(json[tile], p.points_per_tile, what))
+            ranks.push_back(integer<std::uint16_t>(rank, what));
+    }
+    return ranks;
+}
+
 Json parsed(std::string_view text)
 {
     try {
@@ -196,6 +212,7 @@ std::string tile_set_to_json(const PoissonTileSet& set)
     text.resize(text.size() - 2); // the line feed and brace at the end
     text += ",\n  \"tile_points\": [";
     const auto dimension = static_cast<std::size_t>(set.parameters.dimension);
+    const std::uint32_t n = set.parameters.points_per_tile;
     for (std::uint32_t tile = 0; tile < set.parameters.tiles; ++tile) {
         text += tile == 0 ? "\n    [" : ",\n    [";
         const std::span<const std::uint16_t> points = set.tile(tile);
@@ -204,7 +221,11 @@ std::string tile_set_to_json(const PoissonTileSet& set)
                            fmt::join(points.subspan(i, dimension), ", "));
         text += "]";
     }
-    return text + "\n  ]\n}\n";
+    text += "\n  ],\n  \"tile_ranks\": [";
+    for (std::size_t first = 0; first < set.ranks.size(); first += n)
+        fmt::format_to(std::back_inserter(text), "{}\n    [{}]", first == 0 ? "" : ",",
+                       fmt::join(std::span(set.ranks).subspan(first, n), ", "));
+    return text + (set.ranks.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }
 
 PoissonTileSet tile_set_from_json(std::string_view text)
@@ -232,6 +253,8 @@ PoissonTileSet tile_set_from_json(std::string_view text)
         for (const Json& length : list_of(value_of(json, "chain_lengths"), chains, "chain_lengths"))
             set.chain_lengths.push_back(integer<std::uint16_t>(length, "chain_lengths"));
     }
+    if (set.parameters.ranked) set.ranks = ranks_from_json(value_of(json, "tile_ranks"), set.parameters);
+    check_ranks(set);
     return set;
 }
 

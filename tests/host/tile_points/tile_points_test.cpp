@@ -106,8 +106,8 @@ TEST_P(TilePoints, AreThoseOfTheHeaderForEngines)
         low[axis] = window.lowest[axis];
         high[axis] = low[axis] + window.size[axis];
     }
-    std::vector<ptiles_point> found(ptiles_in_window(&tiling, low, high, nullptr, 0));
-    ptiles_in_window(&tiling, low, high, found.data(), found.size());
+    std::vector<ptiles_point> found(ptiles_in_window(&tiling, low, high, nullptr, 0, 1));
+    ptiles_in_window(&tiling, low, high, found.data(), found.size(), 1);
     std::vector<std::uint32_t> units;
     for (const ptiles_point& point : found)
         for (std::size_t axis = 0; axis < tiling.set.dimension; ++axis)
@@ -158,8 +158,8 @@ TEST(TilePointsOfChains, OfATorusAreInsideOfIt)
         const ptiles_tiling tiling = runtime_tiling(tiles, {5, static_cast<std::int32_t>(period)});
         std::multiset<std::array<double, 2>> expected, found;
         const double side = period, low[] = {7 * side, -4 * side}, high[] = {8 * side, -3 * side};
-        std::vector<ptiles_point> window(ptiles_in_window(&tiling, low, high, nullptr, 0));
-        ptiles_in_window(&tiling, low, high, window.data(), window.size());
+        std::vector<ptiles_point> window(ptiles_in_window(&tiling, low, high, nullptr, 0, 1));
+        ptiles_in_window(&tiling, low, high, window.data(), window.size(), 1);
         for (const ptiles_point& p : window) expected.insert({p.position[0] - low[0], p.position[1] - low[1]});
         for (std::size_t i = 0; i < points.size(); ++i)
             found.insert({points.coordinates[2 * i] * side, points.coordinates[2 * i + 1] * side});

@@ -128,6 +128,48 @@ TEST_F(TileSamplers, OfOneTileAreDeterministic)
     EXPECT_TRUE(is_deterministic("template-tiles", "tiles", 1));
 }
 
+/// With ranks, sparser sets are parts of denser ones that have as many points in every tile; without, chance leaves
+/// points out.
+TEST_F(TileSamplers, GetSparser)
+{
+    const auto sample = [&](double density, bool ranked, Engine engine = Engine::opencl) {
+        // Always 8 x 8 tiles.
+        return create("corner-tiles",
+                      {{"colors", whole(2)},
+                       {"points_per_tile", whole(16)},
+                       {"relative_radius", 0.7},
+                       {"ranked", ranked},
+                       {"density", density}},
+                      static_cast<std::size_t>(std::lround(1024 * density)), engine)
+            ->sample(2);
+    };
+    const auto is_part_of = [](const PointSet& part, const PointSet& whole_set) {
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < whole_set.size() && next < part.size(); ++i)
+            next += whole_set.coordinates[2 * i] == part.coordinates[2 * next] &&
+                    whole_set.coordinates[2 * i + 1] == part.coordinates[2 * next + 1];
+        return next == part.size();
+    };
+    const PointSet all = sample(1, true);
+    const PointSet half = sample(0.5, true), quarter = sample(0.25, true);
+    EXPECT_EQ(half.size(), 512u);
+    EXPECT_EQ(quarter.size(), 256u);
+    EXPECT_TRUE(is_part_of(half, all));
+    EXPECT_TRUE(is_part_of(quarter, half));
+    EXPECT_EQ(sample(0.5, true, Engine::reference), half);
+    const PointSet random_half = sample(0.5, false);
+    EXPECT_NE(random_half, half);
+    EXPECT_NEAR(static_cast<double>(random_half.size()), 512, 5 * 16); // deviations of a binomial distribution
+    EXPECT_TRUE(is_part_of(random_half, sample(1, false)));
+}
+
+TEST_F(TileSamplers, RefuseDensitiesThatLeaveNothing)
+{
+    const Values values{{"colors", whole(2)}, {"points_per_tile", whole(16)}, {"ranked", true}, {"density", 0.03}};
+    EXPECT_THAT(refusal("corner-tiles", values), HasSubstr("density = 0.03: must be more than 0.03125"));
+    EXPECT_FALSE(is_deterministic("corner-tiles", "colors", 2));
+}
+
 TEST_F(TileSamplers, ChainsBringWhatTheyNeedButOverruleNothing)
 {
     const std::pair<std::string, ParameterValue> colors{"colors", whole(2)}, chains{"border", std::string("chain")};

@@ -5,9 +5,12 @@
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/random_tile_set.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/tiles/poisson/made_up_tile_sets.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -49,8 +52,13 @@ PoissonTileSet chain_set()
 
 std::vector<PoissonTileSet> one_of_each_kind()
 {
-    return {unusual_set(), random_points(edge_parameters(1)), random_points(template_parameters(5)),
-            random_points(sphere_parameters(2)), chain_set()};
+    return {unusual_set(),
+            random_points(edge_parameters(1)),
+            random_points(template_parameters(5)),
+            random_points(sphere_parameters(2)),
+            chain_set(),
+            with_random_ranks(chain_set()),
+            with_random_ranks(random_points(sphere_parameters(2)))};
 }
 
 /// The message with which these bytes are refused, or "accepted".
@@ -171,8 +179,26 @@ TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
     EXPECT_THAT(error(84, 0u), HasSubstr("repulsion = false: must be true for tiles with chains"));
     EXPECT_THAT(error(100, 12u), HasSubstr("points below squares = 12: must be "));
     EXPECT_THAT(error(104, 12u), HasSubstr("points above squares = 12: must be "));
-    EXPECT_EQ(error(108, 1u), "a.ptiles: reserved bytes 108 to 119: must be 0");
+    EXPECT_EQ(error(108, 2u), "a.ptiles: ranked = 2: must be at most 1");
+    EXPECT_THAT(error(108, 1u), HasSubstr("must be 1008 for 16 tiles of 9 points"));
+    EXPECT_EQ(error(112, 1u), "a.ptiles: reserved bytes 112 to 119: must be 0");
     EXPECT_THAT(error_of(bytes.substr(0, bytes.size() - 16)), HasSubstr("must be "));
+}
+
+TEST(TileSetFile, RanksAreAnOrderOfEachTile)
+{
+    const PoissonTileSet set = with_random_ranks(chain_set());
+    const std::string bytes = encode_tile_set(set);
+    EXPECT_EQ(error_of(bytes), "accepted");
+    const std::size_t first = bytes.size() - 2 * set.ranks.size();
+    EXPECT_EQ(error_of(resealed(changed(bytes, first + 2 * (5 * 9 + 3), std::uint16_t{9}))),
+              "a.ptiles: tile 5, point 3: rank 9: must be at most 8");
+    EXPECT_EQ(error_of(resealed(changed(bytes, first + 2, set.ranks[0]))),
+              fmt::format("a.ptiles: tile 0, point 1: rank {}: another point of the tile has it", set.ranks[0]));
+    PoissonTileSet fewer = set;
+    fewer.ranks.pop_back();
+    EXPECT_EQ(refusal_of([&] { encode_tile_set(fewer); }), "143 ranks of points: must be 144");
+    EXPECT_EQ(refusal_of([&] { certify(fewer); }), "143 ranks of points: must be 144");
 }
 
 class DamagedTileSetFile : public testing::TestWithParam<bool>
@@ -181,7 +207,8 @@ class DamagedTileSetFile : public testing::TestWithParam<bool>
 
 TEST_P(DamagedTileSetFile, IsNeverOverlooked)
 {
-    const std::string bytes = encode_tile_set(GetParam() ? chain_set() : random_points(corner_parameters(2, 6)));
+    const std::string bytes =
+        encode_tile_set(GetParam() ? with_random_ranks(chain_set()) : random_points(corner_parameters(2, 6)));
     for (std::size_t offset = 0; offset < 128; ++offset)
         for (int change = 1; change < 256; ++change)
             ASSERT_NE(error_of(changed(bytes, offset, static_cast<char>(bytes[offset] ^ change))), "accepted")

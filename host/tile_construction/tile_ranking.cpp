@@ -1,0 +1,263 @@
+#include "host/tile_construction/tile_ranking.hpp"
+
+#include "base/random/random.hpp"
+#include "tiles/poisson/random_neighbours.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Random neighbourhoods of each tile: with four, prefixes have a sixth more power at low frequencies; sixteen take
+/// twice the time for a twentieth less.
+constexpr std::uint32_t neighbourhoods = 8;
+
+/// Tiles of a batch do not see what the others of it take.
+constexpr std::uint32_t batches = 8;
+
+/// The standard deviation of the Gaussians, and where they end, in mean distances of the points taken so far.
+constexpr double deviation = 0.5;
+constexpr double reach = 2;
+
+/// Coordinates are coarser here, so that squared distances of points three tiles away have 31 bits.
+constexpr int coarse_bits = 3;
+constexpr std::int32_t side = tile_units >> coarse_bits;
+
+/// A point may be half a tile outside of its square.
+constexpr std::int32_t lowest = -side / 2;
+constexpr std::int32_t extent = 2 * side;
+
+using Position = std::array<std::int32_t, 3>;
+
+/// The Gaussian at a rank, as integers, whose sums do not depend on their order.
+class Influence
+{
+public:
+    Influence(std::uint32_t rank, int dimension)
+    {
+        const double spacing = side / std::pow(rank + 1.0, 1.0 / dimension);
+        // Beyond the neighbouring tiles nothing is known.
+        radius_ = std::min(side, static_cast<std::int32_t>(std::ceil(reach * spacing)));
+        const auto squared = static_cast<std::uint32_t>(radius_ * radius_);
+        shift_ = std::max<int>(0, static_cast<int>(std::bit_width(squared)) - table_bits);
+        for (std::size_t i = 0; i < table_.size(); ++i) {
+            const double at = static_cast<double>(i << shift_) / (2 * deviation * deviation * spacing * spacing);
+            table_[i] = static_cast<std::uint32_t>(std::lround(std::exp(-at) * (1 << 20)));
+        }
+    }
+
+    std::int32_t radius() const { return radius_; }
+
+    std::uint32_t of(std::int32_t squared_distance) const
+    {
+        return squared_distance < radius_ * radius_ ? table_[static_cast<std::size_t>(squared_distance >> shift_)] : 0;
+    }
+
+private:
+    static constexpr int table_bits = 12;
+    std::int32_t radius_ = 0;
+    int shift_ = 0;
+    std::array<std::uint32_t, 1 << table_bits> table_{};
+};
+
+/// The points of each tile that have a rank, in cells, so that those near a place are found.
+class TakenPoints
+{
+public:
+    TakenPoints(const std::vector<Position>& points, std::uint32_t tiles, std::uint32_t points_per_tile, int dimension)
+        : points_(points), n_(points_per_tile), dimension_(dimension), taken_(tiles), next_(points.size())
+    {
+        arrange(side);
+    }
+
+    /// New cells where these are too large, or too small for disks of this radius.
+    void suit(std::int32_t radius)
+    {
+        std::int32_t cell = side;
+        while (cell / 2 >= radius) cell /= 2;
+        if (cell != cell_) arrange(cell);
+    }
+
+    void take(std::uint32_t tile, std::uint32_t point)
+    {
+        taken_[tile].push_back(point);
+        put(tile, point);
+    }
+
+    /// The influence at a place, relative to the tile, of its points.
+    std::uint64_t energy(std::uint32_t tile, const Position& place, const Influence& influence) const
+    {
+        Position first{}, last{};
+        for (int a = 0; a < dimension_; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            const std::int32_t low = place[k] - influence.radius() - lowest;
+            const std::int32_t high = place[k] + influence.radius() - lowest;
+            if (high < 0 || low >= extent) return 0;
+            first[k] = std::max(0, low) / cell_;
+            last[k] = std::min(extent - 1, high) / cell_;
+        }
+        std::uint64_t sum = 0;
+        for (std::int32_t z = first[2]; z <= last[2]; ++z)
+            for (std::int32_t y = first[1]; y <= last[1]; ++y)
+                for (std::int32_t x = first[0]; x <= last[0]; ++x)
+                    for (std::uint32_t i = heads_[cell_number(tile, {x, y, z})]; i != none; i = next_[i]) {
+                        const Position& p = points_[i];
+                        const std::int32_t dx = p[0] - place[0], dy = p[1] - place[1], dz = p[2] - place[2];
+                        sum += influence.of(dx * dx + dy * dy + dz * dz);
+                    }
+        return sum;
+    }
+
+private:
+    static constexpr std::uint32_t none = UINT32_MAX;
+
+    void arrange(std::int32_t cell)
+    {
+        cell_ = cell;
+        along_axis_ = extent / cell;
+        std::size_t cells = taken_.size();
+        for (int a = 0; a < dimension_; ++a) cells *= static_cast<std::size_t>(along_axis_);
+        heads_.assign(cells, none);
+        for (std::uint32_t tile = 0; tile < taken_.size(); ++tile)
+            for (const std::uint32_t point : taken_[tile]) put(tile, point);
+    }
+
+    void put(std::uint32_t tile, std::uint32_t point)
+    {
+        const std::uint32_t i = tile * n_ + point;
+        Position cell{};
+        for (int a = 0; a < dimension_; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            cell[k] = (points_[i][k] - lowest) / cell_;
+        }
+        std::uint32_t& head = heads_[cell_number(tile, cell)];
+        next_[i] = head;
+        head = i;
+    }
+
+    std::size_t cell_number(std::uint32_t tile, const Position& cell) const
+    {
+        std::size_t number = tile;
+        for (int a = dimension_; a-- > 0;)
+            number = number * static_cast<std::size_t>(along_axis_) +
+                     static_cast<std::size_t>(cell[static_cast<std::size_t>(a)]);
+        return number;
+    }
+
+    const std::vector<Position>& points_;
+    std::uint32_t n_;
+    int dimension_;
+    std::int32_t cell_ = 0, along_axis_ = 0;
+    std::vector<std::vector<std::uint32_t>> taken_; ///< by tile
+    std::vector<std::uint32_t> heads_, next_;       ///< points of a cell are a list
+};
+
+class Ranking
+{
+public:
+    explicit Ranking(const PoissonTileSet& set)
+        : p_(set.parameters), stream_(stream_key(p_.seed, Purpose::tile_ranking, 0)), points_(positions_of(set)),
+          taken_(points_, p_.tiles, p_.points_per_tile, p_.dimension), ranks_(points_.size(), unranked)
+    {}
+
+    std::vector<std::uint16_t> run(const std::function<void(std::size_t done, std::size_t total)>& progress)
+    {
+        for (std::uint32_t rank = 0; rank < p_.points_per_tile; ++rank) {
+            const Influence influence(rank, p_.dimension);
+            taken_.suit(influence.radius());
+            std::array<std::vector<std::uint32_t>, batches> parts;
+            for (std::uint32_t tile = 0; tile < p_.tiles; ++tile)
+                parts[philox({tile, rank, 0, order_use}, stream_)[0] % batches].push_back(tile);
+            for (const auto& tiles : parts) rank_batch(tiles, rank, influence);
+            if (progress) progress(rank + 1, p_.points_per_tile);
+        }
+        return std::move(ranks_);
+    }
+
+private:
+    static constexpr std::uint16_t unranked = UINT16_MAX;
+
+    /// Uses of random numbers; random_neighbours() has 0.
+    static constexpr std::uint32_t order_use = 1, tie_use = 2;
+
+    static std::vector<Position> positions_of(const PoissonTileSet& set)
+    {
+        const PoissonTileParameters& p = set.parameters;
+        std::vector<Position> positions;
+        for (std::uint32_t tile = 0; tile < p.tiles; ++tile)
+            for (std::uint32_t point = 0; point < p.points_per_tile; ++point) {
+                Position position = set.position(tile, point);
+                for (std::int32_t& x : position) x >>= coarse_bits;
+                positions.push_back(position);
+            }
+        return positions;
+    }
+
+    void rank_batch(const std::vector<std::uint32_t>& tiles, std::uint32_t rank, const Influence& influence)
+    {
+        std::vector<std::uint32_t> chosen(tiles.size());
+        tbb::parallel_for(std::size_t{0}, tiles.size(),
+                          [&](std::size_t i) { chosen[i] = loneliest_point(tiles[i], rank, influence); });
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            ranks_[std::size_t{tiles[i]} * p_.points_per_tile + chosen[i]] = static_cast<std::uint16_t>(rank);
+            taken_.take(tiles[i], chosen[i]);
+        }
+    }
+
+    /// The point of a tile without a rank that has the least energy; of several, chance chooses.
+    std::uint32_t loneliest_point(std::uint32_t tile, std::uint32_t rank, const Influence& influence) const
+    {
+        std::array<NeighbourTiles, neighbourhoods> around{};
+        for (std::uint32_t i = 0; i < neighbourhoods; ++i) around[i] = random_neighbours(p_, tile, stream_, i);
+        std::uint32_t best = 0, best_tie = 0;
+        std::uint64_t least = UINT64_MAX;
+        for (std::uint32_t point = 0; point < p_.points_per_tile; ++point) {
+            if (ranks_[std::size_t{tile} * p_.points_per_tile + point] != unranked) continue;
+            const std::uint64_t energy = energy_of(tile, point, around, influence);
+            const std::uint32_t tie = philox({tile, rank, point, tie_use}, stream_)[0];
+            if (energy > least || (energy == least && tie <= best_tie)) continue;
+            best = point;
+            best_tie = tie;
+            least = energy;
+        }
+        return best;
+    }
+
+    std::uint64_t energy_of(std::uint32_t tile, std::uint32_t point,
+                            const std::array<NeighbourTiles, neighbourhoods>& around, const Influence& influence) const
+    {
+        const Position& place = points_[std::size_t{tile} * p_.points_per_tile + point];
+        std::uint64_t sum = neighbourhoods * taken_.energy(tile, place, influence);
+        const int layers = p_.dimension == 3 ? 1 : 0;
+        for (int z = -layers; z <= layers; ++z)
+            for (int y = -1; y <= 1; ++y)
+                for (int x = -1; x <= 1; ++x) {
+                    if (x == 0 && y == 0 && z == 0) continue;
+                    const Position seen{place[0] - x * side, place[1] - y * side, place[2] - z * side};
+                    for (const NeighbourTiles& tiles : around)
+                        sum += taken_.energy(tiles[neighbour_number(x, y, z)], seen, influence);
+                }
+        return sum;
+    }
+
+    const PoissonTileParameters& p_;
+    StreamKey stream_;
+    std::vector<Position> points_;
+    TakenPoints taken_;
+    std::vector<std::uint16_t> ranks_;
+};
+
+}
+
+std::vector<std::uint16_t> rank_points(const PoissonTileSet& set,
+                                       const std::function<void(std::size_t done, std::size_t total)>& progress)
+{
+    return Ranking(set).run(progress);
+}
+
+}
