@@ -1,9 +1,10 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
 #include "app/commands/command.hpp"
+#include "app/commands/window_density.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/tile_points/tile_points.hpp"
+#include "host/tile_points/point_levels.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
@@ -15,18 +16,25 @@ namespace poissonlab {
 namespace {
 
 constexpr auto tiles_points_notes =
-    R"(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
+    R"help(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
 from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
 The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
 window, so that poissonlab analyze takes the points of a square one; for .npy, --domain N. Edges of the window are not
 those of a torus.
-  poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy)";
+With --density, points are left out: those of the highest ranks (tiles build --ranked), of sets without ranks any. No
+point moves. A number is the part that is left; a picture or a formula in x and y, laid over the window, says it for each
+place, in parts of its largest value.
+  poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
+  poissonlab tiles points ranked.ptiles --window 0 0 30 20 --density photo.jpg --density-from ink --out dots.ply
+  poissonlab tiles points ranked.ptiles --window 0 0 20 20 --density "exp(-8*(x^2+y^2))" --out blob.txt)help";
 
 struct TilesPointsOptions
 {
     std::filesystem::path file;       ///< the tile set
     std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
     std::uint32_t seed = 1;
+    std::string density = "1"; ///< a number, the name of a picture, or a formula
+    std::string density_from = "light";
     std::filesystem::path out;
     std::string device;
 };
@@ -52,10 +60,12 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
 /// The comment in the file; its domain is the square (cube) that the window fits into.
 std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
 {
-    return fmt::format("domain 0:{}\npoissonlab tiles points {} --window {} --seed {}: coordinates in tiles, from the "
-                       "lowest corner of the window",
-                       std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "),
-                       options.seed);
+    const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
+    return fmt::format(
+        "domain 0:{}\npoissonlab tiles points {} --window {} --seed {}{}: coordinates in tiles, from the "
+        "lowest corner of the window",
+        std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "), options.seed,
+        density);
 }
 
 /// With chains, points lie outside of their tiles' squares: those of a window are looked for one tile farther.
@@ -80,45 +90,58 @@ TileBlock searched_block(const TileBlock& window, const PoissonTileParameters& p
 class WindowPoints
 {
 public:
-    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window)
-        : p_(tiles.parameters), window_(window), block_(searched_block(window, p_)), generator_(device, tiles)
+    /// `tiles` and `density` must outlive this.
+    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window,
+                 const WindowDensity& density)
+        : tiles_(tiles), window_(window), density_(density), block_(searched_block(window, tiles.parameters)),
+          generator_(device, tiles)
     {}
 
     std::size_t count(std::uint32_t seed)
     {
-        if (p_.border == TileBorder::strip) return window_.tiles() * p_.points_per_tile;
+        if (!has_overhang() && density_.is_full()) return window_.tiles() * tiles_.parameters.points_per_tile;
         std::size_t points = 0;
-        stream(seed, [&](std::span<const double> coordinates) { points += coordinates.size() / 2; });
+        stream(seed, [&](std::span<const double> coordinates) { points += coordinates.size() / dimension(); });
         return points;
     }
 
     void stream(std::uint32_t seed, const PointSink& sink)
     {
+        PointLevels levels(tiles_, {seed, 0}, block_);
         generator_.stream({seed, 0}, block_, [&](std::span<const std::uint32_t> units) {
             stop_if_interrupted();
             coordinates_.clear();
-            if (p_.border == TileBorder::strip)
-                for (const std::uint32_t unit : units) coordinates_.push_back(unit / 65536.0);
-            else
-                for (std::size_t i = 0; i < units.size(); i += 2) append_if_inside(units[i], units[i + 1]);
+            std::span<const double> level;
+            if (!density_.is_full()) level = levels.next(units.size() / generator_.values_per_tile());
+            for (std::size_t i = 0; i < units.size() / dimension(); ++i) {
+                const std::size_t before = coordinates_.size();
+                if (append_if_inside(units.subspan(i * dimension(), dimension())) && !level.empty() &&
+                    !density_.keeps(std::span(coordinates_).subspan(before), level[i]))
+                    coordinates_.resize(before);
+            }
             sink(coordinates_);
         });
     }
 
 private:
-    void append_if_inside(std::uint32_t x, std::uint32_t y)
+    bool has_overhang() const { return tiles_.parameters.border == TileBorder::chain; }
+    std::size_t dimension() const { return static_cast<std::size_t>(tiles_.parameters.dimension); }
+
+    /// Appends a point and says so, unless it is outside of the window.
+    bool append_if_inside(std::span<const std::uint32_t> units)
     {
         constexpr std::uint32_t tile = 65536;
-        const auto is_inside = [&](std::uint32_t unit, std::size_t axis) {
-            return unit >= tile && unit - tile < std::uint64_t{tile} * window_.size[axis];
-        };
-        if (!is_inside(x, 0) || !is_inside(y, 1)) return;
-        coordinates_.push_back((x - tile) / 65536.0);
-        coordinates_.push_back((y - tile) / 65536.0);
+        const std::uint32_t margin = has_overhang() ? tile : 0; // of the block around the window
+        for (std::size_t axis = 0; has_overhang() && axis < units.size(); ++axis)
+            if (units[axis] < margin || units[axis] - margin >= std::uint64_t{tile} * window_.size[axis]) return false;
+        for (const std::uint32_t unit : units) coordinates_.push_back((unit - margin) / 65536.0);
+        return true;
     }
 
-    PoissonTileParameters p_;
-    TileBlock window_, block_;
+    const PoissonTileSet& tiles_;
+    TileBlock window_;
+    const WindowDensity& density_;
+    TileBlock block_;
     TilePointGenerator generator_;
     std::vector<double> coordinates_;
 };
@@ -128,9 +151,10 @@ void write_tile_points(const TilesPointsOptions& options)
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
     const TileBlock block = checked_window(options.window, p.dimension);
+    const WindowDensity density(options.density, options.density_from, block, p.dimension);
     const Device device = Device::open(options.device);
     check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
-    WindowPoints points(device, tiles, block);
+    WindowPoints points(device, tiles, block, density);
     write_points_in_pieces(options.out, p.dimension, points.count(options.seed), comment_of(options, block),
                            [&](const PointSink& sink) { points.stream(options.seed, sink); });
 }
@@ -140,16 +164,20 @@ void write_tile_points(const TilesPointsOptions& options)
 Command tiles_points_command()
 {
     const auto o = std::make_shared<TilesPointsOptions>();
-    return {"points",
-            "Write the points of a window of a tiling to a file",
-            {{"FILE", &o->file, "The tile set (.ptiles, .json)"},
-             {"--window", &o->window, "The tiles: lowest one, and how many along each axis",
-              "X Y W H (3D: X Y Z W H D)", required, 6},
-             {"--out", &o->out, "The point file", "FILE", required},
-             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
-             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"}},
-            tiles_points_notes,
-            action_on(o, write_tile_points)};
+    return {
+        "points",
+        "Write the points of a window of a tiling to a file",
+        {{"FILE", &o->file, "The tile set (.ptiles, .json)"},
+         {"--window", &o->window, "The tiles: lowest one, and how many along each axis", "X Y W H (3D: X Y Z W H D)",
+          required, 6},
+         {"--out", &o->out, "The point file", "FILE", required},
+         {"--density", &o->density,
+          "The part of the points that is left, everywhere or from place to place; default: 1", "NUMBER|IMAGE|FORMULA"},
+         {"--density-from", &o->density_from, "Of a picture: light (the default), ink, or one of its channels", "NAME"},
+         {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+         {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"}},
+        tiles_points_notes,
+        action_on(o, write_tile_points)};
 }
 
 }

@@ -3,6 +3,7 @@
 // The densities in the regions are those of Lagae, Tile-Based Methods in Computer Graphics, 2007,
 // figure 6.24.
 #include "app/commands/command.hpp"
+#include "app/commands/prefix_quality.hpp"
 #include "base/errors/errors.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -21,7 +22,8 @@ constexpr auto tiles_verify_notes =
     R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
 for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
 damaged, tiles do not fit together, or it promises more than is proven.
-Density: points in the regions over those of as many points spread evenly.)";
+Density: points in the regions over those of as many points spread evenly. Ranked sets: the power at low frequencies
+that parts of their points have, over what parts by chance would have; 0.5 and less is good.)";
 
 struct TilesVerifyOptions
 {
@@ -38,13 +40,16 @@ struct Verification
     PoissonTileParameters parameters;
     std::uint64_t stored_squared_distance = 0;
     TileCertificate certificate;
+    std::vector<PrefixQuality> prefixes; ///< of ranked sets
 };
 
 Verification verify(const std::filesystem::path& file)
 {
     const PoissonTileSet set = read_tile_set(file);
     try {
-        return {file.string(), set.parameters, set.squared_min_distance, certify(set)};
+        const TileCertificate certificate = certify(set);
+        return {file.string(), set.parameters, set.squared_min_distance, certificate,
+                set.parameters.ranked ? prefix_qualities(set) : std::vector<PrefixQuality>{}};
     } catch (const InputError& error) {
         throw error.moved_to({file.string()});
     }
@@ -91,6 +96,10 @@ void print_summary(const Verification& v)
     line(p.dimension == 2 ? "largest empty circle" : "largest empty sphere",
          fmt::format("radius at most {:.6f} tiles, {:.4f} minimum distances", c.largest_empty_radius,
                      c.largest_empty_radius_in_min_distances));
+    for (const PrefixQuality& prefix : v.prefixes)
+        line(fmt::format("{:.0f} % of the points", 100 * prefix.density),
+             fmt::format("relative radius {:.4f}, power at low frequencies {:.4f}, {:.3f} of a random part's",
+                         prefix.relative_radius, prefix.power, prefix.power / prefix.random_power));
     fmt::print("\n{:<22}{:>8}{:>10}{:>8}{:>10}\n", "points of a tile near", "min", "mean", "max", "density");
     for (int i = 0; i <= p.dimension; ++i) {
         const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
@@ -113,6 +122,7 @@ void print_json(const Verification& v)
               {"border", tile_borders[p.border]},
               {"joint_iterations", p.joint_iterations},
               {"null_peaks", p.null_peaks},
+              {"ranked", p.ranked},
               {"relative_radius", c.relative_radius},
               {"asked_relative_radius", p.relative_radius},
               {"min_distance", distance_of(c.squared_min_distance)},
@@ -125,6 +135,11 @@ void print_json(const Verification& v)
         json["regions"][region_name(i, p)] = {{"min", r.min}, {"mean", r.mean}, {"max", r.max}};
         if (p.border == TileBorder::strip) json["regions"][region_name(i, p)]["density"] = r.density;
     }
+    for (const PrefixQuality& prefix : v.prefixes)
+        json["parts"].push_back({{"density", prefix.density},
+                                 {"relative_radius", prefix.relative_radius},
+                                 {"low_frequency_power", prefix.power},
+                                 {"random_low_frequency_power", prefix.random_power}});
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -1,7 +1,8 @@
 // Between this room and the module that holds OpenImageIO, the library of every picture file: PNG files are written and
-// read so far; other kinds (photographs, environment maps) are functions of the same codec.
+// read, pictures of any kind are read as light.
 #pragma once
 
+#include "base/images/linear_picture.hpp"
 #include "base/images/png_file.hpp"
 
 #include <filesystem>
@@ -17,6 +18,7 @@ public:
     virtual std::string write(const std::filesystem::path& path, const PngLayout& layout,
                               const PngRows& rows) const = 0;
     virtual std::string read(const std::filesystem::path& path, PngPixels& pixels) const = 0;
+    virtual std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const = 0;
 };
 
 /// The function of the module that returns its codec, which lives as long as the module.

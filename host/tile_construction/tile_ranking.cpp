@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -21,18 +22,14 @@ constexpr std::uint32_t neighbourhoods = 8;
 constexpr std::uint32_t batches = 8;
 
 /// The standard deviation of the Gaussians, and where they end, in mean distances of the points taken so far.
-constexpr double deviation = 0.5;
-constexpr double reach = 2;
+constexpr double influence_deviation = 0.5;
+constexpr double influence_reach = 1.5;
 
 /// Coordinates are coarser here, so that squared distances of points three tiles away have 31 bits.
 constexpr int coarse_bits = 3;
-constexpr std::int32_t side = tile_units >> coarse_bits;
+constexpr std::int32_t coarse_side = tile_units >> coarse_bits;
 
-/// A point may be half a tile outside of its square.
-constexpr std::int32_t lowest = -side / 2;
-constexpr std::int32_t extent = 2 * side;
-
-using Position = std::array<std::int32_t, 3>;
+using CoarsePosition = std::array<std::int32_t, 3>;
 
 /// The Gaussian at a rank, as integers, whose sums do not depend on their order.
 class Influence
@@ -40,13 +37,14 @@ class Influence
 public:
     Influence(std::uint32_t rank, int dimension)
     {
-        const double spacing = side / std::pow(rank + 1.0, 1.0 / dimension);
+        const double spacing = coarse_side / std::pow(rank + 1.0, 1.0 / dimension);
         // Beyond the neighbouring tiles nothing is known.
-        radius_ = std::min(side, static_cast<std::int32_t>(std::ceil(reach * spacing)));
+        radius_ = std::min(coarse_side, static_cast<std::int32_t>(std::ceil(influence_reach * spacing)));
         const auto squared = static_cast<std::uint32_t>(radius_ * radius_);
         shift_ = std::max<int>(0, static_cast<int>(std::bit_width(squared)) - table_bits);
         for (std::size_t i = 0; i < table_.size(); ++i) {
-            const double at = static_cast<double>(i << shift_) / (2 * deviation * deviation * spacing * spacing);
+            const double at =
+                static_cast<double>(i << shift_) / (2 * influence_deviation * influence_deviation * spacing * spacing);
             table_[i] = static_cast<std::uint32_t>(std::lround(std::exp(-at) * (1 << 20)));
         }
     }
@@ -65,20 +63,33 @@ private:
     std::array<std::uint32_t, 1 << table_bits> table_{};
 };
 
+/// A range of cells along each axis, both ends included.
+struct CellRange
+{
+    CoarsePosition first{}, last{};
+};
+
 /// The points of each tile that have a rank, in cells, so that those near a place are found.
 class TakenPoints
 {
 public:
-    TakenPoints(const std::vector<Position>& points, std::uint32_t tiles, std::uint32_t points_per_tile, int dimension)
-        : points_(points), n_(points_per_tile), dimension_(dimension), taken_(tiles), next_(points.size())
+    TakenPoints(const std::vector<CoarsePosition>& points, std::uint32_t tiles, std::uint32_t points_per_tile,
+                int dimension)
+        : points_(points), n_(points_per_tile), dimension_(static_cast<std::size_t>(dimension)), taken_(tiles),
+          next_(points.size()), low_(points.front()), high_(points.front())
     {
-        arrange(side);
+        for (const CoarsePosition& point : points)
+            for (std::size_t k = 0; k < 3; ++k) {
+                low_[k] = std::min(low_[k], point[k]);
+                high_[k] = std::max(high_[k], point[k]);
+            }
+        arrange(coarse_side);
     }
 
-    /// New cells where these are too large, or too small for disks of this radius.
+    /// New cells where others suit disks of this radius better: with a side of the radius to twice that.
     void suit(std::int32_t radius)
     {
-        std::int32_t cell = side;
+        std::int32_t cell = coarse_side;
         while (cell / 2 >= radius) cell /= 2;
         if (cell != cell_) arrange(cell);
     }
@@ -89,24 +100,30 @@ public:
         put(tile, point);
     }
 
-    /// The influence at a place, relative to the tile, of its points.
-    std::uint64_t energy(std::uint32_t tile, const Position& place, const Influence& influence) const
+    /// The cells within a radius of a place relative to a tile. None: no tile has points there.
+    std::optional<CellRange> cells_near(const CoarsePosition& place, std::int32_t radius) const
     {
-        Position first{}, last{};
-        for (int a = 0; a < dimension_; ++a) {
-            const auto k = static_cast<std::size_t>(a);
-            const std::int32_t low = place[k] - influence.radius() - lowest;
-            const std::int32_t high = place[k] + influence.radius() - lowest;
-            if (high < 0 || low >= extent) return 0;
-            first[k] = std::max(0, low) / cell_;
-            last[k] = std::min(extent - 1, high) / cell_;
+        CellRange range;
+        for (std::size_t k = 0; k < dimension_; ++k) {
+            const std::int32_t low = std::max(low_[k], place[k] - radius);
+            const std::int32_t high = std::min(high_[k], place[k] + radius);
+            if (low > high) return std::nullopt;
+            range.first[k] = (low - low_[k]) / cell_;
+            range.last[k] = (high - low_[k]) / cell_;
         }
+        return range;
+    }
+
+    /// The influence at a place of a tile's points in these cells.
+    std::uint64_t energy(std::uint32_t tile, const CellRange& cells, const CoarsePosition& place,
+                         const Influence& influence) const
+    {
         std::uint64_t sum = 0;
-        for (std::int32_t z = first[2]; z <= last[2]; ++z)
-            for (std::int32_t y = first[1]; y <= last[1]; ++y)
-                for (std::int32_t x = first[0]; x <= last[0]; ++x)
+        for (std::int32_t z = cells.first[2]; z <= cells.last[2]; ++z)
+            for (std::int32_t y = cells.first[1]; y <= cells.last[1]; ++y)
+                for (std::int32_t x = cells.first[0]; x <= cells.last[0]; ++x)
                     for (std::uint32_t i = heads_[cell_number(tile, {x, y, z})]; i != none; i = next_[i]) {
-                        const Position& p = points_[i];
+                        const CoarsePosition& p = points_[i];
                         const std::int32_t dx = p[0] - place[0], dy = p[1] - place[1], dz = p[2] - place[2];
                         sum += influence.of(dx * dx + dy * dy + dz * dz);
                     }
@@ -119,9 +136,11 @@ private:
     void arrange(std::int32_t cell)
     {
         cell_ = cell;
-        along_axis_ = extent / cell;
         std::size_t cells = taken_.size();
-        for (int a = 0; a < dimension_; ++a) cells *= static_cast<std::size_t>(along_axis_);
+        for (std::size_t k = 0; k < dimension_; ++k) {
+            along_axis_[k] = (high_[k] - low_[k]) / cell + 1;
+            cells *= static_cast<std::size_t>(along_axis_[k]);
+        }
         heads_.assign(cells, none);
         for (std::uint32_t tile = 0; tile < taken_.size(); ++tile)
             for (const std::uint32_t point : taken_[tile]) put(tile, point);
@@ -130,31 +149,29 @@ private:
     void put(std::uint32_t tile, std::uint32_t point)
     {
         const std::uint32_t i = tile * n_ + point;
-        Position cell{};
-        for (int a = 0; a < dimension_; ++a) {
-            const auto k = static_cast<std::size_t>(a);
-            cell[k] = (points_[i][k] - lowest) / cell_;
-        }
+        CoarsePosition cell{};
+        for (std::size_t k = 0; k < dimension_; ++k) cell[k] = (points_[i][k] - low_[k]) / cell_;
         std::uint32_t& head = heads_[cell_number(tile, cell)];
         next_[i] = head;
         head = i;
     }
 
-    std::size_t cell_number(std::uint32_t tile, const Position& cell) const
+    std::size_t cell_number(std::uint32_t tile, const CoarsePosition& cell) const
     {
         std::size_t number = tile;
-        for (int a = dimension_; a-- > 0;)
-            number = number * static_cast<std::size_t>(along_axis_) +
-                     static_cast<std::size_t>(cell[static_cast<std::size_t>(a)]);
+        for (std::size_t k = dimension_; k-- > 0;)
+            number = number * static_cast<std::size_t>(along_axis_[k]) + static_cast<std::size_t>(cell[k]);
         return number;
     }
 
-    const std::vector<Position>& points_;
+    const std::vector<CoarsePosition>& points_;
     std::uint32_t n_;
-    int dimension_;
-    std::int32_t cell_ = 0, along_axis_ = 0;
+    std::size_t dimension_;
+    std::int32_t cell_ = 0;
     std::vector<std::vector<std::uint32_t>> taken_; ///< by tile
     std::vector<std::uint32_t> heads_, next_;       ///< points of a cell are a list
+    CoarsePosition low_, high_;                     ///< of all points, relative to their tiles
+    CoarsePosition along_axis_{};                   ///< cells of a tile
 };
 
 class Ranking
@@ -185,13 +202,13 @@ private:
     /// Uses of random numbers; random_neighbours() has 0.
     static constexpr std::uint32_t order_use = 1, tie_use = 2;
 
-    static std::vector<Position> positions_of(const PoissonTileSet& set)
+    static std::vector<CoarsePosition> positions_of(const PoissonTileSet& set)
     {
         const PoissonTileParameters& p = set.parameters;
-        std::vector<Position> positions;
+        std::vector<CoarsePosition> positions;
         for (std::uint32_t tile = 0; tile < p.tiles; ++tile)
             for (std::uint32_t point = 0; point < p.points_per_tile; ++point) {
-                Position position = set.position(tile, point);
+                CoarsePosition position = set.position(tile, point);
                 for (std::int32_t& x : position) x >>= coarse_bits;
                 positions.push_back(position);
             }
@@ -231,23 +248,28 @@ private:
     std::uint64_t energy_of(std::uint32_t tile, std::uint32_t point,
                             const std::array<NeighbourTiles, neighbourhoods>& around, const Influence& influence) const
     {
-        const Position& place = points_[std::size_t{tile} * p_.points_per_tile + point];
-        std::uint64_t sum = neighbourhoods * taken_.energy(tile, place, influence);
+        const CoarsePosition& place = points_[std::size_t{tile} * p_.points_per_tile + point];
+        std::uint64_t sum = 0;
         const int layers = p_.dimension == 3 ? 1 : 0;
         for (int z = -layers; z <= layers; ++z)
             for (int y = -1; y <= 1; ++y)
                 for (int x = -1; x <= 1; ++x) {
-                    if (x == 0 && y == 0 && z == 0) continue;
-                    const Position seen{place[0] - x * side, place[1] - y * side, place[2] - z * side};
-                    for (const NeighbourTiles& tiles : around)
-                        sum += taken_.energy(tiles[neighbour_number(x, y, z)], seen, influence);
+                    const CoarsePosition seen{place[0] - x * coarse_side, place[1] - y * coarse_side,
+                                              place[2] - z * coarse_side};
+                    const auto cells = taken_.cells_near(seen, influence.radius());
+                    if (!cells) continue;
+                    if (x == 0 && y == 0 && z == 0)
+                        sum += neighbourhoods * taken_.energy(tile, *cells, seen, influence);
+                    else
+                        for (const NeighbourTiles& tiles : around)
+                            sum += taken_.energy(tiles[neighbour_number(x, y, z)], *cells, seen, influence);
                 }
         return sum;
     }
 
     const PoissonTileParameters& p_;
     StreamKey stream_;
-    std::vector<Position> points_;
+    std::vector<CoarsePosition> points_;
     TakenPoints taken_;
     std::vector<std::uint16_t> ranks_;
 };

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <iterator>
 #include <sstream>
@@ -13,6 +14,7 @@ namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 class TilesBuildCommand : public testing::Test
 {
@@ -61,6 +63,21 @@ TEST_F(TilesBuildCommand, OptionsSayOtherwise)
     EXPECT_EQ(p.joint_iterations, 5u);
     EXPECT_FALSE(p.null_peaks);
     EXPECT_EQ(run("verify a.json").status, 0);
+}
+
+TEST_F(TilesBuildCommand, RanksAreStoredAndJudged)
+{
+    ASSERT_EQ(run("build corner --colors 2 --points 32 --ranked --out a.ptiles --quiet").status, 0);
+    const PoissonTileSet set = read_tile_set(folder_.path() / "a.ptiles");
+    EXPECT_TRUE(set.parameters.ranked);
+    ASSERT_EQ(run("build corner --colors 2 --points 32 --out plain.ptiles --quiet").status, 0);
+    EXPECT_EQ(read_tile_set(folder_.path() / "plain.ptiles").points, set.points);
+    EXPECT_THAT(run("verify a.ptiles").out, HasSubstr("25 % of the points    relative radius 0."));
+    const auto parts = nlohmann::json::parse(run("verify a.ptiles --json").out)["parts"];
+    ASSERT_EQ(parts.size(), 3u);
+    for (const auto& part : parts)
+        EXPECT_LT(part["low_frequency_power"].get<double>(), 0.5 * part["random_low_frequency_power"].get<double>());
+    EXPECT_THAT(run("verify plain.ptiles").out, Not(HasSubstr("of the points ")));
 }
 
 TEST_F(TilesBuildCommand, SaysWhatIsAllowed)

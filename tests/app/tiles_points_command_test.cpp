@@ -1,4 +1,5 @@
 // `poissonlab tiles points`: the file's points are those of the reference, in every format.
+#include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "tests/support/program.hpp"
@@ -88,6 +89,69 @@ TEST_F(TilesPointsCommand, WindowsOfChainsFitTogether)
     for (std::size_t i = 0; i < expected.size(); ++i)
         for (std::size_t axis = 0; axis < 2; ++axis)
             EXPECT_EQ(found.coordinates[2 * i + axis], (expected[i].position[axis] - low[axis]) / 8);
+}
+
+/// The points of the header for engines with a level below what a function of their place says.
+template <class DensityAt>
+std::vector<double> sparser_points(const PoissonTileSet& tiles, const DensityAt& density_at)
+{
+    const ptiles_tiling tiling = runtime_tiling(tiles, {3, 0});
+    const double low[] = {-3, 5}, high[] = {5, 9};
+    std::vector<ptiles_point> points(ptiles_in_window(&tiling, low, high, nullptr, 0, 1));
+    ptiles_in_window(&tiling, low, high, points.data(), points.size(), 1);
+    std::vector<double> kept;
+    for (const ptiles_point& point : points) {
+        const double x = (point.position[0] + 3) / 8, y = (point.position[1] - 5) / 8;
+        if (point.level < density_at(x, y)) kept.insert(kept.end(), {x, y});
+    }
+    return kept;
+}
+
+class TilesPointsByDensity : public TilesPointsCommand, public testing::WithParamInterface<bool>
+{
+protected:
+    std::vector<double> points_with(const std::string& density) const
+    {
+        const Outcome outcome = run("set.ptiles --window -3 5 8 4 --seed 3 --out points.txt --density " + density);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return read_points(folder_.path() / "points.txt").at(0).coordinates;
+    }
+};
+
+TEST_P(TilesPointsByDensity, ThoseOfLowerLevelsAreLeft)
+{
+    const PoissonTileSet tiles = GetParam() ? with_random_ranks(random_chain_set(3, 20)) : random_chain_set(3, 20);
+    write_tile_set(folder_.path() / "set.ptiles", tiles);
+    EXPECT_EQ(points_with("0.3"), sparser_points(tiles, [](double, double) { return 0.3; }));
+    EXPECT_EQ(points_with("1"), sparser_points(tiles, [](double, double) { return 1; }));
+    // The window is twice as wide as high: its upper half has y above 0.
+    EXPECT_EQ(points_with("y>0?1:0.25"), sparser_points(tiles, [](double, double y) { return y < 0.25 ? 0.25 : 1; }));
+    write_png(folder_.path() / "ink.png", {.width = 2, .height = 1, .channels = 1},
+              [](int, int) { return reinterpret_cast<const std::uint8_t*>("\0\xff"); });
+    EXPECT_EQ(points_with("ink.png"), sparser_points(tiles, [](double x, double) { return x < 0.5 ? 0 : 1; }));
+    EXPECT_EQ(points_with("ink.png --density-from ink"),
+              sparser_points(tiles, [](double x, double) { return x < 0.5 ? 1 : 0; }));
+}
+
+INSTANTIATE_TEST_SUITE_P(RankedAndNot, TilesPointsByDensity, testing::Bool());
+
+TEST_F(TilesPointsCommand, SaysWhatIsWrongWithADensity)
+{
+    const auto expect = [&](const std::string& options, const std::string& message) {
+        expect_error("tiles.ptiles --window 0 0 2 2 --out points.npy --density " + options, message);
+    };
+    for (const char* number : {"0", "-0.5", "1.5", "nan", "inf"})
+        expect(number, std::string("tiles points: --density ") + number +
+                           ": must be a number greater than 0 and at most 1, a picture or a formula");
+    expect("none.png", "tiles points: --density: none.png: no such file; as a formula \"none.png\": ");
+    expect("sin(x", "tiles points: --density: formula \"sin(x\": ");
+    expect("tiles.ptiles", "tiles points: --density: tiles.ptiles: cannot read the picture: ");
+    expect("x*0", "is 0 everywhere");
+    expect("0.5 --density-from ink", "--density-from ink: is for pictures, and --density 0.5 is none");
+    write_tile_set(folder_.path() / "spheres.ptiles", random_tile_set(PoissonTileKind::corner, 3, 1, 8));
+    expect_error("spheres.ptiles --window 0 0 0 1 1 1 --out points.npy --density x*x",
+                 "--density x*x: must be a number for tiles in space");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "points.npy"));
 }
 
 TEST_F(TilesPointsCommand, SaysWhatIsWrong)

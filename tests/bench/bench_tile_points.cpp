@@ -102,8 +102,10 @@ PoissonTileSet chain_set()
 
 PoissonTileSet strip_set() { return random_tile_set(PoissonTileKind::corner, 2, 4, points_per_tile); }
 
+PoissonTileSet ranked_set() { return with_random_ranks(strip_set()); }
+
 /// 16 x 16 tiles, which chains make two rows and columns more.
-void window(benchmark::State& state, PoissonTileSet (*make)())
+void window(benchmark::State& state, PoissonTileSet (*make)(), double density = 1)
 {
     const PoissonTileSet tiles = make();
     const ptiles_tiling tiling = runtime_tiling(tiles, {});
@@ -112,7 +114,7 @@ void window(benchmark::State& state, PoissonTileSet (*make)())
     for (auto _ : state) {
         low[0] += 0.618;
         const double high[] = {low[0] + 16, low[1] + 16};
-        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size(), 1));
+        benchmark::DoNotOptimize(ptiles_in_window(&tiling, low, high, points.data(), points.size(), density));
     }
 }
 
@@ -133,8 +135,10 @@ BENCHMARK(fill)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(tile_points, colors_4, 4)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(tile_points, colors_8, 8)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(load_and_place_16384)->Repetitions(5)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(window, strips, strip_set)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(window, chains, chain_set)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(window, strips, strip_set, 1)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(window, chains, chain_set, 1)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(window, half, ranked_set, 0.5)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(window, nearly_all, ranked_set, 0.99)->Repetitions(9)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(nearest_point, strips, strip_set)->Repetitions(9);
 BENCHMARK_CAPTURE(nearest_point, chains, chain_set)->Repetitions(9);
 
@@ -147,5 +151,7 @@ int main(int argc, char** argv)
         {{"speed over that of filling, 4 colours", "fill/", "tile_points/colors_4/", 0.8},
          {"speed over that of filling, 8 colours", "fill/", "tile_points/colors_8/", 0},
          {"window of 16 x 16 tiles: time with strips / with chains", "window/strips/", "window/chains/", 0.8},
+         {"window of half of the ranks: time with all / with half", "window/strips/", "window/half/", 0.7},
+         {"window of all but a hundredth of the ranks", "window/strips/", "window/nearly_all/", 0.7},
          {"nearest point: time with strips / with chains", "nearest_point/strips/", "nearest_point/chains/", 0.67}});
 }

@@ -3,6 +3,7 @@
 //
 // The reference takes minutes for a whole set, so the two fill the same 128 of the tori of a set with 8
 // colours: those of tiles, which are 95 of 100.
+#include "host/tile_construction/tile_ranking.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/small_tile_sets.hpp"
@@ -67,6 +68,15 @@ void build(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(build_tile_set(parameters, Engine::opencl, provider));
     state.SetLabel(kind_name(parameters) + (parameters.border == TileBorder::chain ? " with chains, " : ", ") +
                    std::to_string(parameters.tiles) + " tiles");
+}
+
+/// The ranks of 256 tiles with chains.
+void rank(benchmark::State& state)
+{
+    PoissonTileParameters parameters = with_chains(with_repulsion(
+        tile_set_parameters(PoissonTileKind::corner, 2, 4, static_cast<std::uint32_t>(state.range(0)), 0.75)));
+    const PoissonTileSet set = build_tile_set(parameters, Engine::opencl, []() -> Device& { return device(); }).set;
+    for (auto _ : state) benchmark::DoNotOptimize(rank_points(set));
 }
 
 /// Some of the tori that tiles with 8 colours are taken from.
@@ -150,6 +160,8 @@ int main(int argc, char** argv)
     add("build", build, sphere_2, 1);
     add("build", build, chain_4, 5);
     add("build", build, chain_8, 3);
+    add("rank", rank, 32, 5);
+    add("rank", rank, 64, 5);
     return run_benchmarks(
         argc, argv,
         {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}});

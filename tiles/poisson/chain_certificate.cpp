@@ -15,10 +15,11 @@ namespace poissonlab {
 namespace {
 
 /// The points of a tile and of its border.
-void find_chain_closure(const ChainPieces& pieces, std::uint32_t tile, std::vector<UnitPosition>& closure)
+void find_chain_closure(const ChainPieces& pieces, std::uint32_t tile, Closure& closure)
 {
-    closure = border_polygon(pieces, tile);
-    closure.insert(closure.end(), pieces.interiors[tile].begin(), pieces.interiors[tile].end());
+    closure.border = border_polygon(pieces, tile);
+    closure.points = closure.border;
+    closure.points.insert(closure.points.end(), pieces.interiors[tile].begin(), pieces.interiors[tile].end());
 }
 
 /// What is wrong with a tile's border or its inside; empty: nothing.
@@ -132,8 +133,8 @@ TileCertificate certify_chains(const PoissonTileSet& set)
     const PoissonTileParameters& p = set.parameters;
     const ChainPieces pieces = chain_pieces_of(set);
     check_tiles(pieces, p.tiles);
-    const ClosureMeasures measures = measure_closures(
-        p, [&](std::uint32_t tile, std::vector<UnitPosition>& closure) { find_chain_closure(pieces, tile, closure); });
+    const ClosureMeasures measures =
+        measure_closures(p, [&](std::uint32_t tile, Closure& closure) { find_chain_closure(pieces, tile, closure); });
     const std::int64_t apart = separation(pieces);
     const auto measured = std::min(static_cast<std::int64_t>(measures.squared_distance), apart * apart);
     // Where chains do not even keep what was asked for, it is said which.

@@ -46,11 +46,14 @@ ClosureMeasures measure_range(int dimension, const ClosureSource& closure_of, st
         tbb::blocked_range<std::uint32_t>(first, last), ClosureMeasures{},
         [&](const tbb::blocked_range<std::uint32_t>& range, ClosureMeasures measures) {
             EmptyBallSearch search(dimension);
-            std::vector<UnitPosition> closure;
+            Closure closure;
             for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile) {
                 closure_of(tile, closure);
-                const std::uint64_t squared = squared_min_distance(closure);
-                measures = joined(measures, {squared, search.radius(closure, known_empty_radius)});
+                const std::uint64_t squared = squared_min_distance(closure.points);
+                const double empty_radius = closure.border.empty()
+                                                ? search.radius(closure.points, known_empty_radius)
+                                                : search.radius_in(closure.border, closure.points, known_empty_radius);
+                measures = joined(measures, {squared, empty_radius});
             }
             return measures;
         },

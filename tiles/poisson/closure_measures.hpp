@@ -15,8 +15,15 @@ struct ClosureMeasures
     double empty_radius = 0;                     ///< as EmptyBallSearch::radius(), of all tiles
 };
 
+/// The points of a closure, and where the tile ends if that is not its square.
+struct Closure
+{
+    std::vector<UnitPosition> points;
+    std::vector<UnitPosition> border; ///< a polygon
+};
+
 /// Makes the closure of a tile; called from several threads at once.
-using ClosureSource = std::function<void(std::uint32_t tile, std::vector<UnitPosition>& closure)>;
+using ClosureSource = std::function<void(std::uint32_t tile, Closure& closure)>;
 
 /// Runs on all threads; the result is the same for any number of them.
 ClosureMeasures measure_closures(const PoissonTileParameters& parameters, const ClosureSource& closure_of);

@@ -1,4 +1,4 @@
-// The largest empty circle (ball) whose centre lies in a tile, by branch and bound.
+// The largest empty circle (ball) whose centre lies in a tile, its square (cube) or a polygon, by branch and bound.
 //
 // The distance to the nearest point changes by no more than the centre moves, so that a square (cube) of
 // centres has an upper bound: that of the distance from any one point to the square's farthest corner.
@@ -26,6 +26,9 @@ public:
     /// `known`. There must be points.
     double radius(std::span<const UnitPosition> points, double known);
 
+    /// The same of circles around centres in a polygon, which lies within half a tile of the tile's square.
+    double radius_in(std::span<const UnitPosition> polygon, std::span<const UnitPosition> points, double known);
+
 private:
     struct Square
     {
@@ -33,11 +36,17 @@ private:
         double half;
     };
 
+    void take(std::span<const UnitPosition> points, double known);
+
+    /// How deep a place is in the polygon; outside of it negative.
+    double depth(const std::array<double, 3>& place) const;
+
     template <unsigned Dimension>
     void search(const Square& square, std::size_t first, std::size_t last);
 
     int dimension_;
     double best_ = 0;
+    std::span<const UnitPosition> polygon_;         ///< empty: all of the square
     std::vector<std::array<double, 3>> candidates_; ///< of the squares that are being searched, one after the other
 };
 

@@ -94,8 +94,8 @@ TileCertificate certify_strips(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
     const SharedPieces pieces(set);
-    const ClosureMeasures measures = measure_closures(
-        p, [&](std::uint32_t tile, std::vector<UnitPosition>& closure) { pieces.closure(tile, closure); });
+    const ClosureMeasures measures =
+        measure_closures(p, [&](std::uint32_t tile, Closure& closure) { pieces.closure(tile, closure.points); });
     const Extents interior = interior_extents(set, pieces.regions());
     TileCertificate result =
         certificate_of(p, measures, squared_separation(extents_of(set, pieces, interior), p.dimension));

@@ -51,6 +51,34 @@ void expect_found(int dimension, std::size_t count, int steps, std::mt19937& ran
     EXPECT_LE(found, lower + error);
 }
 
+/// Centres outside of the polygon do not count, and those beyond the square do: an L that reaches out of the tile,
+/// whose inside is known.
+TEST(EmptyBall, InAPolygonHasItsCentreThere)
+{
+    constexpr std::int32_t u = tile_units;
+    const std::vector<UnitPosition> polygon{{-u / 4, 0, 0},    {u, 0, 0},     {u, u / 2, 0},
+                                            {u / 2, u / 2, 0}, {u / 2, u, 0}, {-u / 4, u, 0}};
+    const auto is_inside = [](double x, double y) {
+        return x >= -u / 4 && x <= u && y >= 0 && y <= (x <= u / 2 ? u : u / 2);
+    };
+    std::mt19937 random(2);
+    for (const std::size_t count : {1, 3, 10, 40}) {
+        const std::vector<UnitPosition> points = random_positions(2, count, random);
+        double lower = 0;
+        constexpr double step = u / 200.0;
+        for (double x = -u / 4 + step / 2; x < u; x += step)
+            for (double y = step / 2; y < u; y += step) {
+                if (!is_inside(x, y)) continue;
+                double nearest = HUGE_VAL;
+                for (const UnitPosition& p : points) nearest = std::min(nearest, std::hypot(p[0] - x, p[1] - y));
+                lower = std::max(lower, nearest);
+            }
+        const double found = EmptyBallSearch(2).radius_in(polygon, points, 0);
+        EXPECT_GE(found * (1 + EmptyBallSearch::tolerance), lower);
+        EXPECT_LE(found, lower + step * std::sqrt(0.5));
+    }
+}
+
 TEST(EmptyBall, IsFoundWithinTheTolerance)
 {
     std::mt19937 random(1);

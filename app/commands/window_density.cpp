@@ -1,0 +1,64 @@
+#include "app/commands/window_density.hpp"
+
+#include "base/densities/density_formula.hpp"
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto option = "tiles points: --density";
+
+std::optional<double> number_in(const std::string& text)
+{
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+bool is_file(const std::string& text)
+{
+    std::error_code error;
+    return std::filesystem::is_regular_file(text, error);
+}
+
+Density density_in(const std::string& text, const std::string& from, const TileBlock& window)
+{
+    if (is_file(text)) return density_of_picture(read_linear_picture(text), from, text);
+    try {
+        return density_of_formula(text, window.size[0], window.size[1]);
+    } catch (const InputError& error) {
+        if (text.find('.') == std::string::npos && text.find('/') == std::string::npos) throw;
+        throw InputError(fmt::format("{}: no such file; as a {}", printable(text), error.what()));
+    }
+}
+
+}
+
+WindowDensity::WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension)
+    : size_{static_cast<double>(window.size[0]), static_cast<double>(window.size[1])}
+{
+    if (from != "light" && !is_file(text))
+        throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
+                                     printable(from), shortened(text)));
+    if (const auto number = number_in(text)) {
+        if (!(*number > 0 && *number <= 1))
+            throw InputError(fmt::format("{} {}: must be a number greater than 0 and at most 1, a picture or a formula",
+                                         option, text));
+        number_ = *number;
+        return;
+    }
+    if (dimension != 2)
+        throw InputError(fmt::format("{} {}: must be a number for tiles in space", option, shortened(text)));
+    try {
+        density_ = density_in(text, from, window);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
+}

@@ -1,0 +1,37 @@
+// The density that a command's points follow over a window of tiles, as it is typed: --density NUMBER|IMAGE|FORMULA.
+#pragma once
+
+#include "base/densities/density.hpp"
+#include "host/tile_points/tile_points.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace poissonlab {
+
+class WindowDensity
+{
+public:
+    /// `from` says what of a picture: see density_of_picture(). Throws InputError, a line that starts with the option,
+    /// where the text is none of the three, the number is not above 0 and at most 1, or tiles in space are given a
+    /// picture or a formula.
+    WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension);
+
+    bool is_full() const { return !density_ && number_ >= 1; }
+
+    /// Whether a point is there, in tiles from the window's lowest corner: its level is below the density.
+    bool keeps(std::span<const double> point, double level) const
+    {
+        if (!density_) return level < number_;
+        const auto weight = density_->at(point[0] / size_[0], point[1] / size_[1]);
+        return level * static_cast<double>(full_weight) < static_cast<double>(weight);
+    }
+
+private:
+    double number_ = 1;
+    std::optional<Density> density_;
+    std::array<double, 2> size_{};
+};
+
+}

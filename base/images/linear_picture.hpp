@@ -1,0 +1,38 @@
+// Pictures of any kind that OpenImageIO reads, as numbers in proportion to light.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Pixels row by row from the top, channels side by side. Integer files hold sRGB, which is made linear here, from 0
+/// to 1; those of floating-point numbers are taken as they are. Alpha is not multiplied into colours.
+struct LinearPicture
+{
+    int width = 0;
+    int height = 0;
+    std::vector<std::string> channels; ///< their names: "R", "G", "B", "A", "Y" or what the file says
+    std::optional<std::size_t> alpha;  ///< which of them says how much there is of a pixel
+    std::vector<float> values;
+
+    float at(int column, int row, std::size_t channel) const
+    {
+        return values[(static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(column)) *
+                          channels.size() +
+                      channel];
+    }
+};
+
+/// Pictures may have this many pixels: integer weights of all of them have a sum below 2^63.
+inline constexpr std::size_t most_pixels = std::size_t{1} << 23;
+
+/// Reads a picture upright, whichever way it was photographed. Throws InputError, one line with the file's name, for
+/// what is no picture, is damaged, has no channels or too many pixels.
+LinearPicture read_linear_picture(const std::filesystem::path& path);
+
+}

@@ -1,0 +1,50 @@
+// The tile sets that ship: what their names, their table and their files promise is proven.
+#include "tests/support/places.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+std::filesystem::path folder() { return std::filesystem::path(source_folder()) / "runtime" / "tile_sets"; }
+
+/// The name that a set has there.
+std::string ready_name(const PoissonTileParameters& p)
+{
+    return fmt::format("{}-c{}-n{}-r0{:.0f}.ptiles", kind_name(p), p.colors, p.points_per_tile,
+                       100 * p.relative_radius);
+}
+
+TEST(ReadyTileSets, KeepWhatTheyPromise)
+{
+    std::ifstream table_file(folder() / "README.md");
+    const std::string table(std::istreambuf_iterator<char>(table_file), {});
+    std::set<std::string> kinds;
+    for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+        if (entry.path().extension() != ".ptiles") continue;
+        const std::string name = entry.path().filename().string();
+        const PoissonTileSet set = read_tile_set(entry.path());
+        const TileCertificate proof = certify(set);
+        EXPECT_EQ(name, ready_name(set.parameters));
+        EXPECT_TRUE(set.parameters.ranked) << name;
+        EXPECT_EQ(set.squared_min_distance, proof.squared_min_distance) << name;
+        EXPECT_GE(proof.relative_radius, set.parameters.relative_radius) << name;
+        EXPECT_THAT(table, testing::HasSubstr(fmt::format("| [{0}]({0}) | {1:.4f} |", name,
+                                                          std::floor(proof.relative_radius * 1e4) / 1e4)));
+        kinds.insert(
+            fmt::format("{} {} {}", kind_name(set.parameters), set.parameters.colors, set.parameters.relative_radius));
+    }
+    EXPECT_THAT(kinds, testing::ElementsAre("corner 3 0.75", "corner 3 0.85", "corner 4 0.75", "corner 4 0.85",
+                                            "corner 6 0.75", "corner 6 0.85", "corner 8 0.75", "corner 8 0.85",
+                                            "sphere 2 0.75", "sphere 2 0.85"));
+}
+
+}
+}

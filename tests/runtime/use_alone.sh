@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# An engine's way: the header, the example and a tile set that ships, copied out of the tree and compiled by themselves, as
+# C++ and, but for the example's file reading, as C99.
+#
+# Usage: use_alone.sh RUNTIME C_COMPILER CXX_COMPILER
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cp "$1/poisson_tiles.h" "$1/example.cpp" "$1/tile_sets/corner-c4-n64-r075.ptiles" "$folder"
+cd "$folder"
+"$3" -std=c++11 -Wall -Wextra -Werror -pedantic example.cpp -o example
+lines() { ./example corner-c4-n64-r075.ptiles -3 2 40 25 "$@" | grep -vc '^#'; }
+
+# A thousand tiles of 64 points, and a quarter of them, up to what lies across the window's border.
+all=$(lines)
+quarter=$(lines 0.25)
+echo "$all points, a quarter of them is $quarter"
+((all > 63400 && all < 64600 && quarter > 15700 && quarter < 16300))
+
+cat >ten_lines.c <<'END'
+#include "poisson_tiles.h"
+#include <stdio.h>
+int main(void)
+{
+    static unsigned char bytes[1 << 20];
+    FILE* file = fopen("corner-c4-n64-r075.ptiles", "rb");
+    ptiles_tiling t = {{0}, 1, 0};
+    const double place[2] = {1e6 + 0.5, -1e6};
+    ptiles_point p;
+    if (!file || ptiles_open(&t.set, bytes, fread(bytes, 1, sizeof bytes, file))) return 1;
+    printf("%.9g\n", ptiles_nearest(&t, place, &p));
+    return 0;
+}
+END
+"$2" -std=c99 -Wall -Wextra -Werror -pedantic ten_lines.c -o ten_lines
+squared=$(./ten_lines)
+echo "squared distance $squared"
+awk -v d="$squared" 'BEGIN { exit !(d >= 0 && d < 0.015) }' # of the largest empty circle: 0.11 tiles
