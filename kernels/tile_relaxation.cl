@@ -2,8 +2,8 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 4.3 to 4.6: each work-group relaxes the points of one
 // torus of two tiles a side. Points come in three runs: held ones (of pieces that are there already), active ones, and
-// surroundings, which are held as well. Movements end where they would leave the allowed cells; with repulsion they
-// slide along them. The plain twin is host/tile_construction/reference/tile_filling.cpp.
+// surroundings, which are held as well or, in Lloyd relaxation, move in cells of their own. Movements end where they
+// would leave the allowed cells; with repulsion they slide along them. The plain twin is host/tile_construction/reference/tile_filling.cpp.
 //
 // Coordinates are whole units, so that all tests are exact; a torus is small enough to look at all of its points.
 //
@@ -223,7 +223,7 @@ void put_double(global double* doubles, const TorusPoints* points, uint number)
 /// Keeps the last iterate or, without `keeps_last`, the last one whose active points have the wanted squared distance
 /// from all points or, where none has, the best one. Where no reach is enough, a point stays. For the first box, each
 /// point has a list of LIST_WORDS of the points in a box that is `slack` larger, for as long as movements cannot have
-/// brought in others. Points themselves end as the last iterate.
+/// brought in others. Points themselves end as the last iterate; surroundings that move are kept as well.
 kernel void relax_tiles(struct Relaxation relaxation, global const uint* problems, global const uint* counts,
                         global const uint* held_counts, global const uint* active_counts, global ushort* all_lists,
                         global int* all_points, global double* all_doubles, global int* all_moved,
@@ -243,10 +243,13 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
     global double* doubles = all_doubles + (ulong)problem * DIMENSION * capacity;
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
+    const uint moving_end = relaxation.surrounding_cells == 0 ? end : counts[problem];
     const Zone zone = zone_of(&relaxation.tori, points.c, first);
+    Zone surrounding_zone = zone;
+    surrounding_zone.cells = relaxation.surrounding_cells;
     local uint values[MAX_ITEMS];
 
-    global ushort* lists = all_lists + (ulong)problem * relaxation.max_active * LIST_WORDS;
+    global ushort* lists = all_lists + (ulong)problem * relaxation.max_moving * LIST_WORDS;
 
     for (uint i = item; i < counts[problem]; i += items) put_double(doubles, &points, i);
     barrier(CLK_GLOBAL_MEM_FENCE);
@@ -254,7 +257,7 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
     int moved_by = slack; // at most, along any axis, since points were listed
     for (uint iteration = 0; iteration <= iterations; ++iteration) {
         if (2 * moved_by >= slack) {
-            for (uint i = first + item; i < end; i += items) {
+            for (uint i = first + item; i < moving_end; i += items) {
                 const Position position = point_at(&points, i * copies);
                 list_box(&points, &position, relaxation.reaches[0] + slack, lists + (i - first) * LIST_WORDS);
             }
@@ -262,7 +265,7 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
         }
         uint nearest = UINT_MAX;
         uint longest = 0;
-        for (uint i = first + item; i < end; i += items) {
+        for (uint i = first + item; i < moving_end; i += items) {
             const uint site = i * copies;
             const Position position = point_at(&points, site);
             global const ushort* list = lists + (i - first) * LIST_WORDS;
@@ -275,14 +278,14 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
                 } else {
                     gather_box(&window, &points, &position, relaxation.reaches[r]);
                 }
-                if (r == 0) nearest = min(nearest, nearest_of_window(&window, &position, site));
+                if (r == 0 && i < end) nearest = min(nearest, nearest_of_window(&window, &position, site));
                 if (iteration == iterations || window.count > MAX_POINTS) break;
                 if (window.count == 0) continue;
                 is_found = find_centroid(&window, &position, site, relaxation.reaches[r], relaxation.spacing, doubles, displacement);
             }
             Position movement;
             for (int k = 0; k < DIMENSION; ++k) movement.c[k] = is_found ? rounded(displacement[k]) : 0;
-            const Position target = allowed_end(&position, &movement, &zone, false);
+            const Position target = allowed_end(&position, &movement, i < end ? &zone : &surrounding_zone, false);
             for (int k = 0; k < DIMENSION; ++k) {
                 longest = max(longest, abs(torus_difference_of(target.c[k] - position.c[k])));
             }
@@ -292,11 +295,11 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
         moved_by += (int)(UINT_MAX - smallest_of_group(UINT_MAX - longest, values));
         if (relaxation.keeps_last ? iteration == iterations : nearest >= wanted || nearest > best || iteration == 0) {
             best = min(nearest, wanted);
-            for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
+            for (uint i = first + item; i < moving_end; i += items) put_point(&kept, i, point_at(&points, i * copies));
             if (item == 0) squared_kept[problem] = nearest;
         }
         if (iteration == iterations) break;
-        for (uint i = first + item; i < end; i += items) {
+        for (uint i = first + item; i < moving_end; i += items) {
             put_point(&points, i, point_at(&moved, i));
             put_double(doubles, &points, i);
         }
@@ -367,7 +370,8 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
     const Zone zone = zone_of(&repulsion.tori, points.c, first);
     local uint values[MAX_ITEMS];
 
-    for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&kept, i));
+    const uint moved_end = repulsion.surroundings_moved ? counts[problem] : end;
+    for (uint i = first + item; i < moved_end; i += items) put_point(&points, i, point_at(&kept, i));
     barrier(CLK_GLOBAL_MEM_FENCE);
     uint best = 0;
     for (uint pass = 0; pass <= passes; ++pass) {

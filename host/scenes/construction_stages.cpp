@@ -132,7 +132,7 @@ private:
     /// The distance around a tile up to which there are points while its interior is made.
     std::int32_t surroundings_margin() const
     {
-        return std::max(regions_.pair_one, std::min(tile_units / 2 - panel_margin, surrounding_radii * regions_.width));
+        return std::max(regions_.pair_one, std::min(tile_units / 2 - panel_margin, 3 * regions_.width));
     }
 
     void add_tile_stages()
@@ -159,7 +159,7 @@ private:
         thrown.of(PointClass::inner) = shown(made.filled.thrown, {}, thrown.part);
         thrown.caption = "Dart throwing fills the interior.";
         if (d_ == 3) scene_.panels.push_back(thrown);
-        thrown.of(PointClass::surroundings) = shown(made.filled.surroundings, {}, thrown.part);
+        thrown.of(PointClass::surroundings) = shown(made.filled.thrown_surroundings, {}, thrown.part);
         if (d_ == 3)
             thrown.caption = "Dart throwing fills the exterior, so that relaxation does not draw points there.";
         else if (!thrown.of(PointClass::surroundings).empty())
@@ -169,7 +169,9 @@ private:
 
         ScenePanel relaxed = thrown;
         relaxed.of(PointClass::inner) = shown(made.filled.active, {}, relaxed.part);
-        relaxed.caption = "Relaxation moves the points of the interior.";
+        relaxed.of(PointClass::surroundings) = shown(made.filled.surroundings, {}, relaxed.part);
+        relaxed.caption = d_ == 3 ? "Relaxation moves the points of the interior."
+                                  : "Relaxation moves the points of the interior and those around the tile.";
         scene_.panels.push_back(relaxed);
         if (p_.kind != PoissonTileKind::frame) scene_.panels.push_back(cut_out_tile(relaxed));
         scene_.columns = d_ == 3 || p_.kind == PoissonTileKind::frame ? 3 : 2;

@@ -65,7 +65,7 @@ bool ChainChoice::replace(ChainPieces& pieces, std::size_t direction, std::size_
 /// Corner points stand in checkerboard, so that each torus shows all eight edges between two colours.
 void ChainChoice::fill_tori(const ChainPieces& pieces, std::uint32_t round)
 {
-    FillStage stage{regions_of(p_), chain_stage, false, {}, {}};
+    FillStage stage{.regions = regions_of(p_), .number = chain_stage};
     stage.active.cells = all_cells(2);
     std::vector<FillProblem> problems;
     std::vector<std::array<std::uint32_t, 2>> colors;

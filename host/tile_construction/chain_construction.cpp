@@ -128,7 +128,7 @@ private:
     Tiles fill(const Tiles& tiles, const std::vector<FillProblem>& problems, std::uint32_t stage_number,
                std::uint32_t attempt)
     {
-        FillStage stage{regions_of(p_), stage_number, false, {}, {}};
+        FillStage stage{.regions = regions_of(p_), .number = stage_number};
         stage.active = {0, -tile_units / 2, torus_units};
         stage.in_polygon = true;
         const std::vector<FilledTorus> filled = engines_.interiors.fill(stage, problems, attempt);

@@ -1,7 +1,7 @@
 // Chains as paths through points that are there: docs/chain-tiles.md.
 #pragma once
 
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 #include "tiles/poisson/chain_pieces.hpp"
 
 #include <optional>

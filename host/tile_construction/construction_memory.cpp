@@ -36,8 +36,9 @@ FillShape interior_shape(const PoissonTileParameters& p, const TileRegions& regi
     const double active = n * regions.volume(all_axes(p.dimension));
     double points = held_points(p, regions, pieces_around(p, 0)) + active;
     if (p.lloyd_iterations > 0) {
-        const double side = 1 + 2.0 * surroundings_margin(regions) / tile_units;
+        const double side = 1 + 2.0 * surroundings_margin(regions, p.dimension) / tile_units;
         points = std::max(points, n * std::pow(side, p.dimension));
+        if (p.dimension == 2) return {p.tiles, fullest(points), fullest(points)}; // surroundings move
     }
     return {p.tiles, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
 }

@@ -1,7 +1,7 @@
 // The points of the pieces of a tile set while it is constructed.
 #pragma once
 
-#include "host/tile_construction/tile_torus.hpp"
+#include "host/tile_construction/filling/tile_torus.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
 #include <array>

@@ -60,7 +60,7 @@ private:
     /// Fills tori and takes the best candidates for the pieces that are made there.
     void make_pieces(const BoundaryStage& stage, const std::vector<BoundaryTorus>& tori, std::uint32_t round)
     {
-        FillStage fill_stage{regions_, stage.number, false, {}, {}};
+        FillStage fill_stage{.regions = regions_, .number = stage.number};
         fill_stage.active.cells = all_cells(p_.dimension);
         for (const PlacedPiece& piece : tori.front().held)
             fill_stage.active.cells &= ~(CellSet{1} << cell_number(piece, p_.dimension));
@@ -95,7 +95,7 @@ private:
     /// A toroidal master tile, whose points near the border all tiles have.
     void make_frame(std::uint32_t round)
     {
-        FillStage stage{regions_, frame_stage, true, {}, {}};
+        FillStage stage{.regions = regions_, .number = frame_stage, .is_one_tile = true};
         stage.active = {all_cells(2), 0, tile_units};
         std::vector<FillProblem> problems(master_tiles);
         for (std::size_t i = 0; i < master_tiles; ++i) {
@@ -159,7 +159,7 @@ private:
 
     FillStage interior_fill_stage(std::uint32_t any_tile) const
     {
-        FillStage stage{regions_, interior_stage, false, {}, {}};
+        FillStage stage{.regions = regions_, .number = interior_stage};
         CellSet held = 0;
         for (const PlacedPiece& piece : pieces_around(p_, any_tile))
             held |= CellSet{1} << cell_number(piece, p_.dimension);
@@ -168,10 +168,11 @@ private:
         stage.active = {interior, regions_.width, inside};
         stage.surroundings = {all_cells(p_.dimension) & ~held & ~interior, -margin(),
                               static_cast<std::uint32_t>(tile_units + 2 * margin())};
+        stage.surroundings_move = p_.dimension == 2;
         return stage;
     }
 
-    std::int32_t margin() const { return surroundings_margin(regions_); }
+    std::int32_t margin() const { return surroundings_margin(regions_, p_.dimension); }
 
     FillProblem interior_problem(std::uint32_t tile)
     {

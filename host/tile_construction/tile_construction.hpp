@@ -7,12 +7,13 @@
 // that is taken whose number of points makes up best for what its neighbours have too much or too little, so
 // that all tiles have as many points left for their interiors; a tile that cannot be filled gets a new
 // edge (face, corner), together with all that have it; points that are still too close after relaxation may be
-// pushed apart; and what surrounds an interior is filled three radii wide and held while the interior relaxes,
-// where the papers let all points of a whole torus move. The last one shows: in the first eighth of a radius
-// inside of a strip's border points are 2.5 times as dense as elsewhere, and would be 1.2 times.
+// pushed apart, sliding along the borders of their regions, and while they are, what surrounds them is held; without
+// that, the last iterate is taken that has the wanted distance; of four masters of template tiles the one is taken
+// whose strips come nearest to the number of points that they should have; and in space what surrounds an interior is
+// filled three radii wide and held while the interior relaxes, where it is a whole torus that moves in the plane.
 #pragma once
 
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
@@ -25,14 +26,12 @@
 
 namespace poissonlab {
 
-/// The width of the filled surroundings of a tile, in radii, but at most half a tile: the cells of its own points end
-/// before.
-inline constexpr std::int32_t surrounding_radii = 3;
-
-/// The width of the filled surroundings in units.
-inline std::int32_t surroundings_margin(const TileRegions& regions)
+/// The width of the filled surroundings of a tile in units. In the plane they are the rest of the torus; in space,
+/// where that would be seven times as many points, three radii: the cells of the tile's own points end before.
+inline std::int32_t surroundings_margin(const TileRegions& regions, int dimension)
 {
-    return std::min(tile_units / 2, surrounding_radii * regions.width);
+    constexpr std::int32_t radii_in_space = 3;
+    return dimension == 2 ? tile_units / 2 : std::min(tile_units / 2, radii_in_space * regions.width);
 }
 
 /// Masters of template tiles to choose from.

@@ -80,6 +80,10 @@ public:
 
     std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
     std::uint32_t tiles_along_axis() const override { return side_; }
+
+    /// Chance leaves out about as many points.
+    bool sizes_vary() const override { return density_ < 1 && !tiles_.parameters.ranked; }
+
     double preparation_seconds() const override { return preparation_seconds_; }
 
 private:

@@ -1,4 +1,4 @@
-// What tile_darts.cl, tile_relaxation.cl and their host code, host/tile_construction/tile_filler.cpp, agree on.
+// What tile_darts.cl, tile_relaxation.cl and their host code, host/tile_construction/filling/tile_filler.cpp, agree on.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -29,8 +29,8 @@ struct Tori
 {
     ulong cells; ///< in which points may lie, as bits
     struct Regions regions;
-    uint capacity; ///< entries of a torus for each axis
-    uint copies;   ///< images of each point: 1, or 2^DIMENSION for the torus of one tile
+    uint capacity;   ///< entries of a torus for each axis
+    uint copies;     ///< images of each point: 1, or 2^DIMENSION for the torus of one tile
     uint in_polygon; ///< else in cells: points lie inside of the polygon whose corners are the held points, in order
     uint unused;
 };
@@ -50,14 +50,15 @@ struct Darts
 struct Relaxation
 {
     struct Tori tori;
-    double spacing; ///< mean distance of points; units
+    ulong surrounding_cells; ///< in which surroundings move; 0: they are held
+    double spacing;          ///< mean distance of points; units
     uint iterations;
     uint keeps_last;          ///< else the best iterate
     uint wanted;              ///< squared distance
     int reaches[MAX_REACHES]; ///< half widths of the boxes that are looked into for Voronoi neighbours, in this order
     uint reach_count;
-    int slack; ///< how much larger the box is whose points are listed once for several iterations
-    uint max_active;
+    int slack;       ///< how much larger the box is whose points are listed once for several iterations
+    uint max_moving; ///< points of a torus
 };
 
 /// What repel_tiles is told.
@@ -66,6 +67,8 @@ struct Repulsion
     struct Tori tori;
     double distance; ///< closer points are pushed apart; units
     uint passes, wanted;
+    uint surroundings_moved; ///< in relax_tiles
+    uint unused;
 };
 
 END_CONTRACT

@@ -1,5 +1,5 @@
 // Fills tori one after the other: the plain twin of kernels/tile_darts.cl and tile_relaxation.cl.
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 #include "base/geometry/point_set.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "kernels/common/tile_filling.h"
@@ -84,13 +84,13 @@ public:
             const VoronoiCells cells = voronoi_cells(on_unit_torus());
             const std::size_t images = image_count();
             std::vector<TilePosition> movements(points_.size());
-            for (std::size_t i = active_begin_; i < active_end_; ++i) {
+            for (std::size_t i = active_begin_; i < moving_end(); ++i) {
                 for (std::size_t k = 0; k < dimension(); ++k) {
                     const double displacement = cells.displacements[i * images * dimension() + k];
                     movements[i][k] = static_cast<std::int32_t>(std::nearbyint(displacement * torus_units));
                 }
             }
-            move(movements, false);
+            move(movements, moving_end(), false);
         }
         points_ = kept;
     }
@@ -109,13 +109,14 @@ public:
             if (nearest >= settings_.wanted || pass == settings_.repulsion_passes) break;
             std::vector<TilePosition> movements(points_.size());
             for (std::size_t i = active_begin_; i < active_end_; ++i) movements[i] = repelled(i);
-            move(movements, true);
+            move(movements, active_end_, true);
         }
         points_ = kept;
     }
 
 private:
     std::size_t dimension() const { return static_cast<std::size_t>(settings_.dimension); }
+    std::size_t moving_end() const { return stage_.surroundings_move ? points_.size() : active_end_; }
     Zone zone_of(CellSet cells) const { return {stage_.regions, cells, polygon_}; }
     std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
 
@@ -176,12 +177,12 @@ private:
         return set;
     }
 
-    /// All points at once.
-    void move(const std::vector<TilePosition>& movements, bool slides)
+    /// All points up to `end` at once.
+    void move(const std::vector<TilePosition>& movements, std::size_t end, bool slides)
     {
-        const Zone zone = zone_of(stage_.active.cells);
-        for (std::size_t i = active_begin_; i < active_end_; ++i)
-            points_[i] = allowed_end(zone, points_[i], movements[i], slides);
+        const Zone zone = zone_of(stage_.active.cells), around = zone_of(stage_.surroundings.cells);
+        for (std::size_t i = active_begin_; i < end; ++i)
+            points_[i] = allowed_end(i < active_end_ ? zone : around, points_[i], movements[i], slides);
     }
 
     TilePosition repelled(std::size_t i) const
@@ -249,6 +250,7 @@ private:
         if (!is_filled) return result;
         filling.throw_darts(stage.surroundings, problem.active + problem.surroundings, settings_.surrounding_attempts,
                             problem.stream, attempt, 2 * stage.number + 1);
+        result.thrown_surroundings = filling.surroundings();
         filling.relax();
         if (settings_.repulsion_passes > 0) filling.repel();
         result.active = filling.active();

@@ -74,8 +74,8 @@ TEST(Density, OfColoursIsTheirLuminance)
     const Density alpha = density_of_picture(picture, "A", "p");
     for (std::size_t i = 0; i < 4; ++i) {
         constexpr double rounding = 1e-7; // of floats
-        EXPECT_NEAR(static_cast<double>(alpha.weights[i]) / 1099511627776.0, std::array{1.0 / 3, 2.0 / 3, 1.0, 0.0}[i],
-                    rounding);
+        const double expected = std::array{1.0 / 3, 2.0 / 3, 1.0, 0.0}[i];
+        EXPECT_NEAR(static_cast<double>(alpha.weights[i]) / 1099511627776.0, expected, rounding);
     }
     EXPECT_EQ(refusal_of([&] { density_of_picture(picture, "Z\n", "p"); }),
               "p: \"Z\\n\": must be light, ink or a channel of the picture: R, G, B, A");

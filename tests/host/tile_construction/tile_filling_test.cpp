@@ -1,5 +1,5 @@
 // Kernels against their plain twin, and both against what is asked of them.
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 
 #include <gmock/gmock.h>
 
@@ -32,6 +32,7 @@ struct Case
     int held_corners;
     bool is_interior;
     bool in_polygon = false;
+    bool surroundings_move = false;
 };
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -55,6 +56,7 @@ protected:
         if (c.is_interior) {
             stage_.active = {interior, 0, tile_units};
             stage_.surroundings = {all_cells(c.dimension) & ~held & ~interior, 0, torus_units};
+            stage_.surroundings_move = c.surroundings_move;
         }
         for (std::uint32_t i = 0; i < 3; ++i) {
             FillProblem problem;
@@ -132,6 +134,8 @@ INSTANTIATE_TEST_SUITE_P(Stages, TileFilling,
                                          Case{"corners", 2, false, 3, false}, Case{"interior", 2, false, 4, true},
                                          Case{"empty_3d", 3, false, 0, false}, Case{"corners_3d", 3, false, 5, false},
                                          Case{"interior_3d", 3, false, 8, true},
+                                         Case{"interior_in_moving", 2, false, 4, true, false, true},
+                                         Case{"interior_in_moving_3d", 3, false, 8, true, false, true},
                                          Case{"polygon", 2, false, 0, false, true}),
                          [](const auto& stage) { return std::string(stage.param.name); });
 

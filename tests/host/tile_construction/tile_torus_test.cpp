@@ -1,5 +1,5 @@
 // Cells and movement on the torus of two tiles, against what their definitions say.
-#include "host/tile_construction/tile_torus.hpp"
+#include "host/tile_construction/filling/tile_torus.hpp"
 
 #include "tests/support/statistics.hpp"
 

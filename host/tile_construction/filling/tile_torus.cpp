@@ -1,4 +1,4 @@
-#include "host/tile_construction/tile_torus.hpp"
+#include "host/tile_construction/filling/tile_torus.hpp"
 
 #include <algorithm>
 #include <bit>

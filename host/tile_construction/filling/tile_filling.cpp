@@ -1,4 +1,4 @@
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Fills tori on a device, a batch a launch.
-#include "host/tile_construction/tile_filling.hpp"
+#include "host/tile_construction/filling/tile_filling.hpp"
 
 #include "host/device/needed_buffers.hpp"
 #include "kernels/common/tile_filling.h"
@@ -59,7 +59,7 @@ TorusRoom torus_room(const FillShape& shape, int dimension)
 {
     constexpr std::size_t lanes = contract::vectors::LANES;
     return {(shape.points * shape.images + lanes - 1) / lanes * lanes,
-            shape.active * contract::tile_filling::LIST_WORDS(dimension)};
+            shape.moving * contract::tile_filling::LIST_WORDS(dimension)};
 }
 
 /// Tori that are filled at once.
@@ -77,7 +77,7 @@ FillShape shape_of(const FillStage& stage, std::span<const FillProblem> problems
     FillShape shape{problems.size(), 0, 0, stage.is_one_tile ? std::size_t{1} << dimension : 1};
     for (const FillProblem& p : problems) {
         shape.points = std::max(shape.points, p.held.size() + p.active + p.surroundings);
-        shape.active = std::max<std::size_t>(shape.active, p.active);
+        shape.moving = std::max<std::size_t>(shape.moving, p.active + (stage.surroundings_move ? p.surroundings : 0));
     }
     return shape;
 }
@@ -129,7 +129,7 @@ public:
         const FillShape shape = shape_of(stage, problems, settings_.dimension);
         const TorusRoom room = torus_room(shape, settings_.dimension);
         copies_ = shape.images;
-        max_active_ = shape.active;
+        max_moving_ = shape.moving;
         capacity_ = room.capacity;
         const std::size_t batch = batch_size(room, settings_.dimension, device_.info());
         std::vector<FilledTorus> results;
@@ -148,7 +148,6 @@ private:
         upload(problems);
         throw_darts(stage, stage.active, attempt, 2 * stage.number, settings_.attempts, buffers_.active_targets);
         const std::vector<std::uint32_t> active_ends = buffers_.counts.read(0, problems.size());
-        const std::vector<std::int32_t> thrown = buffers_.points.read(0, problems.size() * axes() * capacity_);
 
         // Tori that could not be filled go no farther.
         std::vector<std::uint32_t> filled;
@@ -160,9 +159,10 @@ private:
         buffers_.problem_numbers.write(filled);
         throw_darts(stage, stage.surroundings, attempt, 2 * stage.number + 1, settings_.surrounding_attempts,
                     buffers_.all_targets);
+        const std::vector<std::int32_t> thrown = buffers_.points.read(0, problems.size() * axes() * capacity_);
         relax(stage);
         if (settings_.repulsion_passes > 0) repel(stage);
-        download(problems, active_ends, thrown, filled, results);
+        download(stage, problems, active_ends, thrown, filled, results);
     }
 
     void upload(std::span<const FillProblem> problems)
@@ -184,7 +184,7 @@ private:
             active_targets[i] = held[i] + problem.active;
             all_targets[i] = active_targets[i] + problem.surroundings;
         }
-        const std::size_t listed = n * max_active_ * contract::tile_filling::LIST_WORDS(settings_.dimension);
+        const std::size_t listed = n * max_moving_ * contract::tile_filling::LIST_WORDS(settings_.dimension);
         reserve(device_, buffers_.needed(settings_, n, n * per_problem, std::max<std::size_t>(1, listed)));
         buffers_.points.write(points);
         buffers_.problem_numbers.write(numbers);
@@ -240,16 +240,17 @@ private:
 
     void relax(const FillStage& stage)
     {
-        contract::tile_filling::Relaxation relaxation{.tori = tori(stage, stage.active.cells),
-                                                      .spacing = settings_.spacing,
-                                                      .iterations = settings_.lloyd_iterations,
-                                                      .keeps_last = settings_.repulsion_passes > 0,
-                                                      .wanted = settings_.wanted,
-                                                      .reaches = {},
-                                                      .reach_count = static_cast<std::uint32_t>(reaches_.size()),
-                                                      .slack =
-                                                          static_cast<std::int32_t>(list_slack * settings_.spacing),
-                                                      .max_active = static_cast<std::uint32_t>(max_active_)};
+        contract::tile_filling::Relaxation relaxation{
+            .tori = tori(stage, stage.active.cells),
+            .surrounding_cells = stage.surroundings_move ? stage.surroundings.cells : 0,
+            .spacing = settings_.spacing,
+            .iterations = settings_.lloyd_iterations,
+            .keeps_last = settings_.repulsion_passes > 0,
+            .wanted = settings_.wanted,
+            .reaches = {},
+            .reach_count = static_cast<std::uint32_t>(reaches_.size()),
+            .slack = static_cast<std::int32_t>(list_slack * settings_.spacing),
+            .max_moving = static_cast<std::uint32_t>(max_moving_)};
         std::ranges::copy(reaches_, relaxation.reaches);
         FillBuffers& b = buffers_;
         relax_.run(groups_ * work_group_size_, work_group_size_, relaxation, b.problem_numbers, b.counts, b.held,
@@ -261,7 +262,9 @@ private:
         const contract::tile_filling::Repulsion repulsion{.tori = tori(stage, stage.active.cells),
                                                           .distance = settings_.repulsion_distance,
                                                           .passes = settings_.repulsion_passes,
-                                                          .wanted = settings_.wanted};
+                                                          .wanted = settings_.wanted,
+                                                          .surroundings_moved = stage.surroundings_move,
+                                                          .unused = 0};
         FillBuffers& b = buffers_;
         repel_.run(groups_ * work_group_size_, work_group_size_, repulsion, b.problem_numbers, b.counts, b.held,
                    b.active, b.points, b.moved, b.kept, b.squared_kept);
@@ -279,9 +282,9 @@ private:
         return points;
     }
 
-    void download(std::span<const FillProblem> problems, const std::vector<std::uint32_t>& active_ends,
-                  const std::vector<std::int32_t>& thrown, const std::vector<std::uint32_t>& filled,
-                  std::vector<FilledTorus>& results)
+    void download(const FillStage& stage, std::span<const FillProblem> problems,
+                  const std::vector<std::uint32_t>& active_ends, const std::vector<std::int32_t>& thrown,
+                  const std::vector<std::uint32_t>& filled, std::vector<FilledTorus>& results)
     {
         const std::size_t n = problems.size();
         const std::size_t first_result = results.size();
@@ -294,12 +297,14 @@ private:
         const std::vector<std::uint32_t> ends = buffers_.counts.read(0, n);
         const std::vector<std::uint32_t> squared = buffers_.squared_kept.read(0, n);
         const std::vector<std::int32_t> kept = buffers_.kept.read(0, n * axes() * capacity_);
-        const std::vector<std::int32_t> points = buffers_.points.read(0, n * axes() * capacity_);
         for (const std::uint32_t i : filled) {
             FilledTorus& result = results[first_result + i];
             const std::size_t held = problems[i].held.size();
             result.active = points_of(kept, i, held, problems[i].active, 1);
-            result.surroundings = points_of(points, i, active_ends[i], ends[i] - active_ends[i], copies_);
+            const std::size_t around = ends[i] - active_ends[i];
+            result.thrown_surroundings = points_of(thrown, i, active_ends[i], around, copies_);
+            result.surroundings =
+                stage.surroundings_move ? points_of(kept, i, active_ends[i], around, 1) : result.thrown_surroundings;
             result.squared_min_distance = squared[i];
         }
     }
@@ -309,7 +314,7 @@ private:
     std::vector<std::int32_t> reaches_;
     std::size_t work_group_size_;
     std::size_t capacity_ = 0;
-    std::size_t max_active_ = 0;
+    std::size_t max_moving_ = 0;
     std::size_t copies_ = 1;
     std::size_t groups_ = 0;
     Kernel throw_, relax_, repel_;

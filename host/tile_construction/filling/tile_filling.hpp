@@ -8,7 +8,7 @@
 
 #include "base/random/random.hpp"
 #include "host/device/device.hpp"
-#include "host/tile_construction/tile_torus.hpp"
+#include "host/tile_construction/filling/tile_torus.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
@@ -30,10 +30,11 @@ struct DartZone
 struct FillStage
 {
     TileRegions regions;
-    std::uint32_t number = 0; ///< stages have their own random numbers
-    bool is_one_tile = false; ///< the torus has one tile a side; any image of a point stands for it
-    DartZone active;          ///< points move in these cells as well
-    DartZone surroundings;    ///< points that are held, so that active ones are not drawn into empty space
+    std::uint32_t number = 0;       ///< stages have their own random numbers
+    bool is_one_tile = false;       ///< the torus has one tile a side; any image of a point stands for it
+    DartZone active{};              ///< points move in these cells as well
+    DartZone surroundings{};        ///< further points, so that active ones are not drawn into empty space
+    bool surroundings_move = false; ///< in Lloyd relaxation; else they are held
 
     /// Active points lie inside of the polygon whose corners are the held points, in their order, instead of in cells.
     bool in_polygon = false;
@@ -52,7 +53,8 @@ struct FilledTorus
 {
     std::vector<TilePosition> thrown; ///< active points as dart throwing left them; fewer than wanted: failed
     std::vector<TilePosition> active; ///< after relaxation and repulsion
-    std::vector<TilePosition> surroundings;
+    std::vector<TilePosition> thrown_surroundings;
+    std::vector<TilePosition> surroundings; ///< after relaxation, where they move
     std::uint64_t squared_min_distance = 0; ///< of active points to all points, at most 2^32 - 1; 0: failed
 
     bool operator==(const FilledTorus&) const = default;
@@ -100,7 +102,7 @@ struct FillShape
 {
     std::size_t tori;
     std::size_t points;     ///< of the fullest
-    std::size_t active;     ///< of them, of the one with the most
+    std::size_t moving;     ///< of them, of the one with the most
     std::size_t images = 1; ///< that are kept of each point
 };
 
