@@ -217,6 +217,16 @@ std::vector<Measure> spectral_measures()
                       MeasureKind::estimate, significant(2),
                       "What these peaks have above the power around them, of all power up to there: near 0 where tiles "
                       "leave no trace.")),
+        detail(
+            number("off_lattice_anisotropy", "anisotropy between lattice peaks", "dB above chance", Better::lower,
+                   MeasureKind::estimate, decimals(2),
+                   "The mean anisotropy of {rings|shells} without the lattice's frequencies, above the −10 log₁₀ K dB "
+                   "of chance: what few tiles that repeat leave everywhere.")),
+        detail(
+            number("seam_density", "deviation of the density at seams", "of the mean density", Better::lower,
+                   MeasureKind::estimate, decimals(2),
+                   "The largest deviation of the density from its mean, over the distance from the tiles' borders in "
+                   "steps of a quarter of a disk's radius: 0 without seams.")),
     };
 }
 

@@ -1,6 +1,7 @@
 #include "host/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
@@ -45,6 +46,7 @@ void SeriesAnalysis::start()
 {
     has_started_ = true;
     if (has_spectrum()) start_spectrum();
+    if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
     if (options_.distances_only) return;
     integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
     if (has_pairs_) start_pairs();
@@ -91,6 +93,7 @@ void SeriesAnalysis::add(const PointSet& points)
     }
     sets_.push_back(set);
     if (integration_) integration_->add(points);
+    if (seams_) seams_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -112,6 +115,7 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (!next.pairs_) leave_out_pairs();
     if (pairs_) pairs_->append(*next.pairs_);
     if (integration_) integration_->append(next.integration_.value());
+    if (seams_) seams_->append(next.seams_.value());
     seconds_ += next.seconds_;
 }
 
@@ -134,6 +138,9 @@ Series SeriesAnalysis::result() const
     series.measures = measures_;
     series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
     if (integration_) series.measures.integration = integration_->mean();
+    if (seams_)
+        if (const auto deviation = seams_->largest_deviation())
+            series.measures.numbers["seam_density"] = {*deviation, {}};
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
     series.analysis_seconds = seconds_;
@@ -167,6 +174,8 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
             measures_.numbers["near_lattice_peaks"] = {near->mean_ratio, {}};
             measures_.numbers["lattice_excess"] = {near->excess_share, {}};
         }
+        if (const auto db = off_lattice_anisotropy_db(mean, options_.tiles))
+            measures_.numbers["off_lattice_anisotropy"] = {*db, {}};
     }
     if (realizations > 1) measure_errors(radial, mean.dimension);
 }

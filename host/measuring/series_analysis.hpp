@@ -3,6 +3,7 @@
 
 #include "analysis/measures/integration_error.hpp"
 #include "analysis/measures/pair_correlation.hpp"
+#include "analysis/measures/seam_density.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "host/config/analysis_options.hpp"
@@ -80,6 +81,7 @@ public:
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);
         if (integration_) archive(*integration_);
+        if (seams_) archive(*seams_);
     }
 
 private:
@@ -123,6 +125,7 @@ private:
     PointSet first_; ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<IntegrationErrorEstimate> integration_;
+    std::optional<SeamDensity> seams_; ///< of tilings
 };
 
 }

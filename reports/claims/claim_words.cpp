@@ -92,14 +92,18 @@ PaperClaim reach_claim(const std::string& id, const std::string& section, const 
         if (best == 0) return std::nullopt;
         // Six digits: a radius that is asked for is met to the rounding of coordinates.
         const bool reached = best > relative_radius - 1e-6;
-        return ClaimOutcome{reached ? Agreement::agrees : Agreement::partly,
+        // A larger one shows that "up to" is not the end.
+        const bool exceeded = best > relative_radius + 0.005;
+        return ClaimOutcome{reached && !exceeded ? Agreement::agrees : Agreement::partly,
                             fmt::format("{} in every realization{}", format_fixed(best, 4),
-                                        reached ? "" : ", the largest in this report")};
+                                        !reached   ? ", the largest in this report"
+                                        : exceeded ? ", which is more"
+                                                   : "")};
     };
     return {
         id, section, says,
         fmt::format("the smallest relative radius of all realizations of a series is at least {}; partly: the report "
-                    "has no series of so much",
+                    "has no series of so much, or one of more",
                     format_exact(relative_radius)),
         measure};
 }

@@ -275,26 +275,55 @@ std::vector<PaperClaim> relaxation_claims()
 
 // 6.5
 
-/// The first iteration from which on the mean relative radius stays within 0.01 of its last value.
+/// The times of the dissertation end with this iteration, and so does, presumably, the plot that it speaks of.
+constexpr std::size_t last_of_the_paper = 32;
+
+/// The first iteration from which on the mean relative radius stays within 0.02 of that of iteration 32.
 std::size_t settled_at(const std::vector<double>& values)
 {
-    std::size_t settled = values.size() - 1;
-    while (settled > 0 && std::abs(values[settled - 1] - values.back()) <= 0.01) --settled;
+    std::size_t settled = last_of_the_paper;
+    while (settled > 0 && std::abs(values[settled - 1] - values[last_of_the_paper]) <= 0.02) --settled;
     return settled;
 }
 
 Outcome lloyd_converges(const ClaimSeries& report)
 {
+    Tally settles, stays;
+    std::vector<std::string> words;
+    for (const auto* series : lloyd_of_darts(report, Needs::iterations)) {
+        const std::vector<double>& values = radii(*series);
+        if (values.size() < 65) continue; // twice the 32 of the claim, to see what follows
+        const auto settled = settled_at(values);
+        const double gain = values.back() - values[last_of_the_paper];
+        settles.add(settled >= 8 && settled <= 28);
+        stays.add(std::abs(gain) <= 0.01);
+        words.push_back(fmt::format("N = {}: from iteration {} on, then {} more up to iteration {}",
+                                    format_count(series->stored->points), settled, format_fixed(gain, 3),
+                                    values.size() - 1));
+    }
+    if (settles.empty()) return std::nullopt;
+    const Agreement both = settles.agreement() == stays.agreement() ? settles.agreement() : Agreement::partly;
+    return ClaimOutcome{both, joined_words(words)};
+}
+
+/// Sets of dart throwing, whose radius is large to begin with.
+Outcome lloyd_increases(const ClaimSeries& report)
+{
     Tally tally;
     std::vector<std::string> words;
     for (const auto* series : lloyd_of_darts(report, Needs::iterations)) {
-        if (radii(*series).size() < 65) continue; // twice the 32 of the claim, to see what follows
-        const auto settled = settled_at(radii(*series));
-        tally.add(settled <= 32);
-        words.push_back(fmt::format("N = {}: from iteration {} on", format_count(series->stored->points), settled));
+        const std::vector<double>& values = radii(*series);
+        if (values.size() < 33) continue;
+        const auto least = std::ranges::min_element(values);
+        const auto back = std::find_if(least, values.end(), [&](double value) { return value >= values.front(); });
+        tally.add(least == values.begin());
+        words.push_back(fmt::format("N = {}: from {}, {} at iteration {}, {}", format_count(series->stored->points),
+                                    format_fixed(values.front(), 3), format_fixed(*least, 3), least - values.begin(),
+                                    back == values.end()
+                                        ? "never more than at first"
+                                        : fmt::format("more again from {} on", back - values.begin())));
     }
     if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
     return ClaimOutcome{tally.agreement(), joined_words(words)};
 }
 
@@ -420,8 +449,11 @@ std::vector<PaperClaim> lloyd_claims()
 {
     return {
         {"6.5-converges", "6.5", "Lloyd relaxation of dart throwing converges in about 16 to 32 iterations.",
-         "from iteration 32 at the latest, the mean relative radius stays within 0.01 of its last value",
+         "within 0.02 of iteration 32, where the paper's times end, the mean relative radius is from iteration 8 to 28 "
+         "on; and it changes by at most 0.01 after it",
          lloyd_converges},
+        {"6.5-increases", "6.5", "Lloyd relaxation increases the relative radius of dart throwing.",
+         "the mean relative radius is never below that of the start", lloyd_increases},
         {"6.5-fewer-points", "6.5", "Sets of fewer points settle at a slightly higher relative radius.",
          "the last mean falls with the number of points, but for 0.003", fewer_points_higher},
         {"6.5-settles", "6.5", "In general sets settle at a relative radius of about 0.75 to 0.85.",

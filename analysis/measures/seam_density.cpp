@@ -1,0 +1,72 @@
+#include "analysis/measures/seam_density.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+constexpr double usual_relative_radius = 0.75;
+
+/// Chance alone makes a deviation of 5 percent of as many points, and well-spread ones less.
+constexpr double least_points = 400;
+
+}
+
+SeamDensity::SeamDensity(int dimension, int tiles, std::size_t points)
+    : dimension_(dimension), tiles_(tiles),
+      width_(min_distance_for(usual_relative_radius, points, dimension) / 2 / 4 * tiles),
+      counts_(static_cast<std::size_t>(std::ceil(0.5 / width_)))
+{}
+
+void SeamDensity::add(const PointSet& points)
+{
+    const auto dimension = static_cast<std::size_t>(dimension_);
+    for (std::size_t i = 0; i < points.coordinates.size(); i += dimension) {
+        double distance = 0.5;
+        for (std::size_t k = 0; k < dimension; ++k) {
+            const double place = points.coordinates[i + k] * tiles_;
+            distance = std::min(distance, std::abs(place - std::round(place)));
+        }
+        ++counts_[std::min(counts_.size() - 1, static_cast<std::size_t>(distance / width_))];
+    }
+}
+
+void SeamDensity::append(const SeamDensity& other)
+{
+    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+}
+
+/// The part of a tile that is in a bin.
+double SeamDensity::volume(std::size_t bin) const
+{
+    const auto inside = [&](double distance) { return std::pow(std::max(0.0, 1 - 2 * distance), dimension_); };
+    return inside(width_ * static_cast<double>(bin)) - inside(width_ * static_cast<double>(bin + 1));
+}
+
+std::vector<SeamDensity::Bin> SeamDensity::bins() const
+{
+    const auto all = static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}));
+    std::vector<Bin> result;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+        const double begin = width_ * static_cast<double>(i);
+        result.push_back({begin, std::min(0.5, begin + width_), static_cast<double>(counts_[i]) / (volume(i) * all)});
+    }
+    return result;
+}
+
+std::optional<double> SeamDensity::largest_deviation() const
+{
+    const auto all = static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}));
+    const std::vector<Bin> densities = bins();
+    std::optional<double> largest;
+    for (std::size_t i = 0; i < densities.size(); ++i)
+        if (volume(i) * all >= least_points)
+            largest = std::max(largest.value_or(0), std::abs(densities[i].density - 1));
+    return largest;
+}
+
+}

@@ -1,0 +1,53 @@
+// The density of points over the distance from the borders of their tiles: seams are where it is not 1.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// Counts the points of toroidal tilings by their distance from the nearest edge (face) of their tile's square (cube),
+/// in bins of a quarter of the radius that disks have at a relative radius of 0.75.
+class SeamDensity
+{
+public:
+    /// For tilings of `tiles` tiles along each axis, with about as many points.
+    SeamDensity(int dimension, int tiles, std::size_t points);
+
+    /// Counts all points of a tiling.
+    void add(const PointSet& points);
+
+    /// Adds the counts of other tilings of the same kind.
+    void append(const SeamDensity& other);
+
+    struct Bin
+    {
+        double begin = 0, end = 0; ///< distances, in tiles
+        double density = 0;        ///< over the mean one
+    };
+    std::vector<Bin> bins() const;
+
+    /// The largest deviation of a bin's density from 1, of bins that should have at least 400 points. Empty without
+    /// any.
+    std::optional<double> largest_deviation() const;
+
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(counts_);
+    }
+
+private:
+    double volume(std::size_t bin) const;
+
+    int dimension_;
+    double tiles_;
+    double width_; ///< of bins, in tiles
+    std::vector<std::uint64_t> counts_;
+};
+
+}
