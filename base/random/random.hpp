@@ -24,6 +24,9 @@ enum class Purpose : std::uint32_t
     scanline_tiling = 17,
     tile_choice = 18,
     other_program = 19,
+    digit_scrambling = 20,
+    best_candidate = 21,
+    bridson = 22,
 };
 
 /// The 64-bit key of one independent stream.

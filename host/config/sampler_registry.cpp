@@ -1,6 +1,9 @@
 #include "host/config/sampler_registry.hpp"
 
 #include "host/sampling/baselines.hpp"
+#include "host/sampling/classics/candidate_darts.hpp"
+#include "host/sampling/classics/dense_packing.hpp"
+#include "host/sampling/classics/low_discrepancy.hpp"
 #include "host/sampling/command_sampler.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
@@ -18,6 +21,11 @@ const SamplerRegistry& sampler_registry()
         random_sampler(),
         regular_sampler(),
         jittered_sampler(),
+        hexagonal_sampler(),
+        sobol_sampler(),
+        halton_sampler(),
+        best_candidate_sampler(),
+        bridson_sampler(),
         dart_throwing_sampler(),
         relaxation_dart_throwing_sampler(),
         lloyd_sampler(),

@@ -59,10 +59,10 @@ TEST(Contract, OfTileFilling)
     const std::string file = "kernels/common/tile_filling.h";
     const std::size_t darts[] = {LAYOUT_OF(Darts, attempts)};
     EXPECT_THAT(on_device(file, layout_of("Darts", "attempts")), ElementsAreArray(darts));
-    const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_active)};
-    EXPECT_THAT(on_device(file, layout_of("Relaxation", "max_active")), ElementsAreArray(relaxation));
-    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, wanted)};
-    EXPECT_THAT(on_device(file, layout_of("Repulsion", "wanted")), ElementsAreArray(repulsion));
+    const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_moving)};
+    EXPECT_THAT(on_device(file, layout_of("Relaxation", "max_moving")), ElementsAreArray(relaxation));
+    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, unused)};
+    EXPECT_THAT(on_device(file, layout_of("Repulsion", "unused")), ElementsAreArray(repulsion));
 }
 
 TEST(Contract, OfTilePoints)

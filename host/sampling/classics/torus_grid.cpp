@@ -1,0 +1,89 @@
+#include "host/sampling/classics/torus_grid.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace poissonlab {
+
+std::uint64_t squared_torus_distance(const TorusPosition& a, const TorusPosition& b)
+{
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t difference = static_cast<std::int32_t>(a[k] - b[k]); // the shorter way round
+        sum += static_cast<std::uint64_t>(difference * difference);
+    }
+    return sum;
+}
+
+TorusGrid::TorusGrid(std::size_t points, int dimension) : dimension_(dimension)
+{
+    const std::size_t most = std::max<std::size_t>(points, 1);
+    while (std::size_t{1} << (static_cast<std::size_t>((bits_ + 1) * dimension)) <= most) ++bits_;
+    heads_.assign(std::size_t{1} << (bits_ * dimension), none);
+}
+
+std::size_t TorusGrid::cell_number(const std::array<std::int64_t, 3>& cell) const
+{
+    const std::int64_t mask = (std::int64_t{1} << bits_) - 1;
+    std::size_t number = 0;
+    for (int k = dimension_; k-- > 0;)
+        number = number << bits_ | static_cast<std::size_t>(cell[static_cast<std::size_t>(k)] & mask);
+    return number;
+}
+
+void TorusGrid::add(const TorusPosition& position)
+{
+    std::array<std::int64_t, 3> cell{};
+    for (std::size_t k = 0; k < 3; ++k) cell[k] = static_cast<std::int64_t>(std::uint64_t{position[k]} >> (32 - bits_));
+    std::uint32_t& head = heads_[cell_number(cell)];
+    next_.push_back(head);
+    head = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(position);
+}
+
+void TorusGrid::visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position,
+                      std::uint64_t& nearest) const
+{
+    for (std::uint32_t i = heads_[cell_number(cell)]; i != none; i = next_[i])
+        nearest = std::min(nearest, squared_torus_distance(points_[i], position));
+}
+
+/// Looks at rings of cells around that of the position until none farther out can have a nearer point.
+std::uint64_t TorusGrid::squared_nearest(const TorusPosition& position, std::uint64_t enough) const
+{
+    const std::int64_t side = std::int64_t{1} << (32 - bits_);
+    std::array<std::int64_t, 3> home{};
+    std::int64_t border = side; // distance from the border of the cell
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
+        home[k] = std::int64_t{position[k]} / side;
+        const std::int64_t inside = std::int64_t{position[k]} % side;
+        border = std::min({border, inside, side - 1 - inside});
+    }
+    std::uint64_t nearest = UINT64_MAX;
+    const std::int64_t most = std::int64_t{1} << bits_; // then all cells were visited
+    for (std::int64_t ring = 0; 2 * ring - 1 < most; ++ring) {
+        const auto away = static_cast<std::uint64_t>(std::max<std::int64_t>(0, border + (ring - 1) * side));
+        if (ring > 0 && away < std::uint64_t{1} << 32 && away * away >= nearest) break;
+        const std::int64_t layers = dimension_ == 3 ? ring : 0;
+        for (std::int64_t z = -layers; z <= layers; ++z)
+            for (std::int64_t y = -ring; y <= ring; ++y) {
+                const bool is_outer = std::abs(y) == ring || (dimension_ == 3 && std::abs(z) == ring);
+                for (std::int64_t x = -ring; x <= ring; x += is_outer || ring == 0 ? 1 : 2 * ring)
+                    visit({home[0] + x, home[1] + y, home[2] + z}, position, nearest);
+            }
+        if (nearest <= enough) break;
+    }
+    return nearest;
+}
+
+PointSet TorusGrid::point_set() const
+{
+    PointSet set{dimension_, {}};
+    set.coordinates.reserve(points_.size() * static_cast<std::size_t>(dimension_));
+    for (const TorusPosition& point : points_)
+        for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k)
+            set.coordinates.push_back(static_cast<double>(point[k]) / 4294967296.0);
+    return set;
+}
+
+}

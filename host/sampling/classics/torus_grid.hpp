@@ -1,0 +1,47 @@
+// Points on a torus of 2^32 units a side, in a grid of cells, for methods that ask for the nearest point one by one.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+using TorusPosition = std::array<std::uint32_t, 3>; ///< in units; 2D: z is 0
+
+/// The squared distance in units, exact: at most 3 * 2^62.
+std::uint64_t squared_torus_distance(const TorusPosition& a, const TorusPosition& b);
+
+class TorusGrid
+{
+public:
+    /// For about so many points.
+    TorusGrid(std::size_t points, int dimension);
+
+    void add(const TorusPosition& position);
+
+    std::size_t size() const { return points_.size(); }
+    const TorusPosition& operator[](std::size_t i) const { return points_[i]; }
+
+    /// The squared distance of the nearest point, or any one that is at most `enough` of a point that is as near;
+    /// UINT64_MAX without points.
+    std::uint64_t squared_nearest(const TorusPosition& position, std::uint64_t enough = 0) const;
+
+    /// All points as coordinates in [0, 1).
+    PointSet point_set() const;
+
+private:
+    void visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position, std::uint64_t& nearest) const;
+    std::size_t cell_number(const std::array<std::int64_t, 3>& cell) const;
+
+    static constexpr std::uint32_t none = UINT32_MAX;
+    int dimension_;
+    int bits_ = 0; ///< cells along an axis: 2^bits
+    std::vector<TorusPosition> points_;
+    std::vector<std::uint32_t> heads_, next_;
+};
+
+}
