@@ -27,6 +27,10 @@ enum class Purpose : std::uint32_t
     digit_scrambling = 20,
     best_candidate = 21,
     bridson = 22,
+    wang_darts = 23,
+    wang_starts = 24,
+    wang_surroundings = 25,
+    wang_tilings = 26,
 };
 
 /// The 64-bit key of one independent stream.

@@ -34,13 +34,16 @@ FillShape interior_shape(const PoissonTileParameters& p, const TileRegions& regi
 {
     const double n = p.points_per_tile;
     const double active = n * regions.volume(all_axes(p.dimension));
-    double points = held_points(p, regions, pieces_around(p, 0)) + active;
+    const double held = held_points(p, regions, pieces_around(p, 0));
+    double points = held + active;
+    // The first of template tiles is there already.
+    const std::size_t tori = p.kind == PoissonTileKind::frame ? std::max(1U, p.tiles - 1) : p.tiles;
     if (p.lloyd_iterations > 0) {
         const double side = 1 + 2.0 * surroundings_margin(regions, p.dimension) / tile_units;
         points = std::max(points, n * std::pow(side, p.dimension));
-        if (p.dimension == 2) return {p.tiles, fullest(points), fullest(points)}; // surroundings move
+        if (p.dimension == 2) return {tori, fullest(points), fullest(points - held)}; // surroundings move
     }
-    return {p.tiles, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
+    return {tori, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
 }
 
 /// Tori of all pairs of colours, insides of all tiles, and the torus of all tiles that is relaxed.

@@ -126,8 +126,10 @@ TEST(Start, IsCheckedLikeAMethod)
     EXPECT_EQ(start("[]"), "c.toml:3: start = []: the list is empty; each item must be " + table_or_name);
     EXPECT_EQ(start("\"randm\""),
               "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
+              "\"hexagonal\", \"sobol\", \"halton\", \"best-candidate\", \"bridson\", "
               "\"dart-throwing\", \"relaxation-dart-throwing\", \"lloyd\", \"corner-tiles\", \"edge-tiles\", "
-              "\"template-tiles\", \"sphere-tiles\", \"file\", \"command\", \"relax\"; "
+              "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", \"file\", "
+              "\"command\", \"relax\"; "
               "did you mean \"random\"?");
     EXPECT_THAT(start("{ sampler = \"dart-throwin\" }"),
                 testing::AllOf(HasSubstr("c.toml:3: sampler = \"dart-throwin\": must be one of "),

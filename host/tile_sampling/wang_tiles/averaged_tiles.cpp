@@ -1,0 +1,296 @@
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
+
+#include "base/random/random.hpp"
+#include "tiles/poisson/tile_regions.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// A convex polygon around a point, which is its origin; units.
+class Cell
+{
+public:
+    /// A square that reaches beyond 3 x 3 tiles.
+    Cell() : vertices_{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}} { find_radius(); }
+
+    /// Cuts off what is nearer to another point.
+    void cut(double x, double y)
+    {
+        const double squared = x * x + y * y;
+        if (squared >= 4 * squared_radius_) return;
+        std::vector<Vertex> kept;
+        kept.reserve(vertices_.size() + 1);
+        const auto beyond = [&](const Vertex& v) { return v[0] * x + v[1] * y - squared / 2; };
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const Vertex &a = vertices_[i], &b = vertices_[(i + 1) % vertices_.size()];
+            const double at_a = beyond(a), at_b = beyond(b);
+            if (at_a <= 0) kept.push_back(a);
+            if ((at_a <= 0) != (at_b <= 0)) {
+                const double part = at_a / (at_a - at_b);
+                kept.push_back({a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])});
+            }
+        }
+        vertices_ = std::move(kept);
+        find_radius();
+    }
+
+    WangPoint centroid() const
+    {
+        double area = 0, x = 0, y = 0;
+        for (std::size_t i = 0; i < vertices_.size(); ++i) {
+            const Vertex &a = vertices_[i], &b = vertices_[(i + 1) % vertices_.size()];
+            const double cross = a[0] * b[1] - a[1] * b[0];
+            area += cross;
+            x += cross * (a[0] + b[0]);
+            y += cross * (a[1] + b[1]);
+        }
+        if (!(area > 0)) return {0, 0}; // two points at the same place
+        return {static_cast<std::int32_t>(std::nearbyint(x / area / 3)),
+                static_cast<std::int32_t>(std::nearbyint(y / area / 3))};
+    }
+
+    /// Whether points outside of a rectangle around `centre` cannot reach into the cell.
+    bool is_known_from(const WangPoint& centre, const std::array<std::int32_t, 2>& low,
+                       const std::array<std::int32_t, 2>& high) const
+    {
+        return std::ranges::all_of(vertices_, [&](const Vertex& v) {
+            double inside = 1e300;
+            for (std::size_t k = 0; k < 2; ++k) {
+                const double at = centre[k] + v[k];
+                inside = std::min({inside, at - low[k], high[k] - at});
+            }
+            return inside >= std::hypot(v[0], v[1]);
+        });
+    }
+
+private:
+    using Vertex = std::array<double, 2>;
+    static constexpr double reach = 4.0 * tile_units;
+
+    void find_radius()
+    {
+        squared_radius_ = 0;
+        for (const Vertex& v : vertices_) squared_radius_ = std::max(squared_radius_, v[0] * v[0] + v[1] * v[1]);
+    }
+
+    std::vector<Vertex> vertices_;
+    double squared_radius_ = 0;
+};
+
+/// Cuts by the points of a tile so many tiles away.
+void cut_by(Cell& cell, const WangPoint& centre, const std::vector<WangPoint>& points, int x, int y)
+{
+    for (const WangPoint& point : points)
+        cell.cut(point[0] + x * tile_units - centre[0], point[1] + y * tile_units - centre[1]);
+}
+
+/// The cell among the points of its own tile, nearest first.
+Cell cell_in_tile(const std::vector<WangPoint>& tile, std::size_t number)
+{
+    const WangPoint& centre = tile[number];
+    std::vector<std::array<double, 3>> others;
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+        if (i == number) continue;
+        const double x = tile[i][0] - centre[0], y = tile[i][1] - centre[1];
+        others.push_back({x * x + y * y, x, y});
+    }
+    std::ranges::sort(others);
+    Cell cell;
+    for (const auto& [squared, x, y] : others) cell.cut(x, y);
+    return cell;
+}
+
+/// The tiles that fit beside one along the x axis (or the y axis), at the side `sign`.
+std::vector<std::size_t> tiles_beside(std::size_t tile, bool along_x, int sign)
+{
+    std::vector<std::size_t> tiles;
+    for (std::size_t other = 0; other < wang_point_tiles; ++other)
+        if (may_lie_beside(tile, other, along_x ? sign : 0, along_x ? 0 : sign)) tiles.push_back(other);
+    return tiles;
+}
+
+/// The two tiles that fit between those at two sides.
+std::vector<std::size_t> tiles_between(std::size_t at_x, std::size_t at_y, int x, int y)
+{
+    std::vector<std::size_t> tiles;
+    for (std::size_t other = 0; other < wang_point_tiles; ++other)
+        if (may_lie_beside(at_x, other, 0, y) && may_lie_beside(at_y, other, x, 0)) tiles.push_back(other);
+    return tiles;
+}
+
+/// A sum of displacements.
+struct Sum
+{
+    std::int64_t x = 0, y = 0, count = 0;
+
+    void add(const WangPoint& displacement)
+    {
+        x += displacement[0];
+        y += displacement[1];
+        ++count;
+    }
+
+    WangPoint mean() const
+    {
+        const auto part = [&](std::int64_t sum) {
+            return static_cast<std::int32_t>(std::nearbyint(static_cast<double>(sum) / static_cast<double>(count)));
+        };
+        return {part(x), part(y)};
+    }
+};
+
+/// The sum over the 4 x 4 x 2 choices for the three tiles in the quadrant of a point. False: in one of them the cell
+/// depends on other tiles as well.
+bool sum_over_quadrant(const WangPoints& points, std::size_t tile, std::size_t number, const Cell& own, Sum& sum)
+{
+    const WangPoint& centre = points.tiles[tile][number];
+    std::array<int, 2> sign{};
+    std::array<std::int32_t, 2> low{}, high{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        sign[k] = centre[k] < tile_units / 2 ? -1 : 1;
+        low[k] = sign[k] < 0 ? -tile_units : 0;
+        high[k] = low[k] + 2 * tile_units;
+    }
+    for (const std::size_t at_x : tiles_beside(tile, true, sign[0])) {
+        Cell with_x = own;
+        cut_by(with_x, centre, points.tiles[at_x], sign[0], 0);
+        for (const std::size_t at_y : tiles_beside(tile, false, sign[1])) {
+            Cell with_both = with_x;
+            cut_by(with_both, centre, points.tiles[at_y], 0, sign[1]);
+            for (const std::size_t corner : tiles_between(at_x, at_y, sign[0], sign[1])) {
+                Cell cell = with_both;
+                cut_by(cell, centre, points.tiles[corner], sign[0], sign[1]);
+                if (!cell.is_known_from(centre, low, high)) return false;
+                sum.add(cell.centroid());
+            }
+        }
+    }
+    return true;
+}
+
+/// The sum over all 4,096 surroundings: sides first, then what fits between them.
+Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number, const Cell& own)
+{
+    const WangPoint& centre = points.tiles[tile][number];
+    Sum sum;
+    const auto corner = [&](const Cell& cell, std::size_t at_x, std::size_t at_y, int x, int y, const auto& next) {
+        for (const std::size_t between : tiles_between(at_x, at_y, x, y)) {
+            Cell cut = cell;
+            cut_by(cut, centre, points.tiles[between], x, y);
+            next(cut);
+        }
+    };
+    for (const std::size_t east : tiles_beside(tile, true, 1))
+        for (const std::size_t north : tiles_beside(tile, false, 1))
+            for (const std::size_t west : tiles_beside(tile, true, -1))
+                for (const std::size_t south : tiles_beside(tile, false, -1)) {
+                    Cell sides = own;
+                    cut_by(sides, centre, points.tiles[east], 1, 0);
+                    cut_by(sides, centre, points.tiles[north], 0, 1);
+                    cut_by(sides, centre, points.tiles[west], -1, 0);
+                    cut_by(sides, centre, points.tiles[south], 0, -1);
+                    corner(sides, east, north, 1, 1, [&](const Cell& a) {
+                        corner(a, west, north, -1, 1, [&](const Cell& b) {
+                            corner(b, west, south, -1, -1, [&](const Cell& c) {
+                                corner(c, east, south, 1, -1, [&](const Cell& cell) { sum.add(cell.centroid()); });
+                            });
+                        });
+                    });
+                }
+    return sum;
+}
+
+WangPoint mean_displacement(const WangPoints& points, std::size_t tile, std::size_t number)
+{
+    const Cell own = cell_in_tile(points.tiles[tile], number);
+    Sum sum;
+    if (sum_over_quadrant(points, tile, number, own, sum)) return sum.mean();
+    return sum_over_all(points, tile, number, own).mean();
+}
+
+/// A surrounding by chance, each as likely.
+std::array<std::size_t, 9> random_surrounding(std::size_t tile, std::uint32_t iteration, std::uint64_t seed)
+{
+    const StreamKey stream = stream_key(seed, Purpose::wang_surroundings, 0);
+    const auto sides = philox({static_cast<std::uint32_t>(tile), iteration, 0, 0}, stream);
+    const auto corners = philox({static_cast<std::uint32_t>(tile), iteration, 1, 0}, stream);
+    const auto chosen = [](const std::vector<std::size_t>& tiles, std::uint32_t random) {
+        return tiles[random % tiles.size()];
+    };
+    const std::size_t east = chosen(tiles_beside(tile, true, 1), sides[0]);
+    const std::size_t north = chosen(tiles_beside(tile, false, 1), sides[1]);
+    const std::size_t west = chosen(tiles_beside(tile, true, -1), sides[2]);
+    const std::size_t south = chosen(tiles_beside(tile, false, -1), sides[3]);
+    return {chosen(tiles_between(west, south, -1, -1), corners[0]),
+            south,
+            chosen(tiles_between(east, south, 1, -1), corners[1]),
+            west,
+            tile,
+            east,
+            chosen(tiles_between(west, north, -1, 1), corners[2]),
+            north,
+            chosen(tiles_between(east, north, 1, 1), corners[3])};
+}
+
+WangPoint moved(const WangPoint& point, const WangPoint& by)
+{
+    return {std::clamp(point[0] + by[0], 0, tile_units - 1), std::clamp(point[1] + by[1], 0, tile_units - 1)};
+}
+
+WangPoints averaged_exactly(const WangPoints& points)
+{
+    WangPoints result = points;
+    for (std::size_t tile = 0; tile < wang_point_tiles; ++tile)
+        tbb::parallel_for(std::size_t{0}, points.tiles[tile].size(), [&](std::size_t i) {
+            result.tiles[tile][i] = moved(points.tiles[tile][i], mean_displacement(points, tile, i));
+        });
+    return result;
+}
+
+}
+
+WangPoints start_averaged_tiles(std::uint32_t points_per_tile, std::uint64_t seed)
+{
+    const StreamKey stream = stream_key(seed, Purpose::wang_starts, 0);
+    WangPoints points;
+    for (std::uint32_t tile = 0; tile < wang_point_tiles; ++tile)
+        for (std::uint32_t i = 0; i < points_per_tile; ++i) {
+            const auto words = philox({tile, i, 0, 0}, stream);
+            constexpr std::int32_t quarter = tile_units / 4;
+            points.tiles[tile].push_back({quarter + static_cast<std::int32_t>(words[0] >> 17),
+                                          quarter + static_cast<std::int32_t>(words[1] >> 17)});
+        }
+    return points;
+}
+
+WangPoint centroid_displacement(const WangPoints& points, std::span<const std::size_t, 9> tiles, std::size_t point)
+{
+    const WangPoint& centre = points.tiles[tiles[4]][point];
+    Cell cell = cell_in_tile(points.tiles[tiles[4]], point);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x)
+            if (x != 0 || y != 0)
+                cut_by(cell, centre, points.tiles[tiles[static_cast<std::size_t>(3 * (y + 1) + x + 1)]], x, y);
+    return cell.centroid();
+}
+
+WangPoints average_once(const WangPoints& points, AveragedVariant variant, std::uint32_t iteration, std::uint64_t seed)
+{
+    if (variant == AveragedVariant::exact) return averaged_exactly(points);
+    WangPoints result = points;
+    for (std::size_t tile = 0; tile < wang_point_tiles; ++tile) {
+        const auto around = random_surrounding(tile, iteration, seed);
+        std::vector<WangPoint> next;
+        for (std::size_t i = 0; i < result.tiles[tile].size(); ++i)
+            next.push_back(moved(result.tiles[tile][i], centroid_displacement(result, around, i)));
+        result.tiles[tile] = next;
+    }
+    return result;
+}
+
+}

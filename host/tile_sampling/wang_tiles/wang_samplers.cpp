@@ -1,0 +1,206 @@
+#include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "base/random/random.hpp"
+#include "host/tile_sampling/tile_samplers.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
+#include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
+#include "tiles/poisson/tile_regions.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+constexpr WordTable<AveragedVariant, 2> averaged_variants{
+    {{{AveragedVariant::exact, "exact"}, {AveragedVariant::one_surrounding, "one-surrounding"}}}};
+
+/// Tiles, and how good each of the states was that they came from.
+struct BuiltTiles
+{
+    WangPoints points;
+    std::vector<IterationRecord> iterations;
+};
+
+double mean_size(const WangPoints& points)
+{
+    double sum = 0;
+    for (const auto& tile : points.tiles) sum += static_cast<double>(tile.size());
+    return sum / static_cast<double>(wang_point_tiles);
+}
+
+class WangTileSampler final : public Sampler
+{
+public:
+    WangTileSampler(const SampleRequest& request, const std::function<BuiltTiles()>& build) : seed_(request.seed)
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        built_ = build();
+        side_ = std::min(tiling_side(request.points, std::max(1.0, mean_size(built_.points)), 2), 65'536U);
+        preparation_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const StreamKey key = stream_key(seed_, Purpose::wang_tilings, realization);
+        return wang_torus(built_.points, std::uint64_t{key[0]} << 32 | key[1], side_);
+    }
+
+    /// Tiles of darts have different numbers of points.
+    bool sizes_vary() const override
+    {
+        for (const auto& tile : built_.points.tiles)
+            if (tile.size() != built_.points.tiles.front().size()) return true;
+        return false;
+    }
+
+    std::vector<IterationRecord> iterations() const override { return built_.iterations; }
+    std::uint32_t tiles_along_axis() const override { return side_; }
+    double preparation_seconds() const override { return preparation_seconds_; }
+
+    std::optional<TileSetRecord> tile_set() const override
+    {
+        TileSetRecord record;
+        record.tiles = wang_point_tiles;
+        record.points_per_tile = static_cast<std::uint64_t>(std::lround(mean_size(built_.points)));
+        return record;
+    }
+
+private:
+    std::uint64_t seed_;
+    BuiltTiles built_;
+    std::uint32_t side_ = 1;
+    double preparation_seconds_ = 0;
+};
+
+double shade_distance(const Parameters& given)
+{
+    return min_distance_for(given.number("relative_radius"), static_cast<std::size_t>(given.integer("points_per_tile")),
+                            2);
+}
+
+BuiltTiles shade_tiles(const Parameters& given, std::uint64_t seed)
+{
+    const double distance = shade_distance(given) * tile_units;
+    BuiltTiles built{throw_shade_tiles(static_cast<std::uint64_t>(std::ceil(distance * distance)),
+                                       static_cast<std::uint32_t>(given.integer("attempts")), seed),
+                     {}};
+    return built;
+}
+
+/// The relative radius of tilings, which is that of the two nearest points that can be near.
+double relative_radius_across(const WangPoints& points)
+{
+    const std::int64_t squared = std::min(squared_distance_within(points), squared_distance_across(points));
+    return relative_radius(std::sqrt(static_cast<double>(squared)) / tile_units, points.tiles.front().size(), 2);
+}
+
+BuiltTiles averaged_tiles(const Parameters& given, const SampleRequest& request)
+{
+    const AveragedVariant variant = *averaged_variants.find(given.text("variant"));
+    BuiltTiles built{start_averaged_tiles(static_cast<std::uint32_t>(given.integer("points_per_tile")), request.seed),
+                     {}};
+    const auto iterations = static_cast<std::uint32_t>(given.integer("iterations"));
+    for (std::uint32_t i = 0; i <= iterations; ++i) {
+        built.iterations.push_back({relative_radius_across(built.points), 0});
+        if (i == iterations) break;
+        if (request.on_step) request.on_step(fmt::format("averaged tiles: iteration {} of {}", i + 1, iterations));
+        built.points = average_once(built.points, variant, i, request.seed);
+    }
+    return built;
+}
+
+ParameterSpec points_per_tile_spec()
+{
+    return {.key = "points_per_tile",
+            .kind = ParameterSpec::Kind::integer,
+            .help = "N, points of each tile",
+            .minimum = 2,
+            .maximum = 4096,
+            .symbol = "N",
+            .otherwise = std::int64_t{32}};
+}
+
+SamplerSpec described(std::string name, std::string title, std::string summary, std::vector<ParameterSpec> parameters)
+{
+    SamplerSpec spec;
+    spec.name = std::move(name);
+    spec.title = std::move(title);
+    spec.summary = std::move(summary);
+    spec.dimensions = {2};
+    spec.parameters = std::move(parameters);
+    spec.most_points = [](const Parameters& given, const SampleRequest& request) -> std::size_t {
+        // The nearest number of whole tiles may be one row and column more.
+        return 3 * request.points / 2 + 4 * static_cast<std::size_t>(given.integer("points_per_tile"));
+    };
+    return spec;
+}
+
+}
+
+SamplerSpec shade_tile_sampler()
+{
+    using Kind = ParameterSpec::Kind;
+    SamplerSpec spec =
+        described("shade-tiles", "Shade's tiles",
+                  "a tiling of 8 Wang tiles, made by darts that keep away from all tiles that may lie beside",
+                  {points_per_tile_spec(),
+                   {.key = "relative_radius",
+                    .help = "rho of N points: the distance that darts keep; fewer than N fit",
+                    .maximum = 1,
+                    .exclusive_minimum = true,
+                    .symbol = "rho",
+                    .otherwise = 0.7},
+                   {.key = "attempts",
+                    .kind = Kind::integer,
+                    .help = "failed darts in a row after which tiles are done",
+                    .minimum = 1,
+                    .maximum = 1'000'000'000,
+                    .symbol = "F",
+                    .otherwise = std::int64_t{100'000}}});
+    spec.check = [](const Parameters& given, const SampleRequest&, const SourceLocation& where) {
+        const double distance = shade_distance(given);
+        if (distance >= 0.5)
+            throw InputError::at(
+                given.is_given("relative_radius") ? given.location("relative_radius") : where,
+                fmt::format("sampler = \"shade-tiles\": a distance of {:.3f} tiles: must be less than half "
+                            "a tile; more points_per_tile, or a smaller relative_radius",
+                            distance));
+    };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<WangTileSampler>(request, [&] { return shade_tiles(given, request.seed); });
+    };
+    return spec;
+}
+
+SamplerSpec averaged_tile_sampler()
+{
+    using Kind = ParameterSpec::Kind;
+    SamplerSpec spec = described(
+        "averaged-tiles", "Averaged tiles",
+        "a tiling of 8 Wang tiles whose points are relaxed in the mean of all surroundings",
+        {points_per_tile_spec(),
+         {.key = "iterations",
+          .kind = Kind::integer,
+          .help = "moves of all points",
+          .maximum = 100'000,
+          .symbol = "i",
+          .otherwise = std::int64_t{30}},
+         {.key = "variant",
+          .kind = Kind::choice,
+          .help = "a point's move: the mean over all 4,096 surroundings of its tile (Hiller and others 2001), or "
+                  "that in a random one (Cohen and others 2003)",
+          .choices = averaged_variants.all(),
+          .otherwise = std::string(averaged_variants[AveragedVariant::exact])}});
+    spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<WangTileSampler>(request, [&] { return averaged_tiles(given, request); });
+    };
+    return spec;
+}
+
+}
