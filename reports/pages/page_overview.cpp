@@ -70,6 +70,7 @@ std::string render_overview_page(const Site& site)
         auto content = render_run(site, site.runs.front(), site.out, page);
         page.set("content", content);
     }
+    set_methods(page, site);
     set_ranking(page, site);
     PageData provenances{PageData::type::list};
     for (const auto& run : site.runs) {

@@ -151,6 +151,7 @@ PageData row_data(const Site& site, const ReportRun& run, std::size_t index, con
     const ReportSeries& series = run.series[index];
     auto row = series_identity(series, index);
     row.set("link", relative_link(site.out, page_of(series)));
+    row.set("run", run.stored->title);
     PageData cells{PageData::type::list};
     if (site.has_several_runs()) cells << text_cell("run", run.stored->title, relative_link(site.out, page_of(run)));
     const auto machine = machine_of(*run.stored);
@@ -215,6 +216,7 @@ void set_ranking(PageData& page, const Site& site)
     page.set("rows", rows);
     page.set("has_details", std::ranges::any_of(columns, &Measure::is_detail));
     page.set("is_long", series.size() > long_ranking);
+    page.set("series_count", format_count(series.size()));
     page.set("notices", notices(from));
     page.set("notes", notes(columns));
 }

@@ -221,6 +221,39 @@ TEST_F(SiteInBrowser, TheRankingSortsByEachColumn)
     EXPECT_THAT(browser_->messages(), IsEmpty());
 }
 
+TEST_F(SiteInBrowser, ALongRankingIsFiltered)
+{
+    const TemporaryFolder folder;
+    auto json = test::write_synthetic_results(folder.path() / "long");
+    const nlohmann::json model = json["series"][0];
+    json["series"] = nlohmann::json::array();
+    for (int i = 0; i < 30; ++i) {
+        json["series"].push_back(model);
+        json["series"][i]["name"] = "series-" + std::to_string(i);
+        json["series"][i]["sampler"] = i < 10 ? "random" : "jittered";
+    }
+    test::write_results_json(folder.path() / "long", json);
+    write_report({folder.path() / "long"}, folder.path() / "site-of-long");
+    browser_->open(folder.path() / "site-of-long" / "index.html");
+    const auto visible = [&] { return each("#ranking tbody tr:not([hidden])", "1").size(); };
+    EXPECT_FALSE(evaluate("document.querySelector('details.whole').open"));
+    browser_->click("details.whole > summary");
+    EXPECT_EQ(visible(), 30u);
+    const auto choose = [&](const std::string& value) {
+        evaluate("(() => { const s = Array.from(document.querySelectorAll('#ranking-filters select')).find(e => "
+                 "e.parentElement.textContent.startsWith('Method')); s.value = '" +
+                 value + "'; s.dispatchEvent(new Event('change')); })()");
+    };
+    choose("random");
+    EXPECT_EQ(visible(), 10u);
+    EXPECT_THAT(text("#ranking-filters"), HasSubstr("10 of 30 series"));
+    choose("jittered");
+    EXPECT_EQ(visible(), 20u);
+    choose("");
+    EXPECT_EQ(visible(), 30u);
+    EXPECT_THAT(browser_->messages(), IsEmpty());
+}
+
 TEST_F(SiteInBrowser, TheRankingSaysWhichMachineAndVersion)
 {
     browser_->open(site() / "index.html");

@@ -163,6 +163,21 @@ const std::vector<ClaimCase>& claim_cases()
              const_cast<Series*>(series.stored)->measures.voronoi =
                  VoronoiStatistics{0.01, {0, 0.5 - six / 2, six, 0.5 - six / 2, 0}};
          }},
+        {"6.6-flawed",
+         [](MadeUpReport& r, bool agrees) {
+             auto& series = r.add("shade-tiles", {{"points_per_tile", "32"}});
+             const_cast<Series*>(series.stored)->measures.numbers["seam_density"] = {agrees ? 0.5 : 0.05, {}};
+         }},
+        {"6.7-across",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_radius(r.add("averaged-tiles", {{"iterations", "29"}}), agrees ? 0.4 : 0.6);
+         }},
+        {"6.7-converges",
+         [](MadeUpReport& r, bool agrees) {
+             auto& series = r.add("averaged-tiles", {{"iterations", "128"}});
+             MadeUpReport::set_radius(series, 0.6);
+             MadeUpReport::set_iterations(series, relaxed(0.1, 0.6, agrees ? 200 : 20));
+         }},
         {"6.7-peaks", [](MadeUpReport& r, bool agrees) { tiles(r, "corner", 4, 64, agrees ? 5 : 1); }},
         {"6.7-more-tiles",
          [](MadeUpReport& r, bool agrees) {

@@ -141,6 +141,51 @@ TEST_F(SiteTest, PlacesOutsideTheGridAreErrors)
                 HasSubstr("series[0].method = 1: must be the number"));
 }
 
+/// Where methods have several series, each has a row: the series of the largest relative radius, with pictures.
+TEST_F(SiteTest, EachMethodHasARowWithItsBestSeries)
+{
+    repeat_series({"random", "corner-tiles", "random", "corner-tiles", "corner-tiles"});
+    const std::vector<double> radii{0.1, 0.7, 0.3, 0.72, 0.66};
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        json_["series"][i]["label"] = fmt::format("Series {}", i);
+        json_["series"][i]["relative_radius"] = {
+            {"min", radii[i]}, {"mean", radii[i]}, {"max", radii[i]}, {"each", {radii[i], radii[i]}}};
+        json_["series"][i]["realizations"] = 2;
+    }
+    page();
+    const auto text = file("index.html");
+    const auto begin = text.find("<table id=\"method-table\">");
+    ASSERT_NE(begin, std::string::npos);
+    const auto table = text.substr(begin, text.find("</table>", begin) - begin);
+    EXPECT_EQ(test::count_of(table, "<th scope=\"row\">"), 2);
+    EXPECT_THAT(table, HasSubstr("<a href=\"series-2/index.html\">random</a><small>Series 2</small>"
+                                 "<small>best of 2 series</small>"));
+    EXPECT_THAT(table, HasSubstr("<a href=\"series-3/index.html\">corner-tiles</a><small>Series 3</small>"
+                                 "<small>best of 3 series</small>"));
+    EXPECT_THAT(table, HasSubstr("<td class=\"number\">0.720</td>"));
+    EXPECT_THAT(table, HasSubstr("seem to be the best of those that tile"));
+    EXPECT_THAT(table, HasSubstr("points meet"));
+    EXPECT_GE(test::count_of(table, "<img "), 2 * 2);
+    EXPECT_THAT(text, HasSubstr("<a href=\"#methods\">Methods</a>"));
+    EXPECT_LT(begin, text.find("<section id=\"overview\">")) << "before the ranking";
+}
+
+TEST_F(SiteTest, MethodsOfOneSeriesEachNeedNoTable)
+{
+    repeat_series({"random", "jittered", "regular"});
+    EXPECT_THAT(page(), Not(HasSubstr("method-table")));
+}
+
+TEST_F(SiteTest, ALongRankingIsBehindAClick)
+{
+    repeat_series(std::vector<std::string>(30, "random"));
+    const auto text = page();
+    EXPECT_THAT(text, HasSubstr("<details class=\"whole\"><summary>All 30 series, sorted by any measure</summary>"));
+    EXPECT_THAT(text, HasSubstr("<tr data-method=\"random\" data-points="));
+    repeat_series(std::vector<std::string>(5, "random"));
+    EXPECT_THAT(page(), Not(HasSubstr("<details class=\"whole\">")));
+}
+
 TEST_F(SiteTest, TheRankingShowsMeasuresWithErrors)
 {
     auto& first = json_["series"][0];

@@ -1,0 +1,211 @@
+// One row a method: its best series in small pictures and the numbers that methods are chosen by.
+#include "reports/layout/small_pictures.hpp"
+#include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
+#include "reports/words/measure_words.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace poissonlab {
+
+namespace {
+
+/// The sizes of chapter 6 of the dissertation: sets with spectra, and sets that sample the zone plate.
+constexpr std::array<std::size_t, 2> timed_sizes{16'384, 262'144};
+
+/// Tilings and saturated sets have about as many points.
+bool has_about(const ReportSeries& series, std::size_t points)
+{
+    const double ratio = static_cast<double>(series.stored->points) / static_cast<double>(points);
+    return ratio > 0.9 && ratio < 1.1;
+}
+
+/// A method in a dimension, and all of its series.
+struct Method
+{
+    std::string sampler;
+    int dimension = 2;
+    std::vector<const ReportSeries*> series;
+};
+
+std::vector<Method> methods_of(const Site& site)
+{
+    std::vector<Method> methods;
+    for (const ReportSeries* series : site.series()) {
+        const auto found = std::ranges::find_if(methods, [&](const Method& method) {
+            return method.sampler == series->stored->sampler && method.dimension == series->run->dimension;
+        });
+        Method& method =
+            found == methods.end() ? methods.emplace_back(series->stored->sampler, series->run->dimension) : *found;
+        method.series.push_back(series);
+    }
+    return methods;
+}
+
+/// The series with a spectrum, if there is any, and of these that of the largest relative radius.
+const ReportSeries& best_of(const Method& method)
+{
+    const auto worth = [](const ReportSeries* series) {
+        const auto& radius = series->stored->relative_radius;
+        return std::pair(series->stored->has_spectrum(), radius ? radius->mean : 0);
+    };
+    return **std::ranges::max_element(method.series, {}, worth);
+}
+
+std::optional<MeasuredValue> value_of(const std::string& key, const ReportSeries& series)
+{
+    const auto measure = std::ranges::find(measures(), key, &Measure::key);
+    return measure == measures().end() ? std::nullopt : measure->get(*series.stored);
+}
+
+/// A measure of a series as the ranking has it; empty where there is none.
+std::string shown(const std::string& key, const ReportSeries& series)
+{
+    const auto measure = std::ranges::find(measures(), key, &Measure::key);
+    if (measure == measures().end()) return {};
+    const auto value = measure->get(*series.stored);
+    return value ? words_of(*measure, *value).shown : std::string();
+}
+
+/// The series that has the least of a measure.
+const ReportSeries* least_of(const Method& method, const std::string& key)
+{
+    const ReportSeries* best = nullptr;
+    double least = 0;
+    for (const ReportSeries* series : method.series) {
+        const auto value = value_of(key, *series);
+        if (!value || (best && value->value >= least)) continue;
+        best = series;
+        least = value->value;
+    }
+    return best;
+}
+
+/// The shortest median time of the method's sets of so many points.
+std::string time_for(const Method& method, std::size_t points)
+{
+    std::optional<double> shortest;
+    for (const ReportSeries* series : method.series)
+        if (const auto time = value_of("sample_time", *series); time && has_about(*series, points))
+            shortest = std::min(shortest.value_or(time->value), time->value);
+    return shortest ? format_seconds(*shortest) : std::string();
+}
+
+std::string preparation_of(const ReportSeries& series)
+{
+    if (const auto built = value_of("build_time", series)) return format_seconds(built->value);
+    const double seconds = series.stored->preparation_seconds;
+    return seconds > 1e-3 ? format_seconds(seconds) : std::string();
+}
+
+/// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.16, in short.
+std::string verdict_of_the_paper(const std::string& sampler)
+{
+    static const std::map<std::string, std::string> verdicts{
+        {"dart-throwing", "not for interactive use, nor for many points"},
+        {"relaxation-dart-throwing", "not for interactive use, nor for many points"},
+        {"lloyd", "not for interactive use, nor for many points"},
+        {"shade-tiles", "major shortcomings: should not be used"},
+        {"averaged-tiles", "not recommended: a small radius, a rather bad spectrum"},
+        {"edge-tiles", "better than earlier tiles in radius and spectrum"},
+        {"template-tiles", "of theoretical interest: too many artifacts in the spectrum"},
+        {"corner-tiles", "seem to be the best of those that tile"},
+    };
+    const auto found = verdicts.find(sampler);
+    return found == verdicts.end() ? std::string() : found->second;
+}
+
+/// What the numbers say, by the limits that the table names.
+std::string verdict_by_numbers(const Method& method, const ReportSeries& best)
+{
+    std::vector<std::string> words;
+    if (const auto& radius = best.stored->relative_radius)
+        words.push_back(radius->min >= 0.65 ? "far apart" : radius->min >= 0.4 ? "some points near" : "points meet");
+    if (const auto anisotropy = value_of("peak_anisotropy", best))
+        words.push_back(anisotropy->value <= best.curve.background_db + 3 ? "isotropic" : "not isotropic");
+    if (const auto seams = value_of("seam_density", best); seams && seams->value > 0.2) words.emplace_back("seams");
+    for (const ReportSeries* series : method.series)
+        if (const auto time = value_of("sample_time", *series);
+            time && has_about(*series, timed_sizes[0]) && time->value < 0.01) {
+            words.emplace_back("fast");
+            break;
+        }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The small pictures of a kind, one of the best series or, of the zone plate, of the series that has the best.
+PageData picture_of(const Site& site, const ReportSeries* series, const std::string& kind)
+{
+    if (series == nullptr) return false;
+    for (const SmallPicture& picture : small_pictures(*series)) {
+        if (picture.kind != kind) continue;
+        PageData data;
+        data.set("link", relative_link(site.out, page_of(*series)));
+        data.set("source", relative_link(site.out, series->pictures / picture.file));
+        data.set("image_class", picture.image_class);
+        data.set("alt", fmt::format("{}: {}", series->label, picture.name));
+        return data;
+    }
+    return false;
+}
+
+PageData method_row(const Site& site, const Method& method, bool has_dimensions)
+{
+    const ReportSeries& best = best_of(method);
+    PageData row;
+    row.set("name", method.sampler + (has_dimensions ? fmt::format(", {}D", method.dimension) : ""));
+    row.set("best", best.label);
+    row.set("link", relative_link(site.out, page_of(best)));
+    const std::size_t count = method.series.size();
+    row.set("count", count > 1 ? PageData(fmt::format("best of {} series", format_count(count))) : PageData(false));
+    PageData pictures{PageData::type::list};
+    for (const char* kind : {"points", "spectrum", "radial"}) {
+        PageData cell;
+        cell.set("picture", picture_of(site, &best, kind));
+        pictures << cell;
+    }
+    PageData plate;
+    plate.set("picture", picture_of(site, least_of(method, "zone_plate_error"), "plate"));
+    pictures << plate;
+    row.set("pictures", pictures);
+    PageData cells{PageData::type::list};
+    const auto& radius = best.stored->relative_radius;
+    const ReportSeries* plates = least_of(method, "zone_plate_error");
+    for (const std::string& text :
+         {radius ? format_fixed(radius->min, 3) : "", radius ? format_fixed(radius->mean, 3) : "",
+          shown("peak_anisotropy", best), shown("off_lattice_anisotropy", best),
+          plates ? shown("zone_plate_error", *plates) : "", time_for(method, timed_sizes[0]),
+          time_for(method, timed_sizes[1]), preparation_of(best)}) {
+        PageData cell;
+        cell.set("shown", optional_text(text));
+        cells << cell;
+    }
+    row.set("cells", cells);
+    row.set("paper", optional_text(verdict_of_the_paper(method.sampler)));
+    row.set("ours", optional_text(verdict_by_numbers(method, best)));
+    return row;
+}
+
+}
+
+bool set_methods(PageData& page, const Site& site)
+{
+    const std::vector<Method> methods = methods_of(site);
+    const bool has_methods = methods.size() > 1 && site.series().size() > methods.size();
+    page.set("has_methods", has_methods);
+    if (!has_methods) return false;
+    const bool has_dimensions = std::ranges::any_of(
+        methods, [&](const Method& method) { return method.dimension != methods.front().dimension; });
+    PageData rows{PageData::type::list};
+    for (const Method& method : methods) rows << method_row(site, method, has_dimensions);
+    page.set("methods", rows);
+    return true;
+}
+
+}
