@@ -31,6 +31,7 @@ enum class Purpose : std::uint32_t
     wang_starts = 24,
     wang_surroundings = 25,
     wang_tilings = 26,
+    sector_darts = 27,
 };
 
 /// The 64-bit key of one independent stream.

@@ -4,6 +4,7 @@
 #include "host/sampling/classics/candidate_darts.hpp"
 #include "host/sampling/classics/dense_packing.hpp"
 #include "host/sampling/classics/low_discrepancy.hpp"
+#include "host/sampling/classics/sector_darts.hpp"
 #include "host/sampling/command_sampler.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
@@ -18,18 +19,20 @@ namespace poissonlab {
 
 const SamplerRegistry& sampler_registry()
 {
+    // clang-format off: one a line
     static const SamplerRegistry registry = {
         random_sampler(),         regular_sampler(),
         jittered_sampler(),       hexagonal_sampler(),
         sobol_sampler(),          halton_sampler(),
         best_candidate_sampler(), bridson_sampler(),
         dart_throwing_sampler(),  relaxation_dart_throwing_sampler(),
-        lloyd_sampler(),          corner_tile_sampler(),
-        edge_tile_sampler(),      template_tile_sampler(),
-        sphere_tile_sampler(),    shade_tile_sampler(),
-        averaged_tile_sampler(),  file_sampler(),
-        command_sampler(),
+        sector_dart_sampler(),    lloyd_sampler(),
+        corner_tile_sampler(),    edge_tile_sampler(),
+        template_tile_sampler(),  sphere_tile_sampler(),
+        shade_tile_sampler(),     averaged_tile_sampler(),
+        file_sampler(),           command_sampler(),
     };
+    // clang-format on
     return registry;
 }
 

@@ -1,6 +1,7 @@
 #include "host/sampling/classics/torus_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace poissonlab {
@@ -74,6 +75,26 @@ std::uint64_t TorusGrid::squared_nearest(const TorusPosition& position, std::uin
         if (nearest <= enough) break;
     }
     return nearest;
+}
+
+std::vector<std::size_t> TorusGrid::within(const TorusPosition& position, double distance) const
+{
+    const std::int64_t side = std::int64_t{1} << (32 - bits_), most = std::int64_t{1} << bits_;
+    const auto reach = static_cast<std::int64_t>(std::ceil(distance));
+    std::array<std::int64_t, 3> first{}, count{1, 1, 1};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k) {
+        first[k] = (std::int64_t{position[k]} - reach) >> (32 - bits_); // rounded down, also below 0
+        count[k] = std::min(most, (std::int64_t{position[k]} + reach) / side - first[k] + 1);
+    }
+    std::vector<std::size_t> found;
+    for (std::int64_t z = 0; z < count[2]; ++z)
+        for (std::int64_t y = 0; y < count[1]; ++y)
+            for (std::int64_t x = 0; x < count[0]; ++x)
+                for (std::uint32_t i = heads_[cell_number({first[0] + x, first[1] + y, first[2] + z})]; i != none;
+                     i = next_[i])
+                    if (static_cast<double>(squared_torus_distance(points_[i], position)) < distance * distance)
+                        found.push_back(i);
+    return found;
 }
 
 PointSet TorusGrid::point_set() const

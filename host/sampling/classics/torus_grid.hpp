@@ -30,6 +30,10 @@ public:
     /// UINT64_MAX without points.
     std::uint64_t squared_nearest(const TorusPosition& position, std::uint64_t enough = 0) const;
 
+    /// The numbers of all points that are less than a distance away, in units below half the torus' side; of one at the
+    /// position as well.
+    std::vector<std::size_t> within(const TorusPosition& position, double distance) const;
+
     /// All points as coordinates in [0, 1).
     PointSet point_set() const;
 

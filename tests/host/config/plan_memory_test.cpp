@@ -85,6 +85,8 @@ sampler = "best-candidate"
 [[method]]
 sampler = "bridson"
 [[method]]
+sampler = "sector-darts"
+[[method]]
 sampler = "shade-tiles"
 [[method]]
 sampler = "averaged-tiles"
