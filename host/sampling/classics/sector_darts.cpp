@@ -39,9 +39,13 @@ class FreeAngles
 public:
     FreeAngles() : ranges_{{-std::numbers::pi, std::numbers::pi}} {}
 
+    /// From -pi to pi: what reaches beyond comes in again at the other end.
     void subtract(double angle, double half)
     {
-        for (const double shift : {-turn, 0.0, turn}) cut(angle - half + shift, angle + half + shift);
+        const double begin = angle - half, end = angle + half;
+        cut(begin, end);
+        if (begin < -turn / 2) cut(begin + turn, end + turn);
+        if (end > turn / 2) cut(begin - turn, end - turn);
     }
 
     bool is_empty() const { return ranges_.empty(); }
@@ -63,22 +67,22 @@ private:
 
     void cut(double begin, double end)
     {
-        std::vector<Range> left;
+        left_.clear();
         const auto keep = [&](double from, double to) {
-            if (to - from > least) left.push_back({from, to});
+            if (to - from > least) left_.push_back({from, to});
         };
         for (const Range& range : ranges_) {
             if (end <= range.begin || begin >= range.end) {
-                left.push_back(range);
+                left_.push_back(range);
                 continue;
             }
             keep(range.begin, begin);
             keep(end, range.end);
         }
-        ranges_ = std::move(left);
+        std::swap(ranges_, left_);
     }
 
-    std::vector<Range> ranges_;
+    std::vector<Range> ranges_, left_; ///< the second one for the next cut
 };
 
 /// Sums of numbers of which one changes at a time, and the number at which a sum is reached (Fenwick).
