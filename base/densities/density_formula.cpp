@@ -8,8 +8,24 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace poissonlab {
+namespace {
+
+/// The parser knows assignments, which would change x and y: an equals sign that is no part of a comparison.
+bool has_assignment(const std::string& formula)
+{
+    for (std::size_t i = 0; i < formula.size(); ++i) {
+        if (formula[i] != '=') continue;
+        const bool ends_comparison = i > 0 && std::string_view("=<>!").find(formula[i - 1]) != std::string_view::npos;
+        const bool begins_comparison = i + 1 < formula.size() && formula[i + 1] == '=';
+        if (!ends_comparison && !begins_comparison) return true;
+    }
+    return false;
+}
+
+}
 
 std::string formula_of(const std::string& name_or_text)
 {
@@ -28,6 +44,7 @@ Density density_of_formula(const std::string& formula, double width, double heig
     values.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     double x = 0, y = 0;
     const std::string name = fmt::format("formula \"{}\"", shortened(formula));
+    if (has_assignment(formula)) throw InputError(name + ": has an assignment; == compares");
     try {
         mu::Parser parser;
         parser.DefineVar("x", &x);

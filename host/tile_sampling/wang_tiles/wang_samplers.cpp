@@ -159,7 +159,7 @@ SamplerSpec shade_tile_sampler()
                     .kind = Kind::integer,
                     .help = "failed darts in a row after which tiles are done",
                     .minimum = 1,
-                    .maximum = 1'000'000'000,
+                    .maximum = 10'000'000,
                     .symbol = "F",
                     .otherwise = std::int64_t{100'000}}});
     spec.check = [](const Parameters& given, const SampleRequest&, const SourceLocation& where) {

@@ -169,6 +169,8 @@ TEST(DensityFormula, IsRefusedInOneLine)
     EXPECT_THAT(refusal_of([] { density_of_formula("x", 1, 1); }), HasSubstr("density -0.999"));
     EXPECT_THAT(refusal_of([] { density_of_formula("1/(x*0)", 1, 1); }), HasSubstr("must be a number"));
     EXPECT_THAT(refusal_of([] { density_of_formula("0", 1, 1); }), HasSubstr("is 0 everywhere"));
+    EXPECT_EQ(refusal_of([] { density_of_formula("x=3", 1, 1); }), "formula \"x=3\": has an assignment; == compares");
+    EXPECT_EQ(refusal_of([] { density_of_formula("x<=0 ? 1 : y==y ? 2 : 3", 1, 1); }), "accepted");
 }
 
 }
