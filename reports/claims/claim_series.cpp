@@ -54,6 +54,18 @@ double frequency_unit(const ReportSeries& series)
     return std::pow(static_cast<double>(series.stored->points), 1.0 / series.run->dimension);
 }
 
+/// The power at a frequency, between two rings in proportion; nothing outside of the curve.
+std::optional<double> power_at(const std::vector<RadialBin>& bins, double frequency)
+{
+    const auto above = std::ranges::lower_bound(bins, frequency, {}, &RadialBin::frequency);
+    if (above == bins.end()) return std::nullopt;
+    if (above->frequency == frequency) return above->power;
+    if (above == bins.begin()) return std::nullopt;
+    const RadialBin& below = *(above - 1);
+    const double part = (frequency - below.frequency) / (above->frequency - below.frequency);
+    return below.power + part * (above->power - below.power);
+}
+
 }
 
 ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std::move(series))
@@ -196,6 +208,20 @@ double plate_error(const ReportSeries& series, double low, double high)
         pixels += static_cast<double>(bin.pixels);
     }
     return pixels > 0 ? std::sqrt(squares / pixels) : 0;
+}
+
+std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b)
+{
+    const double scale = std::sqrt(static_cast<double>(b.stored->points) / static_cast<double>(a.stored->points));
+    double sum = 0;
+    int rings = 0;
+    for (const RadialBin& ring : a.curve.bins) {
+        const auto other = power_at(b.curve.bins, ring.frequency * scale);
+        if (ring.samples < 100 || !other) continue;
+        sum += std::abs(ring.power - *other);
+        ++rings;
+    }
+    return rings > 0 ? std::optional(sum / rings) : std::nullopt;
 }
 
 }

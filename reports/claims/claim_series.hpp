@@ -77,6 +77,10 @@ std::optional<double> rise_width(const ReportSeries& series);
 /// The mean radial power between two frequencies in units of the principal frequency; empty where there are no rings.
 std::optional<double> mean_power(const ReportSeries& series, double low, double high);
 
+/// Means of the absolute difference of radial powers over rings of at least 100 samples. Sets of different sizes are
+/// compared at equal frequencies over the square root of their points: tilings have some more or fewer than other sets.
+std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b);
+
 /// The share of the power that lies on the lattice of a tiling's frequencies: with a mean peak m over the power around
 /// it and a share q of frequencies on the lattice, m q / (m q + 1 - q). Without tiles it is q. Empty for series without
 /// tiles.

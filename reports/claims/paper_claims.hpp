@@ -52,6 +52,7 @@ std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& se
 
 /// The claims about methods without tiles (6.2 to 6.5, 6.15) and with tiles (6.7 to 6.11, 6.15).
 std::vector<PaperClaim> claims_about_untiled_sets();
+std::vector<PaperClaim> claims_about_accelerated_darts();
 std::vector<PaperClaim> claims_about_early_tiles();
 std::vector<PaperClaim> claims_about_tiles();
 

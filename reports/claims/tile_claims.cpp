@@ -399,34 +399,6 @@ SeriesPointer untiled(const ClaimSeries& report)
                        .needs = Needs::spectrum});
 }
 
-/// The power at a frequency, between two rings in proportion; nothing outside of the curve.
-std::optional<double> power_at(const std::vector<RadialBin>& bins, double frequency)
-{
-    const auto above = std::ranges::lower_bound(bins, frequency, {}, &RadialBin::frequency);
-    if (above == bins.end()) return std::nullopt;
-    if (above->frequency == frequency) return above->power;
-    if (above == bins.begin()) return std::nullopt;
-    const RadialBin& below = *(above - 1);
-    const double part = (frequency - below.frequency) / (above->frequency - below.frequency);
-    return below.power + part * (above->power - below.power);
-}
-
-/// Means of the absolute difference over rings of at least 100 samples. Sets of different sizes are compared at equal
-/// frequencies over the square root of their points: tilings have some more or fewer than other sets.
-std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b)
-{
-    const double scale = std::sqrt(static_cast<double>(b.stored->points) / static_cast<double>(a.stored->points));
-    double sum = 0;
-    int rings = 0;
-    for (const RadialBin& ring : a.curve.bins) {
-        const auto other = power_at(b.curve.bins, ring.frequency * scale);
-        if (ring.samples < 100 || !other) continue;
-        sum += std::abs(ring.power - *other);
-        ++rings;
-    }
-    return rings > 0 ? std::optional(sum / rings) : std::nullopt;
-}
-
 Outcome radial_like_untiled(const ClaimSeries& report)
 {
     const auto* reference = untiled(report);

@@ -253,6 +253,36 @@ const std::vector<ClaimCase>& claim_cases()
                  MadeUpReport::set_curve(series, {.spike = (kind == std::string("edge")) == agrees ? 20.0 : 5.0});
              }
          }},
+        {"6.13-logarithmic",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("dart-throwing", {{"stop", "saturation"}}), {});
+             MadeUpReport::set_curve(r.add("sector-darts", {{"variant", "logarithmic"}}),
+                                     {.beyond = agrees ? 1.01 : 1.5});
+         }},
+        {"6.13-linear",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("dart-throwing", {{"stop", "saturation"}}), {});
+             MadeUpReport::set_curve(r.add("sector-darts", {{"variant", "linear"}}), {.beyond = agrees ? 1.1 : 0.9});
+         }},
+        {"6.13-skew",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("sector-darts", {{"variant", "linear"}}),
+                                     {.anisotropy = agrees ? 2.0 : 0.1});
+         }},
+        {"6.13-boundary",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("dart-throwing", {{"stop", "saturation"}}), {});
+             MadeUpReport::set_curve(r.add("sector-darts", {{"variant", "boundary"}}), {.beyond = agrees ? 1.5 : 1.1});
+         }},
+        {"6.13-fast",
+         [](MadeUpReport& r, bool agrees) {
+             const auto add = [&](const char* variant, double seconds) {
+                 const_cast<Series*>(r.add("sector-darts", {{"variant", variant}}).stored)->sample_seconds = {seconds};
+             };
+             add("logarithmic", 1);
+             add("linear", agrees ? 0.9 : 0.2);
+             add("boundary", agrees ? 0.02 : 0.5);
+         }},
         {"6.15-relaxation",
          [](MadeUpReport& r, bool agrees) {
              MadeUpReport::set_radius(relaxation(r, "0.99", "1000", 65536, 3), agrees ? 0.702 : 0.6);
