@@ -20,7 +20,8 @@ public:
 
     bool is_full() const { return !density_ && number_ >= 1; }
 
-    /// Whether a point is there, in tiles from the window's lowest corner: its level is below the density.
+    /// Tells whether a point stays: its level is below the density. `point` is in tiles from the window's lowest
+    /// corner.
     bool keeps(std::span<const double> point, double level) const
     {
         if (!density_) return level < number_;

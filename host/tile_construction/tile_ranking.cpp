@@ -38,7 +38,7 @@ public:
     Influence(std::uint32_t rank, int dimension)
     {
         const double spacing = coarse_side / std::pow(rank + 1.0, 1.0 / dimension);
-        // Beyond the neighbouring tiles nothing is known.
+        // The influence ends with the neighbouring tiles: nothing is known beyond.
         radius_ = std::min(coarse_side, static_cast<std::int32_t>(std::ceil(influence_reach * spacing)));
         const auto squared = static_cast<std::uint32_t>(radius_ * radius_);
         shift_ = std::max<int>(0, static_cast<int>(std::bit_width(squared)) - table_bits);

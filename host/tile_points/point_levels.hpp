@@ -18,7 +18,7 @@ public:
     /// `tiles` must outlive this. `block` is one that check() accepts.
     PointLevels(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block);
 
-    /// Those of the next `tiles` tiles; valid until the next call.
+    /// Returns the levels of the next `tiles` tiles; they are valid until the next call.
     std::span<const double> next(std::size_t tiles);
 
 private:

@@ -1,4 +1,5 @@
-// What tile_darts.cl, tile_relaxation.cl and their host code, host/tile_construction/filling/tile_filler.cpp, agree on.
+// tile_darts.cl and tile_relaxation.cl share these constants and records with their host code,
+// host/tile_construction/filling/tile_filler.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

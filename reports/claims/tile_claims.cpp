@@ -86,7 +86,8 @@ double speckle(const ReportSeries& series)
 
 // 6.7
 
-/// What tiles whose borders are chains, and which are relaxed together, have left of these peaks.
+/// Tiles whose borders are chains, and which are relaxed together, have little left of these peaks: the words say how
+/// much.
 std::string words_on_chains(const ClaimSeries& report)
 {
     std::vector<double> peaks;

@@ -121,7 +121,7 @@ std::string verdict_of_the_paper(const std::string& sampler)
     return found == verdicts.end() ? std::string() : found->second;
 }
 
-/// What the numbers say, by the limits that the table names.
+/// The verdict follows from the numbers by the limits that the table names.
 std::string verdict_by_numbers(const Method& method, const ReportSeries& best)
 {
     std::vector<std::string> words;

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 
 #include <fmt/format.h>
@@ -134,23 +135,20 @@ private:
 
 SamplerSpec best_candidate_sampler()
 {
-    SamplerSpec spec;
-    spec.name = "best-candidate";
-    spec.title = "Best candidate";
-    spec.summary = "each point is the candidate that is farthest from all points so far (Mitchell 1991)";
-    spec.dimensions = {2, 3};
-    spec.parameters = {{.key = "candidates",
-                        .kind = ParameterSpec::Kind::integer,
-                        .help = "candidates for a point or, if they grow, for each point that is there",
-                        .minimum = 1,
-                        .maximum = 1'000'000,
-                        .symbol = "m",
-                        .otherwise = std::int64_t{20}},
-                       {.key = "grows",
-                        .kind = ParameterSpec::Kind::boolean,
-                        .help = "as many candidates for each point that is there, so that later points are as good",
-                        .otherwise = false}};
-    spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
+    SamplerSpec spec =
+        plain_spec("best-candidate", "Best candidate",
+                   "each point is the candidate that is farthest from all points so far (Mitchell 1991)", {2, 3},
+                   {{.key = "candidates",
+                     .kind = ParameterSpec::Kind::integer,
+                     .help = "candidates for a point or, if they grow, for each point that is there",
+                     .minimum = 1,
+                     .maximum = 1'000'000,
+                     .symbol = "m",
+                     .otherwise = std::int64_t{20}},
+                    {.key = "grows",
+                     .kind = ParameterSpec::Kind::boolean,
+                     .help = "as many candidates for each point that is there, so that later points are as good",
+                     .otherwise = false}});
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
         return std::make_unique<BestCandidateSampler>(request, parameters.integer("candidates"),
                                                       parameters.flag("grows"));
@@ -160,24 +158,22 @@ SamplerSpec best_candidate_sampler()
 
 SamplerSpec bridson_sampler()
 {
-    SamplerSpec spec;
-    spec.name = "bridson";
-    spec.title = "Bridson's dart throwing";
-    spec.summary = "darts around the points that are there, until none finds room (Bridson 2007)";
-    spec.dimensions = {2, 3};
-    spec.parameters = {{.key = "min_distance",
-                        .help = "the minimum distance, in units of the torus' side",
-                        .maximum = 0.25,
-                        .exclusive_minimum = true,
-                        .symbol = "d",
-                        .unless_given = "what gives about analysis.points points"},
-                       {.key = "attempts",
-                        .kind = ParameterSpec::Kind::integer,
-                        .help = "darts around a point before it is given up",
-                        .minimum = 1,
-                        .maximum = 1'000'000,
-                        .symbol = "k",
-                        .otherwise = std::int64_t{30}}};
+    SamplerSpec spec =
+        plain_spec("bridson", "Bridson's dart throwing",
+                   "darts around the points that are there, until none finds room (Bridson 2007)", {2, 3},
+                   {{.key = "min_distance",
+                     .help = "the minimum distance, in units of the torus' side",
+                     .maximum = 0.25,
+                     .exclusive_minimum = true,
+                     .symbol = "d",
+                     .unless_given = "what gives about analysis.points points"},
+                    {.key = "attempts",
+                     .kind = ParameterSpec::Kind::integer,
+                     .help = "darts around a point before it is given up",
+                     .minimum = 1,
+                     .maximum = 1'000'000,
+                     .symbol = "k",
+                     .otherwise = std::int64_t{30}}});
     spec.check = [](const Parameters& parameters, const SampleRequest& request, const SourceLocation& where) {
         constexpr double most = 1 << 28;
         const double distance = bridson_distance(parameters, request);

@@ -1,6 +1,7 @@
 #include "host/sampling/classics/dense_packing.hpp"
 
 #include "base/geometry/relative_radius.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,13 +101,10 @@ private:
 
 SamplerSpec hexagonal_sampler()
 {
-    SamplerSpec spec;
-    spec.name = "hexagonal";
-    spec.title = "Hexagonal lattice";
-    spec.summary = "the densest packing, hexagonal (3D: face-centred cubic); of about as many points";
-    spec.dimensions = {2, 3};
+    SamplerSpec spec =
+        plain_spec("hexagonal", "Hexagonal lattice",
+                   "the densest packing, hexagonal (3D: face-centred cubic); of about as many points", {2, 3});
     spec.deterministic = true;
-    spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
     spec.most_points = [](const Parameters&, const SampleRequest& request) -> std::size_t {
         if (request.dimension == 3) return 4 * cubes(request.points) * cubes(request.points) * cubes(request.points);
         const HexagonalRows h = best_rows(request.points);

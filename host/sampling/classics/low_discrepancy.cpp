@@ -1,6 +1,7 @@
 #include "host/sampling/classics/low_discrepancy.hpp"
 
 #include "base/random/random.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +62,8 @@ Digits scrambled(const Digits& digits, std::uint32_t base, int axis, const Strea
 /// The columns of the generator matrices as numbers of 32 bits: the direction numbers times 2^-i.
 using Directions = std::array<std::uint32_t, 32>;
 
-/// Of the primitive polynomial of a degree with the inner coefficients `a`, from its first odd numbers m.
+/// A primitive polynomial has a degree and the inner coefficients `a`; its directions follow from its first odd numbers
+/// m.
 template <std::size_t Degree>
 Directions directions_of(std::uint32_t a, const std::array<std::uint32_t, Degree>& m)
 {
@@ -129,19 +131,16 @@ private:
 
 SamplerSpec sequence_sampler(bool is_sobol)
 {
-    SamplerSpec spec;
-    spec.name = is_sobol ? "sobol" : "halton";
-    spec.title = is_sobol ? "Sobol sequence" : "Halton sequence";
-    spec.summary = is_sobol ? "the Sobol sequence, a low discrepancy net for powers of two"
-                            : "the Halton sequence, radical inverses in the bases 2, 3 (and 5)";
-    spec.dimensions = {2, 3};
-    spec.parameters = {{.key = "scrambling",
-                        .kind = ParameterSpec::Kind::choice,
-                        .help = "random permutations of digits, nested as Owen's, or the sequence itself",
-                        .choices = {nested, "none"},
-                        .otherwise = std::string(nested)}};
+    SamplerSpec spec = plain_spec(is_sobol ? "sobol" : "halton", is_sobol ? "Sobol sequence" : "Halton sequence",
+                                  is_sobol ? "the Sobol sequence, a low discrepancy net for powers of two"
+                                           : "the Halton sequence, radical inverses in the bases 2, 3 (and 5)",
+                                  {2, 3},
+                                  {{.key = "scrambling",
+                                    .kind = ParameterSpec::Kind::choice,
+                                    .help = "random permutations of digits, nested as Owen's, or the sequence itself",
+                                    .choices = {nested, "none"},
+                                    .otherwise = std::string(nested)}});
     spec.is_deterministic = [](const Parameters& parameters) { return parameters.text("scrambling") != nested; };
-    spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
     spec.create = [is_sobol](const Parameters& parameters, const SampleRequest& request, Engine,
                              const DeviceProvider&) {
         return std::make_unique<SequenceSampler>(request, is_sobol, parameters.text("scrambling") == nested);

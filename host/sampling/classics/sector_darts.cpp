@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
 #include "host/sampling/classics/scalloped_region.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
 
@@ -39,7 +40,7 @@ class FreeAngles
 public:
     FreeAngles() : ranges_{{-std::numbers::pi, std::numbers::pi}} {}
 
-    /// From -pi to pi: what reaches beyond comes in again at the other end.
+    /// Angles are from -pi to pi: a range that reaches beyond comes in again at the other end.
     void subtract(double angle, double half)
     {
         const double begin = angle - half, end = angle + half;
@@ -225,7 +226,7 @@ private:
     /// The annulus around a point without the disks around others, and without what belongs to points before it.
     ScallopedRegion region_of(std::size_t point) const
     {
-        // Those that take most come first: often nothing is left soon.
+        // The points that take most come first: often nothing is left soon.
         std::vector<std::pair<double, std::size_t>> others;
         for (const std::size_t other : grid_.within(grid_[point], 4 * reach_)) {
             const double radius = other < point ? 2 * reach_ : reach_;
@@ -323,24 +324,21 @@ private:
 
 SamplerSpec sector_dart_sampler()
 {
-    SamplerSpec spec;
-    spec.name = "sector-darts";
-    spec.title = "Sector darts";
-    spec.summary = "darts beside the points that are there, until none fits (Dunbar and Humphreys 2006)";
-    spec.dimensions = {2};
-    spec.parameters = {{.key = "variant",
-                        .kind = ParameterSpec::Kind::choice,
-                        .help =
-                            "where the next dart falls: anywhere around points, by area; around one point after the "
-                            "other; or at the least distance of one",
-                        .choices = sector_variants.all(),
-                        .otherwise = std::string(sector_variants[SectorVariant::boundary])},
-                       {.key = "min_distance",
-                        .help = "the minimum distance, in units of the torus' side",
-                        .maximum = 0.125,
-                        .exclusive_minimum = true,
-                        .symbol = "d",
-                        .unless_given = "what gives about analysis.points points"}};
+    SamplerSpec spec =
+        plain_spec("sector-darts", "Sector darts",
+                   "darts beside the points that are there, until none fits (Dunbar and Humphreys 2006)", {2},
+                   {{.key = "variant",
+                     .kind = ParameterSpec::Kind::choice,
+                     .help = "where the next dart falls: anywhere around points, by area; around one point after the "
+                             "other; or at the least distance of one",
+                     .choices = sector_variants.all(),
+                     .otherwise = std::string(sector_variants[SectorVariant::boundary])},
+                    {.key = "min_distance",
+                     .help = "the minimum distance, in units of the torus' side",
+                     .maximum = 0.125,
+                     .exclusive_minimum = true,
+                     .symbol = "d",
+                     .unless_given = "what gives about analysis.points points"}});
     spec.check = [](const Parameters& parameters, const SampleRequest& request, const SourceLocation& where) {
         const double distance = sector_distance(parameters, request);
         if (distance > 0.125)

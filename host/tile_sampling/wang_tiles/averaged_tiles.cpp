@@ -54,7 +54,7 @@ public:
                 static_cast<std::int32_t>(std::nearbyint(y / area / 3))};
     }
 
-    /// Whether points outside of a rectangle around `centre` cannot reach into the cell.
+    /// Tells whether no point outside of a rectangle around `centre` can reach into the cell.
     bool is_known_from(const WangPoint& centre, const std::array<std::int32_t, 2>& low,
                        const std::array<std::int32_t, 2>& high) const
     {

@@ -30,7 +30,7 @@ struct WangPoints
 /// The colours of a tile.
 WangTile wang_colors_of(std::size_t tile);
 
-/// Whether a tile may lie beside another one, at an offset of -1 to 1 tiles along either axis.
+/// Tells whether a tile may have another one beside it, at an offset of -1 to 1 tiles along either axis.
 bool may_lie_beside(std::size_t tile, std::size_t other, int x, int y);
 
 /// The squared distances, in units, of the two nearest points in one tile, and in two tiles that may lie beside each
