@@ -103,7 +103,11 @@ private:
         return true;
     }
 
-    static std::string reason(const std::string& said) { return said.empty() ? "for an unknown reason" : said; }
+    /// The first line says what failed; those that follow say it again.
+    static std::string reason(const std::string& said)
+    {
+        return said.empty() ? "for an unknown reason" : said.substr(0, said.find('\n'));
+    }
 };
 
 }
