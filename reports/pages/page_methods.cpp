@@ -19,6 +19,9 @@ namespace {
 /// The sizes of chapter 6 of the dissertation: sets with spectra, and sets that sample the zone plate.
 constexpr std::array<std::size_t, 2> timed_sizes{16'384, 262'144};
 
+/// Reports of fewer series are seen at a glance in the ranking.
+constexpr std::size_t many_series = 12;
+
 /// Tilings and saturated sets have about as many points.
 bool has_about(const ReportSeries& series, std::size_t points)
 {
@@ -197,7 +200,8 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions)
 bool set_methods(PageData& page, const Site& site)
 {
     const std::vector<Method> methods = methods_of(site);
-    const bool has_methods = methods.size() > 1 && site.series().size() > methods.size();
+    const std::size_t count = site.series().size();
+    const bool has_methods = methods.size() > 1 && count > methods.size() && count > many_series;
     page.set("has_methods", has_methods);
     if (!has_methods) return false;
     const bool has_dimensions = std::ranges::any_of(

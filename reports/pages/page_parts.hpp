@@ -64,7 +64,7 @@ bool is_in_matrix(const ReportSeries& series);
 std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder,
                        PageData& page);
 
-/// Sets the table of methods, a row each, where several methods have several series; says whether it did.
+/// Sets the table of methods, a row each, where many series are of several methods; says whether it did.
 bool set_methods(PageData& page, const Site& site);
 
 /// Sets columns, rows, notices and notes of the ranking of all series.
