@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include "app/commands/command.hpp"
+#include "app/man_page.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/shell_words.hpp"
 #include "host/config/nearest_key.hpp"
@@ -17,6 +18,8 @@
 
 namespace poissonlab {
 namespace {
+
+constexpr auto main_summary = "makes Poisson disk point sets on OpenCL devices, analyses them, and reports";
 
 constexpr auto main_notes = R"(Examples:
   poissonlab run configs/quick.toml                        an experiment and its report, in out/quick
@@ -115,13 +118,15 @@ std::string typed_command(int argc, const char* const* argv)
 /// The parser of all commands: the actions of those that arguments call for join `called`.
 void add_everything(CLI::App& app, const std::string& typed, std::vector<Action>& called)
 {
-    app.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING, "Print the version");
+    app.set_version_flag("--version", "poissonlab " POISSONLAB_VERSION_STRING "\n" POISSONLAB_BUILT_WITH,
+                         "Print the version, and what was built in");
     app.footer(main_notes);
     for (const Command& command : all_commands(typed)) add_command(app, command, called);
     // For lists of commands and `help --help`; see explanation().
     app.add_subcommand("help", "Explain a command, or the samplers")
         ->add_option_function<std::string>(
-            "TOPIC", [](const std::string&) {}, "A command; \"samplers\" lists the methods");
+            "TOPIC", [](const std::string&) {},
+            "A command; \"samplers\" lists the methods, \"man-page\" prints everything for man");
 }
 
 std::vector<std::string> names_of_commands(const CLI::App& app)
@@ -132,10 +137,18 @@ std::vector<std::string> names_of_commands(const CLI::App& app)
     return names;
 }
 
+/// The action of `help man-page`.
+int print_man_page()
+{
+    fmt::print("{}", man_page(all_commands(""), main_summary, main_notes));
+    return 0;
+}
+
 /// The action of `help`.
 Action explanation(const CLI::App& app, const std::string& topic)
 {
     if (topic == "samplers") return samplers_command().action;
+    if (topic == "man-page") return print_man_page;
     const std::vector<std::string> names = names_of_commands(app);
     if (!topic.empty() && std::ranges::find(names, topic) == names.end())
         throw InputError(
@@ -165,8 +178,7 @@ void parse(CLI::App& app, int argc, const char* const* argv)
 
 std::vector<Action> actions_called_for(int argc, const char* const* argv)
 {
-    CLI::App app{"poissonlab: makes Poisson disk point sets on OpenCL devices, analyses them, and reports.",
-                 "poissonlab"};
+    CLI::App app{fmt::format("poissonlab: {}.", main_summary), "poissonlab"};
     std::vector<Action> called;
     add_everything(app, typed_command(argc, argv), called);
     const std::vector<std::string> names = names_of_commands(app);

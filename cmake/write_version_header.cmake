@@ -1,4 +1,4 @@
-# Run as a script by cmake/version.cmake: writes OUTPUT from VERSION and the git commit of SOURCE.
+# Run as a script by cmake/version.cmake: writes OUTPUT from VERSION, the git commit of SOURCE, and BUILT_WITH.
 set(commit "")
 find_program(git git)
 if(git)
@@ -10,5 +10,7 @@ if(commit)
   string(APPEND text " (${commit})")
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
+#define POISSONLAB_VERSION \"${VERSION}\"
+#define POISSONLAB_BUILT_WITH \"${BUILT_WITH}\"
 #define POISSONLAB_VERSION_STRING \"${text}\"
 " @ONLY)

@@ -15,13 +15,27 @@ namespace fs = std::filesystem;
 namespace poissonlab {
 namespace {
 
-/// Beside the program, or where it was built.
+/// The file that this code is in: the program, or a library that holds the laboratory.
+fs::path own_file()
+{
+    Dl_info info{};
+    std::error_code error;
+    if (::dladdr(reinterpret_cast<const void*>(&loaded_codec), &info) != 0 && info.dli_fname) {
+        const fs::path file = info.dli_fname;
+        if (file.extension() == ".so") return fs::absolute(file, error);
+    }
+    return fs::read_symlink("/proc/self/exe", error); // a program's name alone may be relative to anything
+}
+
+/// Beside the program, or where it is when both are installed, or where it was built.
 fs::path module_file()
 {
     const fs::path built = POISSONLAB_PICTURE_MODULE;
+    const fs::path folder = own_file().parent_path();
     std::error_code error;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / built.filename();
-    return fs::exists(beside, error) ? beside : built;
+    for (const fs::path& place : {folder, folder / POISSONLAB_INSTALLED_MODULES})
+        if (fs::exists(place / built.filename(), error)) return place / built.filename();
+    return built;
 }
 
 const PictureCodec* load_codec()

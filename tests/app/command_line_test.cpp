@@ -54,6 +54,16 @@ TEST_F(CommandLine, HelpAndVersion)
     const Outcome version = run({"--version"});
     EXPECT_EQ(version.status, 0);
     EXPECT_THAT(version.out, testing::StartsWith("poissonlab 0."));
+    for (const char* library : {"CGAL 5.", "OpenImageIO 2.", "OpenEXR 3."})
+        EXPECT_THAT(version.out, HasSubstr(library)) << "what was built in";
+}
+
+TEST_F(CommandLine, TheManualPageHasEveryCommandAndOption)
+{
+    const Outcome page = run({"help", "man-page"});
+    EXPECT_EQ(page.status, 0);
+    for (const char* line : {".SS run\n", ".SS tiles build\n", ".SS samplers\n", "\\fB\\-\\-out\\fR \\fIDIR\\fR\n"})
+        EXPECT_THAT(page.out, HasSubstr(line));
 }
 
 TEST_F(CommandLine, SamplersAreListedWithTheirParameters)

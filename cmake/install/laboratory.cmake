@@ -1,0 +1,42 @@
+# The program with its manual page, configs and documentation, and the Debian package of everything.
+install(TARGETS poissonlab RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS poissonlab_pictures LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/poissonlab)
+install(DIRECTORY configs DESTINATION ${data_folder})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+install(FILES ${PROJECT_BINARY_DIR}/poissonlab.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+# cpack -G DEB. The libraries that the program is linked with are found by dpkg-shlibdeps; the rest is named here.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the authors of the Poisson disk laboratory <poissonlab@localhost>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd, gnuplot-nox | gnuplot, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Makes Poisson disk point sets and tile sets with OpenCL, measures them as the
+literature does, and writes reports. Has headers that evaluate Poisson disk
+tile sets at run time, and tile sets to begin with.")
+file(WRITE ${PROJECT_BINARY_DIR}/generated/copyright
+"Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+
+Files: *
+Copyright: 2026 the authors of the Poisson disk laboratory
+License: GPL-3.0-or-later
+ The full text is in /usr/share/common-licenses/GPL-3.
+
+Files: usr/include/poissonlab/* usr/share/doc/poissonlab/runtime/*
+Copyright: 2026 the authors of the Poisson disk laboratory
+License: MIT-0
+ The full text is in /usr/share/doc/poissonlab/runtime/LICENSE.
+
+Files: usr/share/poissonlab/tile_sets/*
+Copyright: none
+License: CC0-1.0
+ The full text is in /usr/share/poissonlab/tile_sets/LICENSE.
+")
+install(FILES ${PROJECT_BINARY_DIR}/generated/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(CPack)
