@@ -72,6 +72,9 @@ Command tiling_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_verify_command();
+Command aperiodic_sets_command();
+Command aperiodic_convert_command();
+Command aperiodic_verify_command();
 Command devices_command();
 Command samplers_command();
 

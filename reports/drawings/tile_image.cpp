@@ -51,6 +51,18 @@ void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const D
     }
 }
 
+/// Tiles at their places, with their borders.
+template <class Tile>
+Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles,
+              void (*add_tile)(std::vector<Shape>&, const Tile&, const DrawnSquare&))
+{
+    Drawing drawing = empty_tile_drawing(grid);
+    for (std::size_t i = 0; i < tiles.size(); ++i) add_tile(drawing.shapes, tiles[i], tile_square(grid, i));
+    group_by_fill(drawing.shapes);
+    add_tile_borders(drawing.shapes, grid, 1);
+    return drawing;
+}
+
 }
 
 std::string tile_color(Color color)
@@ -88,18 +100,24 @@ void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double w
         shapes.push_back({tile_square(grid, i).outline(), {}, "#000000", width});
 }
 
+Drawing draw_tiles(const TileGrid& grid, std::span<const WangTile> tiles) { return drawn(grid, tiles, add_wang_tile); }
+
+Drawing draw_tiles(const TileGrid& grid, std::span<const CornerTile> tiles)
+{
+    return drawn(grid, tiles, add_corner_tile);
+}
+
 Drawing draw_tiles(const TileGrid& grid)
 {
-    Drawing drawing = empty_tile_drawing(grid);
-    for (std::size_t i = 0; i < grid.tiles.size(); ++i) {
+    std::vector<WangTile> wang;
+    std::vector<CornerTile> corners;
+    for (const TileIndex tile : grid.tiles) {
         if (grid.kind == TileKind::wang)
-            add_wang_tile(drawing.shapes, wang_tile(grid.tiles[i], grid.colors), tile_square(grid, i));
+            wang.push_back(wang_tile(tile, grid.colors));
         else
-            add_corner_tile(drawing.shapes, corner_tile(grid.tiles[i], grid.colors.horizontal), tile_square(grid, i));
+            corners.push_back(corner_tile(tile, grid.colors.horizontal));
     }
-    group_by_fill(drawing.shapes);
-    add_tile_borders(drawing.shapes, grid, 1);
-    return drawing;
+    return grid.kind == TileKind::wang ? draw_tiles(grid, wang) : draw_tiles(grid, corners);
 }
 
 }

@@ -10,6 +10,7 @@
 #include "tiles/tilings/tile_set.hpp"
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,11 @@ std::string tile_color(Color color);
 /// Wang or corner tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
 /// std::logic_error for other tiles.
 Drawing draw_tiles(const TileGrid& grid);
+
+/// The same of tiles with any colours, which need no index; `grid` says how many and where, not which. Wang or corner
+/// tiles, as the grid's kind says.
+Drawing draw_tiles(const TileGrid& grid, std::span<const WangTile> tiles);
+Drawing draw_tiles(const TileGrid& grid, std::span<const CornerTile> tiles);
 
 // Parts for other pictures of the same tiles at the same places:
 

@@ -1,0 +1,105 @@
+#include "app/commands/aperiodic_choice.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/config/nearest_key.hpp"
+#include "reports/drawings/tile_image.hpp"
+#include "tiles/aperiodic/aperiodic_sets.hpp"
+#include "tiles/aperiodic/tile_list_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace poissonlab {
+namespace {
+
+constexpr double pixels_a_unit = 2;
+
+/// The error for a set that is neither known nor a file: it may be a slip of the pen.
+InputError unknown_set(const std::string& name)
+{
+    const auto names = aperiodic_set_names();
+    return InputError(fmt::format("aperiodic: set \"{}\": unknown, and no such file{} (known: {})", name,
+                                  did_you_mean(name, names), fmt::join(names, ", ")));
+}
+
+template <class Tile>
+std::vector<Tile> tiles_at(const std::vector<Tile>& tiles, std::span<const ListPlace> places)
+{
+    std::vector<Tile> result;
+    for (const ListPlace place : places) result.push_back(tiles.at(place));
+    return result;
+}
+
+}
+
+ChosenTiles chosen_set(const std::string& name)
+{
+    if (const AperiodicSet* const known = find_aperiodic_set(name)) return {name, known->tiles()};
+    std::error_code unknown;
+    if (!std::filesystem::exists(name, unknown)) throw unknown_set(name);
+    ReadTiles read = read_tile_list(name);
+    for (const std::string& warning : read.warnings) fmt::print(stderr, "poissonlab: warning: {}\n", warning);
+    ChosenTiles chosen{name, std::move(read.wang)};
+    if (read.are_corners()) chosen.corners = std::move(read.corners);
+    return chosen;
+}
+
+CornerConstruction chosen_construction(const std::string& command, const std::string& word)
+{
+    const auto construction = corner_constructions.find(word);
+    if (construction) return *construction;
+    const auto names = corner_constructions.all();
+    throw InputError(fmt::format("{}: --construction \"{}\": unknown{} (known: {})", command, word,
+                                 did_you_mean(word, names), fmt::join(names, ", ")));
+}
+
+ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
+                              std::uint32_t repetitions)
+{
+    ChosenTiles chosen = chosen_set(set);
+    if (construction.empty()) return chosen;
+    auto steps = repeat_construction(chosen.wang, chosen_construction(command, construction), repetitions);
+    if (steps.size() < repetitions)
+        throw InputError(fmt::format("{}: repetition {} is ambiguous: there is none after it", command, steps.size()));
+    chosen.name += fmt::format(", {} construction{}", construction,
+                               repetitions > 1 ? fmt::format(" repeated {} times", repetitions) : "");
+    chosen.wang = std::move(steps.back().wang);
+    chosen.corners = std::move(steps.back().corners.list);
+    return chosen;
+}
+
+void check_picture_file(const std::string& command, const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::error_code unknown;
+    if (file.extension() != ".svg" && file.extension() != ".png")
+        throw InputError(fmt::format("{}: --out {}: must end in .svg or .png", command, file.string()));
+    if (!std::filesystem::is_directory(folder, unknown))
+        throw InputError(fmt::format("{}: --out {}: there is no folder {}", command, file.string(), folder.string()));
+    if (std::filesystem::is_directory(file, unknown))
+        throw InputError(fmt::format("{}: --out {}: is a folder", command, file.string()));
+}
+
+void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& chosen, std::span<const ListPlace> places,
+                        std::size_t columns, bool has_gaps)
+{
+    TileGrid grid;
+    grid.kind = chosen.corners ? TileKind::corner : TileKind::wang;
+    grid.columns = columns;
+    grid.tiles.resize(places.size());
+    grid.has_gaps = has_gaps;
+    const Drawing drawing = chosen.corners ? draw_tiles(grid, tiles_at(chosen.corners->tiles, places))
+                                           : draw_tiles(grid, tiles_at(chosen.wang.tiles, places));
+    if (file.extension() == ".svg")
+        write_whole_file(file, drawing_svg(drawing));
+    else
+        write_drawing_png(file, drawing,
+                          std::min(max_drawing_pixels, static_cast<int>(std::ceil(pixels_a_unit * drawing.width))));
+}
+
+}

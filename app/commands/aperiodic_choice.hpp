@@ -1,0 +1,44 @@
+// The tile set that the commands of `aperiodic` speak of: a known one or a file, and a construction of it.
+#pragma once
+
+#include "tiles/aperiodic/corner_constructions.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// What the help says of the argument that names a set.
+inline constexpr auto aperiodic_set_help = "culik, kari, ammann, jeandel-rao, or the file of a set";
+
+/// A set of Wang tiles; where it was made of corner tiles, also those.
+struct ChosenTiles
+{
+    std::string name; ///< for people: "kari", "kari, vertical construction"
+    WangList wang;
+    std::optional<CornerList> corners{};
+};
+
+/// A known set, or that of a file, whose warnings go to standard error. Throws InputError.
+ChosenTiles chosen_set(const std::string& name);
+
+/// Throws InputError for other words than those of corner_constructions; `command` is "aperiodic convert" and so on.
+CornerConstruction chosen_construction(const std::string& command, const std::string& word);
+
+/// The tiles that `repetitions` of a construction make of a set; the set itself for an empty word. Throws InputError
+/// also where the construction is ambiguous before its last repetition.
+ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
+                              std::uint32_t repetitions);
+
+/// Throws InputError for a file that is neither .svg nor .png, in a folder that is not there, or a folder.
+void check_picture_file(const std::string& command, const std::filesystem::path& file);
+
+/// Draws tiles of the set, `columns` in a row: a tiling, or, with gaps, a set. Throws StorageError.
+void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& chosen, std::span<const ListPlace> places,
+                        std::size_t columns, bool has_gaps);
+
+}

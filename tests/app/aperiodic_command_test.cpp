@@ -1,0 +1,152 @@
+// poissonlab aperiodic: what its commands print, write and refuse.
+#include "tests/support/picture.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace poissonlab {
+namespace {
+
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+class AperiodicCommand : public testing::Test
+{
+protected:
+    Outcome run(const std::string& arguments) const
+    {
+        std::istringstream stream("aperiodic " + arguments);
+        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+        return run_program(folder_.path(), words);
+    }
+
+    std::string printed(const std::string& arguments) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_EQ(outcome.error, "");
+        return outcome.out;
+    }
+
+    Json json(const std::string& arguments) const { return Json::parse(printed(arguments + " --json")); }
+
+    void expect_error(const std::string& arguments, const std::string& message) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(AperiodicCommand, ListsTheSets)
+{
+    EXPECT_THAT(printed("sets"), HasSubstr("kari              14        6           3         6  Kari 1996\n"));
+    EXPECT_THAT(printed("sets"), HasSubstr("not available: Robinson 24/24, "));
+    const Json sets = json("sets");
+    ASSERT_EQ(sets.size(), 6U);
+    EXPECT_EQ(sets[2]["name"], "ammann");
+    EXPECT_EQ(sets[2]["tiles"], 16);
+    EXPECT_EQ(sets[2]["colors"], 6);
+    EXPECT_EQ(sets[2]["wang_tiles"].size(), 16U);
+    EXPECT_EQ(sets[3]["available"], false);
+}
+
+TEST_F(AperiodicCommand, ConvertsAsTheDissertationsTables)
+{
+    const Json steps = json("convert culik --construction rotation --repeat 3");
+    ASSERT_EQ(steps.size(), 3U);
+    EXPECT_EQ(steps[0]["tiles"], 60);
+    EXPECT_EQ(steps[0]["colors"], 9);
+    EXPECT_EQ(steps[0]["wang_tiles"], 60);
+    EXPECT_EQ(steps[0]["wang_colors"], 21);
+    EXPECT_EQ(steps[0]["white"], 13);
+    EXPECT_EQ(steps[0]["black"], 47);
+    EXPECT_EQ(steps[2]["tiles"], 336);
+    EXPECT_EQ(steps[2]["colors"], 149);
+    EXPECT_EQ(steps[2]["wang_colors"], 228);
+    EXPECT_EQ(printed("convert kari --construction vertical --repeat 2"),
+              "1: 86 corner tiles over 6 colours; 86 Wang tiles over 36 colours\n"
+              "2: 504 corner tiles over 36 colours; 504 Wang tiles over 216 colours\n");
+    const Json failed = json("convert kari --construction horizontal --repeat 2");
+    ASSERT_EQ(failed.size(), 1U);
+    EXPECT_EQ(failed[0]["ambiguous"], true);
+}
+
+TEST_F(AperiodicCommand, ReadsAndWritesFilesOfTiles)
+{
+    printed("convert ammann --construction rotation --out corners.txt");
+    EXPECT_THAT(content_of(folder_.path() / "corners.txt"), StartsWith("corner # "));
+    // The Wang tiles of a file of corner tiles are those that the next repetition begins with.
+    EXPECT_EQ(json("convert corners.txt --construction rotation")[0],
+              json("convert ammann --construction rotation --repeat 2")[1]);
+    folder_.write("own.txt", "a 0 b 0\n");
+    const Outcome outcome = run("convert own.txt --construction diagonal");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error,
+              "poissonlab: warning: own.txt:1: no tile fits on the north of this one: it cannot occur in "
+              "a tiling\n");
+    EXPECT_THAT(outcome.out, StartsWith("1: 0 corner tiles over 1 colours; "));
+}
+
+TEST_F(AperiodicCommand, DrawsSets)
+{
+    printed("convert ammann --construction horizontal --out figure.svg");
+    EXPECT_THAT(content_of(folder_.path() / "figure.svg"), HasSubstr("#ff00ff")); // the sixth colour
+    printed("convert ammann --construction horizontal --out figure.png");
+    EXPECT_EQ(test::decode_png(content_of(folder_.path() / "figure.png")).width,
+              576); // 7 columns of 40 units, and a margin
+}
+
+TEST_F(AperiodicCommand, FindsPeriods)
+{
+    const Json none = json("verify ammann --width 4");
+    EXPECT_EQ(none["periodic"], false);
+    EXPECT_TRUE(none["period"].is_null());
+    EXPECT_EQ(none["heights"]["horizontal"], (std::vector<int>{2, 4, 8, 4}));
+    EXPECT_EQ(none["heights"]["vertical"], (std::vector<int>{2, 4, 8, 4}));
+    const Json found = json("verify ammann --construction horizontal --width 8");
+    EXPECT_EQ(found["periodic"], true);
+    EXPECT_EQ(found["period"]["width"], 2);
+    EXPECT_EQ(found["period"]["height"], 3);
+    EXPECT_EQ(found["period"]["tiles"].size(), 3U);
+    EXPECT_EQ(found["heights"]["horizontal"].size(), 1U);
+    EXPECT_THAT(printed("verify ammann --construction horizontal --width 8 --out period.png"),
+                HasSubstr("2   periodic: these 2 x 3 tiles repeat\n"));
+    EXPECT_EQ(test::decode_png(content_of(folder_.path() / "period.png")).height, 2 * (6 * 32 + 16)); // two copies
+    EXPECT_THAT(printed("verify jeandel-rao --width 3"),
+                EndsWith("no period up to 3 tiles along either axis; that there is none is not proven by this\n"));
+}
+
+TEST_F(AperiodicCommand, WrongArguments)
+{
+    expect_error("verify karj --width 3", "aperiodic: set \"karj\": unknown, and no such file; did you mean \"kari\"? "
+                                          "(known: culik, kari, ammann, jeandel-rao)");
+    expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64");
+    expect_error("verify kari --width 3 --construction diagnal",
+                 "aperiodic verify: --construction \"diagnal\": unknown; did you mean \"diagonal\"? (known: diagonal, "
+                 "horizontal, vertical, rotation, subdivision)");
+    expect_error("verify kari --width 3 --construction horizontal --repeat 2",
+                 "aperiodic verify: repetition 1 is ambiguous: there is none after it");
+    expect_error("verify kari --width 3 --out a.gif", "aperiodic verify: --out a.gif: must end in .svg or .png");
+    expect_error("verify kari --width 3 --out no/a.png", "aperiodic verify: --out no/a.png: there is no folder no");
+    expect_error("convert kari --construction diagonal --repeat 17",
+                 "aperiodic convert: --repeat 17: must be an integer from 1 to 16");
+    expect_error("convert kari --construction diagonal --repeat 3 --out a.png",
+                 "aperiodic convert: --out a.png: 58910 tiles cannot be drawn (at most 20000)");
+    expect_error("convert kari --construction diagonal --repeat 5",
+                 "repetition 5: 1213029 tiles are too many to go on from (at most 1000000)");
+    folder_.write("bad.txt", "1 2 3 4\n1 2 3\n");
+    expect_error("convert bad.txt --construction diagonal", "bad.txt:2: has 3 words: must be four colours, N E S W");
+    folder_.write("empty.txt", "# nothing\n");
+    expect_error("convert empty.txt --construction diagonal", "empty.txt: has no tiles");
+}
+
+}
+}

@@ -1,0 +1,128 @@
+#include "tiles/aperiodic/tile_list.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+/// Different values in ascending order.
+template <class Value>
+std::vector<Value> different(std::vector<Value> values)
+{
+    std::ranges::sort(values);
+    const auto rest = std::ranges::unique(values);
+    values.erase(rest.begin(), rest.end());
+    return values;
+}
+
+template <class Value>
+Color number_of(const std::vector<Value>& sorted, const Value& value)
+{
+    return static_cast<Color>(std::ranges::lower_bound(sorted, value) - sorted.begin());
+}
+
+/// Pairs of corner colours as one number each: west (south) first.
+std::uint64_t pair_of(Color first, Color second) { return std::uint64_t{first} << 32 | second; }
+
+/// Where the values of each colour begin among sorted ones, and the end.
+std::vector<std::size_t> begins_of(const std::vector<ListPlace>& sorted, Color colors, auto color_at)
+{
+    std::vector<std::size_t> begins(std::size_t{colors} + 1);
+    for (const ListPlace place : sorted) ++begins[color_at(place) + 1];
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    return begins;
+}
+
+std::span<const ListPlace> part(const std::vector<ListPlace>& sorted, const std::vector<std::size_t>& begins,
+                                Color color)
+{
+    if (std::size_t{color} + 1 >= begins.size()) return {};
+    return std::span(sorted).subspan(begins[color], begins[color + 1] - begins[color]);
+}
+
+}
+
+Color color_count(const WangList& list) { return std::max(list.colors.horizontal, list.colors.vertical); }
+
+WangList renumbered(std::vector<WangTile> tiles)
+{
+    std::vector<Color> horizontal, vertical;
+    for (const WangTile& tile : tiles) {
+        horizontal.insert(horizontal.end(), {tile.north, tile.south});
+        vertical.insert(vertical.end(), {tile.east, tile.west});
+    }
+    horizontal = different(std::move(horizontal));
+    vertical = different(std::move(vertical));
+    for (WangTile& tile : tiles)
+        tile = {number_of(horizontal, tile.north), number_of(vertical, tile.east), number_of(horizontal, tile.south),
+                number_of(vertical, tile.west)};
+    return {std::move(tiles), {static_cast<Color>(horizontal.size()), static_cast<Color>(vertical.size())}};
+}
+
+CornerList renumbered(std::vector<CornerTile> tiles)
+{
+    std::vector<Color> colors;
+    for (const CornerTile& tile : tiles)
+        colors.insert(colors.end(), {tile.north_east, tile.south_east, tile.south_west, tile.north_west});
+    colors = different(std::move(colors));
+    for (CornerTile& tile : tiles)
+        tile = {number_of(colors, tile.north_east), number_of(colors, tile.south_east),
+                number_of(colors, tile.south_west), number_of(colors, tile.north_west)};
+    return {std::move(tiles), static_cast<Color>(colors.size())};
+}
+
+WangList wang_list_of(const CornerList& list)
+{
+    std::vector<std::uint64_t> horizontal, vertical;
+    for (const CornerTile& t : list.tiles) {
+        horizontal.insert(horizontal.end(), {pair_of(t.north_west, t.north_east), pair_of(t.south_west, t.south_east)});
+        vertical.insert(vertical.end(), {pair_of(t.south_east, t.north_east), pair_of(t.south_west, t.north_west)});
+    }
+    horizontal = different(std::move(horizontal));
+    vertical = different(std::move(vertical));
+    WangList wang{{}, {static_cast<Color>(horizontal.size()), static_cast<Color>(vertical.size())}};
+    wang.tiles.reserve(list.tiles.size());
+    for (const CornerTile& t : list.tiles)
+        wang.tiles.push_back({number_of(horizontal, pair_of(t.north_west, t.north_east)),
+                              number_of(vertical, pair_of(t.south_east, t.north_east)),
+                              number_of(horizontal, pair_of(t.south_west, t.south_east)),
+                              number_of(vertical, pair_of(t.south_west, t.north_west))});
+    return wang;
+}
+
+WangList transposed(const WangList& list)
+{
+    WangList result{list.tiles, {list.colors.vertical, list.colors.horizontal}};
+    for (WangTile& tile : result.tiles) tile = {tile.west, tile.south, tile.east, tile.north};
+    return result;
+}
+
+TilesByColor::TilesByColor(const WangList& list) : by_west_(list.tiles.size()), by_north_(list.tiles.size())
+{
+    const auto& tiles = list.tiles;
+    std::iota(by_west_.begin(), by_west_.end(), ListPlace{0});
+    by_north_ = by_west_;
+    std::ranges::stable_sort(by_west_, {}, [&](ListPlace i) { return tiles[i].west; });
+    std::ranges::stable_sort(by_north_, {}, [&](ListPlace i) { return pair_of(tiles[i].north, tiles[i].west); });
+    west_begins_ = begins_of(by_west_, list.colors.vertical, [&](ListPlace i) { return tiles[i].west; });
+    north_begins_ = begins_of(by_north_, list.colors.horizontal, [&](ListPlace i) { return tiles[i].north; });
+    wests_.reserve(tiles.size());
+    for (const ListPlace i : by_north_) wests_.push_back(tiles[i].west);
+}
+
+std::span<const ListPlace> TilesByColor::with_west(Color west) const { return part(by_west_, west_begins_, west); }
+
+std::span<const ListPlace> TilesByColor::with_north(Color north) const { return part(by_north_, north_begins_, north); }
+
+std::span<const ListPlace> TilesByColor::with_north_and_west(Color north, Color west) const
+{
+    const auto all = with_north(north);
+    if (all.empty()) return {};
+    const auto first = wests_.begin() + static_cast<std::ptrdiff_t>(north_begins_[north]);
+    const auto [begin, end] = std::equal_range(first, first + static_cast<std::ptrdiff_t>(all.size()), west);
+    return all.subspan(static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - begin));
+}
+
+}
