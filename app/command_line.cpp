@@ -95,6 +95,7 @@ std::vector<Command> all_commands(const std::string& typed)
             report_command(),
             diff_command(),
             tiling_command(),
+            packing_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             devices_command(),
             samplers_command()};
