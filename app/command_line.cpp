@@ -97,6 +97,7 @@ std::vector<Command> all_commands(const std::string& typed)
             report_command(),
             diff_command(),
             tiling_command(),
+            packing_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
             devices_command(),

@@ -69,6 +69,7 @@ Command analyze_command(const std::string& typed);
 Command report_command();
 Command diff_command();
 Command tiling_command();
+Command packing_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_verify_command();

@@ -32,6 +32,10 @@ enum class Purpose : std::uint32_t
     wang_surroundings = 25,
     wang_tilings = 26,
     sector_darts = 27,
+    tile_packing = 41,
+    texture_windows = 42,
+    texture_variants = 43,
+    texture_scanlines = 44,
 };
 
 /// The 64-bit key of one independent stream.

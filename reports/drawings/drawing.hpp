@@ -63,6 +63,7 @@ struct Drawing
     double width = 1;
     double height = 1;
     std::vector<Shape> shapes;
+    double millimetres_a_unit = 0; ///< SVG documents have this size on paper, and no ground; 0: any size
 };
 
 /// The longest side of a PNG in pixels.

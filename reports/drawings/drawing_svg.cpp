@@ -139,6 +139,16 @@ private:
     std::string open_; ///< the attributes of the path that is not closed yet
 };
 
+/// Attributes of the document; nothing for drawings of any size.
+std::string size_on_paper(const Drawing& drawing)
+{
+    if (drawing.millimetres_a_unit <= 0) return {};
+    const auto millimetres = [&](double units) {
+        return number(hundredths(units * drawing.millimetres_a_unit)) + "mm";
+    };
+    return " width=\"" + millimetres(drawing.width) + "\" height=\"" + millimetres(drawing.height) + "\"";
+}
+
 }
 
 std::string drawing_svg(const Drawing& drawing)
@@ -146,9 +156,11 @@ std::string drawing_svg(const Drawing& drawing)
     check_drawing(drawing);
     const std::string width = number(hundredths(drawing.width));
     const std::string height = number(hundredths(drawing.height));
-    SvgWriter writer("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + width + " " + height +
-                     "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n<rect width=\"" + width + "\" height=\"" +
-                     height + "\" fill=\"#ffffff\"/>\n");
+    SvgWriter writer("<svg xmlns=\"http://www.w3.org/2000/svg\"" + size_on_paper(drawing) + " viewBox=\"0 0 " + width +
+                     " " + height + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n" +
+                     (drawing.millimetres_a_unit > 0
+                          ? ""
+                          : "<rect width=\"" + width + "\" height=\"" + height + "\" fill=\"#ffffff\"/>\n"));
     for (const Shape& shape : drawing.shapes) writer.add(shape);
     return writer.finish();
 }

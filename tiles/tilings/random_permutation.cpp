@@ -1,52 +1,16 @@
 #include "tiles/tilings/random_permutation.hpp"
 
+#include "base/random/random_words.hpp"
+
 #include <numeric>
 #include <utility>
 
 namespace poissonlab {
-namespace {
-
-/// The words of a stream, one after another.
-class Words
-{
-public:
-    Words(const StreamKey& key, std::uint32_t table) : key_(key), table_(table) {}
-
-    std::uint32_t next()
-    {
-        if (used_ == 4) {
-            block_ = philox({count_++, table_, 0, 0}, key_);
-            used_ = 0;
-        }
-        return block_[used_++];
-    }
-
-    /// Uniform in 0, 1, ..., end - 1, without bias: of 2^32 products, as many for each number are kept
-    /// (Lemire: Fast random integer generation in an interval, ACM TOMACS 29, 2019).
-    std::uint32_t below(std::uint32_t end)
-    {
-        const std::uint32_t rejected = (0u - end) % end;
-        for (;;) {
-            const std::uint64_t product = std::uint64_t{next()} * end;
-            if (static_cast<std::uint32_t>(product) >= rejected) return static_cast<std::uint32_t>(product >> 32);
-        }
-    }
-
-private:
-    StreamKey key_;
-    std::uint32_t table_;
-    std::uint32_t count_ = 0;
-    std::array<std::uint32_t, 4> block_{};
-    unsigned used_ = 4;
-};
-
-}
-
 std::vector<std::uint32_t> random_permutation(std::uint32_t size, const StreamKey& key, std::uint32_t table)
 {
     std::vector<std::uint32_t> permutation(size);
     std::iota(permutation.begin(), permutation.end(), 0u);
-    Words words(key, table);
+    RandomWords words(key, table);
     for (std::uint32_t remaining = size; remaining > 1; --remaining)
         std::swap(permutation[remaining - 1], permutation[words.below(remaining)]);
     return permutation;

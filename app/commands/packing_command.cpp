@@ -1,0 +1,251 @@
+// poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
+#include "app/commands/command.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "base/word_table.hpp"
+#include "host/config/nearest_key.hpp"
+#include "reports/drawings/puzzle_image.hpp"
+#include "reports/drawings/tile_image.hpp"
+#include "tiles/packing/closed_packing.hpp"
+#include "tiles/packing/euler_packing.hpp"
+#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/printed_packings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto packing_notes =
+    R"(A packing has all C^4 tiles of a complete set on a torus of C^2 x C^2 places, each once, so that neighbours fit.
+Prints tile indices, a row of tiles a line, north first, as `tiling` does.
+  closed     any C, place and tile follow from each other in constant time (the default)
+  printed    C = 2, 3, 4: the dissertation's, found by search
+  eulerian   wang: the product of two random Eulerian circuits of dominoes, all of them equally likely
+  search     C = 2, 3, 4 (4 takes years): the first one with tiles tried in random order; good for puzzles
+  grown      corner, C = 3: a random one around the printed one of two colours; seconds
+--all prints every packing of two colours, with empty lines between: 32 of corner tiles, 203520 of Wang tiles.
+--verify reads such a table: exit status 2 if it is no packing.
+--puzzle writes jigsaw pieces for a laser cutter, in millimetres: red lines are cut, blue ones point to the north.
+  poissonlab packing corner --colors 3
+  poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2)";
+
+enum class PackingMethod
+{
+    closed,
+    printed,
+    eulerian,
+    search,
+    grown,
+};
+constexpr WordTable<PackingMethod, 5> packing_methods{{{{PackingMethod::closed, "closed"},
+                                                        {PackingMethod::printed, "printed"},
+                                                        {PackingMethod::eulerian, "eulerian"},
+                                                        {PackingMethod::search, "search"},
+                                                        {PackingMethod::grown, "grown"}}}};
+
+struct PackingOptions
+{
+    std::string kind; ///< "corner" or "wang"
+    std::uint32_t colors = 0;
+    std::string method = "closed";
+    std::uint64_t seed = 1;
+    bool all = false;
+    std::filesystem::path verified; ///< empty: none
+    std::filesystem::path out;      ///< the same for pictures
+    std::filesystem::path puzzle;
+    PuzzleCut cut;
+};
+
+/// The largest number of colours whose tiles are drawn: 65,536 of them.
+constexpr Color most_drawn_colors = 16;
+
+TileKind packed_kind(const PackingOptions& options)
+{
+    if (options.kind == "corner") return TileKind::corner;
+    if (options.kind == "wang") return TileKind::wang;
+    throw InputError(fmt::format("packing: kind \"{}\": unknown (known: corner, wang)", options.kind));
+}
+
+PackingMethod method_of(const PackingOptions& options)
+{
+    const auto method = packing_methods.find(options.method);
+    if (!method)
+        throw InputError(fmt::format("packing: --method \"{}\": unknown{} (known: {})", options.method,
+                                     did_you_mean(options.method, packing_methods.all()),
+                                     fmt::join(packing_methods.all(), ", ")));
+    return *method;
+}
+
+TilePacking made_packing(const PackingOptions& options)
+{
+    const TileKind kind = packed_kind(options);
+    switch (method_of(options)) {
+    case PackingMethod::closed:
+        return closed_packing(kind, options.colors);
+    case PackingMethod::printed:
+        return printed_packing(kind, options.colors);
+    case PackingMethod::search:
+        return random_packing(kind, options.colors, options.seed);
+    case PackingMethod::eulerian:
+        if (kind != TileKind::wang) throw InputError("packing: --method eulerian: is for wang tiles");
+        return euler_packing(options.colors, options.seed);
+    case PackingMethod::grown:
+        break;
+    }
+    if (kind != TileKind::corner || options.colors != 3)
+        throw InputError("packing: --method grown: is for corner tiles over 3 colours");
+    return grown_packing(printed_packing(kind, 2), options.seed);
+}
+
+/// Prints the tiles of rows from north to south.
+template <class TileAt>
+void print_rows(Color side, const TileAt& tile_at)
+{
+    std::vector<TileIndex> row(side);
+    for (Color y = side; y-- > 0;) {
+        stop_if_interrupted();
+        for (Color x = 0; x < side; ++x) row[x] = tile_at(PackingPlace{x, y});
+        const std::string text = fmt::format("{}\n", fmt::join(row, " "));
+        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
+            throw StorageError("cannot write to standard output");
+    }
+}
+
+void print_packing(const TilePacking& packing)
+{
+    print_rows(packing.side(), [&](PackingPlace place) { return packing.at(place); });
+}
+
+void print_all_packings(const PackingOptions& options)
+{
+    if (options.colors != 2)
+        throw InputError(
+            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", options.colors));
+    bool is_first = true;
+    search_packings(packed_kind(options), options.colors, {}, [&](const TilePacking& packing) {
+        if (!is_first) fmt::print("\n");
+        is_first = false;
+        print_packing(packing);
+        return true;
+    });
+}
+
+void check_drawn_colors(Color colors)
+{
+    if (colors > most_drawn_colors)
+        throw InputError(
+            fmt::format("packing: --colors {}: must be at most {} for a picture", colors, most_drawn_colors));
+}
+
+void write_packing_picture(const TilePacking& packing, const std::filesystem::path& file)
+{
+    TileGrid grid{packing.kind, {packing.colors, packing.colors}, packing.side(), {}};
+    for (Color y = packing.side(); y-- > 0;)
+        for (Color x = 0; x < packing.side(); ++x) grid.tiles.push_back(packing.at({x, y}));
+    const Drawing drawing = draw_tiles(grid);
+    if (file.extension() == ".svg")
+        write_whole_file(file, drawing_svg(drawing));
+    else
+        write_drawing_png(file, drawing, static_cast<int>(drawing.width));
+}
+
+void check_cut(const PackingOptions& options)
+{
+    const auto [piece, kerf] = options.cut;
+    if (!(piece >= 5 && piece <= 500))
+        throw InputError(fmt::format("packing: --piece {}: must be a number from 5 to 500, in millimetres", piece));
+    // A cut as wide as a third of a knob's neck leaves no knob.
+    if (!(kerf >= 0 && kerf <= piece / 50))
+        throw InputError(
+            fmt::format("packing: --kerf {}: must be a number from 0 to {:.4g}, in millimetres", kerf, piece / 50));
+}
+
+void check_packing_options(const PackingOptions& options)
+{
+    packed_kind(options);
+    if (options.colors < 2 || options.colors > max_colors)
+        throw InputError(
+            fmt::format("packing: --colors {}: must be an integer from 2 to {}", options.colors, max_colors));
+    const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
+    if (is_drawn) check_drawn_colors(options.colors);
+    if (!options.out.empty() && options.out.extension() != ".png" && options.out.extension() != ".svg")
+        throw InputError(fmt::format("packing: --out {}: must be a .png or .svg", options.out.string()));
+    if (!options.puzzle.empty() && options.puzzle.extension() != ".svg")
+        throw InputError(fmt::format("packing: --puzzle {}: must be an .svg", options.puzzle.string()));
+    if (options.all && (is_drawn || !options.verified.empty()))
+        throw InputError("packing: --all prints only: not with --verify, --out or --puzzle");
+    check_cut(options);
+}
+
+/// A table of a file, which is a packing.
+TilePacking verified_packing(const PackingOptions& options)
+{
+    // A table of 64^2 rows is 120 MB of text.
+    constexpr Color most_verified_colors = 64;
+    if (options.colors > most_verified_colors)
+        throw InputError(
+            fmt::format("packing: --colors {}: must be at most {} to verify", options.colors, most_verified_colors));
+    const TilePacking packing = read_packing(options.verified, packed_kind(options), options.colors);
+    if (const auto fault = packing_fault(packing)) throw InputError::at({options.verified.string()}, *fault);
+    return packing;
+}
+
+void draw_packing(const PackingOptions& options, const TilePacking& packing)
+{
+    if (!options.out.empty()) write_packing_picture(packing, options.out);
+    if (!options.puzzle.empty()) write_whole_file(options.puzzle, drawing_svg(draw_puzzle(packing, options.cut)));
+}
+
+void pack(const PackingOptions& options)
+{
+    check_packing_options(options);
+    if (options.all) return print_all_packings(options);
+    if (!options.verified.empty()) {
+        draw_packing(options, verified_packing(options));
+        fmt::print("{}: a packing of the complete {} tile set over {} colours: {} tiles, each once, all neighbours "
+                   "fit\n",
+                   printable(options.verified.string()), options.kind, options.colors,
+                   std::uint64_t{options.colors} * options.colors * options.colors * options.colors);
+        return;
+    }
+    const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
+    if (method_of(options) == PackingMethod::closed && !is_drawn) {
+        const TileKind kind = packed_kind(options);
+        print_rows(options.colors * options.colors,
+                   [&](PackingPlace place) { return packed_tile(kind, place, options.colors); });
+        return;
+    }
+    const TilePacking packing = made_packing(options);
+    draw_packing(options, packing);
+    print_packing(packing);
+}
+
+}
+
+Command packing_command()
+{
+    const auto o = std::make_shared<PackingOptions>();
+    return {"packing",
+            "Print, draw or verify a tile packing, or make a puzzle of it",
+            {{"KIND", &o->kind, "corner or wang"},
+             {"--colors", &o->colors, "Number of colours", "C", required},
+             {"--verify", &o->verified, "Check this table instead of making one", "FILE"},
+             {"--method", &o->method, "How the packing is made, see below; default: closed", "NAME"},
+             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
+             {"--all", &o->all, "Print every packing of two colours"},
+             {"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
+             {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
+             {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
+             {"--kerf", &o->cut.kerf,
+              "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}},
+            packing_notes,
+            action_on(o, pack)};
+}
+
+}

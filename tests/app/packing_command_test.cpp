@@ -1,0 +1,151 @@
+// poissonlab packing: what it prints is a packing, by its own words and by a reader of this test.
+#include "tests/support/picture.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+using Rows = std::vector<std::vector<int>>;
+
+Rows rows_of(const std::string& text)
+{
+    Rows rows;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        rows.emplace_back(std::istream_iterator<int>(words), std::istream_iterator<int>());
+    }
+    return rows;
+}
+
+/// True if the rows, north first, are a packing: by the digits of the indices alone.
+bool is_packing(const Rows& rows, bool is_corner, int c)
+{
+    std::vector<int> all;
+    const std::size_t side = rows.size();
+    const auto digit = [&](std::size_t row, std::size_t column, int number) { // 0: the first, north or north-east
+        int index = rows[row % side][column % side];
+        for (int i = number; i < 3; ++i) index /= c;
+        return index % c;
+    };
+    for (std::size_t row = 0; row < side; ++row)
+        for (std::size_t column = 0; column < side; ++column) {
+            all.push_back(rows[row][column]);
+            const auto here = [&](int number) { return digit(row, column, number); };
+            const auto east = [&](int number) { return digit(row, column + 1, number); };
+            const auto south = [&](int number) { return digit(row + 1, column, number); };
+            if (is_corner ? here(0) != east(3) || here(1) != east(2) : here(1) != east(3)) return false;
+            if (is_corner ? here(2) != south(3) || here(1) != south(0) : here(2) != south(0)) return false;
+        }
+    std::ranges::sort(all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i] != static_cast<int>(i)) return false;
+    return all.size() == static_cast<std::size_t>(c * c * c * c);
+}
+
+class PackingCommand : public testing::Test
+{
+protected:
+    Outcome run(const std::string& arguments) const
+    {
+        std::istringstream stream("packing " + arguments);
+        return run_program(folder_.path(), {std::istream_iterator<std::string>(stream), {}});
+    }
+
+    std::string printed(const std::string& arguments) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return outcome.out;
+    }
+
+    void expect_error(const std::string& arguments, const std::string& message) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
+        EXPECT_EQ(outcome.out, "");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(PackingCommand, PrintsPackingsOfEveryMethod)
+{
+    for (const std::string colors : {"2", "3", "4", "5", "6"}) {
+        const int c = std::stoi(colors);
+        EXPECT_TRUE(is_packing(rows_of(printed("corner --colors " + colors)), true, c));
+        EXPECT_TRUE(is_packing(rows_of(printed("wang --colors " + colors)), false, c));
+        EXPECT_TRUE(is_packing(rows_of(printed("wang --method eulerian --colors " + colors)), false, c));
+    }
+    EXPECT_TRUE(is_packing(rows_of(printed("corner --colors 4 --method printed")), true, 4));
+    EXPECT_TRUE(is_packing(rows_of(printed("corner --colors 3 --method grown --seed 4")), true, 3));
+    EXPECT_TRUE(is_packing(rows_of(printed("wang --colors 3 --method search --seed 4")), false, 3));
+    EXPECT_THAT(printed("corner --colors 4 --method printed"),
+                testing::StartsWith("56 108 57 28 180 62 156 182 46 248 239 27 228 59 252 47\n"));
+}
+
+TEST_F(PackingCommand, PrintsAllOfTwoColors)
+{
+    const std::string all = printed("corner --colors 2 --all");
+    EXPECT_EQ(std::ranges::count(all, '\n'), 32 * 4 + 31);
+    EXPECT_TRUE(is_packing(rows_of(all.substr(0, all.find("\n\n") + 1)), true, 2));
+}
+
+TEST_F(PackingCommand, VerifiesWhatItPrinted)
+{
+    folder_.write("p.txt", printed("corner --colors 3"));
+    EXPECT_EQ(printed("corner --colors 3 --verify p.txt"),
+              "p.txt: a packing of the complete corner tile set over 3 colours: 81 tiles, each once, all neighbours "
+              "fit\n");
+    // The same numbers are other tiles with colours at their edges.
+    const Outcome outcome = run("wang --colors 3 --verify p.txt");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.error, HasSubstr("p.txt: tile 27 at (1, 0) does not fit to its "));
+    expect_error("corner --colors 4 --verify p.txt", "p.txt:1: a row of 9 tiles: must have 16");
+}
+
+TEST_F(PackingCommand, DrawsTilesAndPuzzles)
+{
+    printed("wang --colors 2 --out tiles.png --puzzle puzzle.svg --piece 20");
+    const test::Picture picture = test::decode_png(content_of(folder_.path() / "tiles.png"));
+    EXPECT_EQ(picture.width, 4 * 32 + 2 * 8);
+    const std::string puzzle = content_of(folder_.path() / "puzzle.svg");
+    EXPECT_THAT(puzzle, HasSubstr("width=\"98mm\" height=\"98mm\" viewBox=\"0 0 98 98\""));
+    EXPECT_THAT(puzzle, Not(HasSubstr("<rect")));
+    EXPECT_THAT(puzzle, EndsWith("</svg>\n"));
+    printed("corner --colors 2 --puzzle apart.svg --kerf 0.2");
+    EXPECT_GT(content_of(folder_.path() / "apart.svg").size(), puzzle.size());
+}
+
+TEST_F(PackingCommand, WrongArguments)
+{
+    expect_error("cube --colors 2", "packing: kind \"cube\": unknown (known: corner, wang)");
+    expect_error("corner --colors 1", "packing: --colors 1: must be an integer from 2 to 256");
+    expect_error("corner --colors 2 --method serach",
+                 "packing: --method \"serach\": unknown; did you mean \"search\"? (known: closed, printed, eulerian, "
+                 "search, grown)");
+    expect_error("corner --colors 3 --all", "packing: --all with --colors 3: must be 2, nobody has seen all others");
+    expect_error("corner --colors 2 --method eulerian", "packing: --method eulerian: is for wang tiles");
+    expect_error("wang --colors 3 --method grown", "packing: --method grown: is for corner tiles over 3 colours");
+    expect_error("corner --colors 17 --out a.png", "packing: --colors 17: must be at most 16 for a picture");
+    expect_error("corner --colors 3 --out a.jpg", "packing: --out a.jpg: must be a .png or .svg");
+    expect_error("corner --colors 3 --puzzle a.png", "packing: --puzzle a.png: must be an .svg");
+    expect_error("corner --colors 3 --puzzle a.svg --kerf 1",
+                 "packing: --kerf 1: must be a number from 0 to 0.6, in millimetres");
+    expect_error("corner --colors 3 --puzzle a.svg --piece nan",
+                 "packing: --piece nan: must be a number from 5 to 500, in millimetres");
+    expect_error("corner --colors 5 --method printed", "colors = 5: must be an integer from 2 to 4");
+}
+
+}
+}
