@@ -89,6 +89,7 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
 std::vector<Command> all_commands(const std::string& typed)
 {
     std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_verify_command()};
+    std::vector<Command> of_densities{distribute_warp_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
@@ -96,6 +97,7 @@ std::vector<Command> all_commands(const std::string& typed)
             diff_command(),
             tiling_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
+            {"distribute", "Points and objects that follow densities", {}, "", {}, std::move(of_densities)},
             devices_command(),
             samplers_command()};
 }

@@ -72,6 +72,7 @@ Command tiling_command();
 Command tiles_build_command();
 Command tiles_points_command();
 Command tiles_verify_command();
+Command distribute_warp_command();
 Command devices_command();
 Command samplers_command();
 
