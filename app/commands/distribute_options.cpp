@@ -99,7 +99,7 @@ EvenMethod read_even_method(const DistributeOptions& o)
     return tiles;
 }
 
-DistributionWork make_work(const DistributeOptions& o)
+DistributionPlace make_place(const DistributeOptions& o)
 {
     const auto device = std::make_shared<std::optional<Device>>();
     const auto progress = std::make_shared<Progress>(Progress::detect(o.quiet));
@@ -112,21 +112,6 @@ DistributionWork make_work(const DistributeOptions& o)
                 stop_if_interrupted();
                 progress->step(what);
             }};
-}
-
-void write_places(const std::filesystem::path& file, const PixelPlaces& places, std::uint32_t longest,
-                  const std::string& comment)
-{
-    write_points_in_pieces(file, 2, places.size() / 2, "domain 0:1\n" + comment, [&](const PointSink& sink) {
-        std::vector<double> coordinates;
-        for (std::size_t i = 0; i < places.size();) {
-            stop_if_interrupted();
-            coordinates.clear();
-            for (; i < places.size() && coordinates.size() < 65'536; ++i)
-                coordinates.push_back(place_coordinate(places[i], longest));
-            sink(coordinates);
-        }
-    });
 }
 
 }

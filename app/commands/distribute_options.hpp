@@ -2,11 +2,9 @@
 #pragma once
 
 #include "app/commands/command.hpp"
-#include "base/points/point_file.hpp"
 #include "host/distribution/even_points.hpp"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +43,6 @@ Density read_density(const DistributeOptions& o);
 EvenMethod read_even_method(const DistributeOptions& o);
 
 /// A workplace that shows its steps; the device is opened when it is needed.
-DistributionWork make_work(const DistributeOptions& o);
-
-/// Writes points as coordinates in units of `longest` pixels, y upwards; the comment begins with `domain 0:1`.
-void write_places(const std::filesystem::path& file, const PixelPlaces& places, std::uint32_t longest,
-                  const std::string& comment);
+DistributionPlace make_place(const DistributeOptions& o);
 
 }

@@ -1,12 +1,11 @@
 // poissonlab distribute warp: even points through the inverse cumulative distribution of a picture or a formula.
 #include "app/commands/distribute_options.hpp"
-#include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/distribution/place_file.hpp"
 #include "host/distribution/sky_lights.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -18,7 +17,8 @@ constexpr auto distribute_warp_notes =
 pixels by y, pixels of a row by x, in exact integers. Coordinates are in units of the longest side, y upwards.
 Formulas are over a square; "gauss-and-waves" is that of the dissertation's figure 4.44. Methods other than tiles make
 their points for a square, and those in the picture's proportions are taken.
-With --environment the picture is an environment map, twice as wide as high: densities are luminance times solid angle.
+With --environment the picture is an environment map, twice as wide as high, or the formula one of longitude x and
+latitude y, -1/2 to 1/2: densities are luminance times solid angle.
 --lights writes the lights at the points, `x y z` of the direction (z up, x in the middle of the left border), then the
 power of each colour: all have the same luminance, together that of the map.
   poissonlab distribute warp --density photo.jpg --density-from ink --points 13000 --out dots.ply
@@ -31,29 +31,20 @@ struct WarpOptions : DistributeOptions
     std::filesystem::path lights;
 };
 
-std::string lights_text(const LinearPicture& map, const PixelPlaces& places)
-{
-    const std::vector<SkyLight> lights = sky_lights(map, places);
-    std::string text = lights.front().power.size() == 3 ? "x,y,z,red,green,blue\n" : "x,y,z,power\n";
-    for (const SkyLight& light : lights)
-        text += fmt::format("{},{}\n", fmt::join(light.direction, ","), fmt::join(light.power, ","));
-    return text;
-}
-
 void warp(const WarpOptions& o)
 {
     check(o);
     if (!o.is_environment && !o.lights.empty()) throw InputError(o.command + ": --lights: goes with --environment");
-    if (o.is_environment && (o.density_from != "light" || !is_picture_name(o.density)))
-        throw InputError(o.command + ": --environment: needs a picture, of which it takes the light");
+    if (o.is_environment && o.density_from != "light")
+        throw InputError(o.command + ": --environment: takes the light; leave --density-from out");
     std::optional<LinearPicture> map;
-    if (o.is_environment) map = read_linear_picture(o.density);
+    if (o.is_environment) map = sky_map(o.density);
     const Density density = map ? sky_density(*map, o.density) : read_density(o);
     const EvenMethod method = read_even_method(o);
-    const DistributionWork work = make_work(o);
-    const SquarePoints points = even_points(method, o.points, density.width, density.height, o.seed, work);
-    const PixelPlaces places = warp_points(density, points, work);
-    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(*map, places));
+    const DistributionPlace place = make_place(o);
+    const SquarePoints points = even_points(method, o.points, density.width, density.height, o.seed, place);
+    const PixelPlaces places = warp_points(density, points, place);
+    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places)));
     write_places(o.out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
                  fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of the "
                              "longest side of {} x {} pixels, y upwards",

@@ -25,7 +25,7 @@ std::optional<double> number_in(const std::string& text)
 WindowDensity::WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension)
     : size_{static_cast<double>(window.size[0]), static_cast<double>(window.size[1])}
 {
-    if (from != "light" && !is_picture_name(text))
+    if (from != "light" && !is_file_name(text))
         throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
                                      printable(from), shortened(text)));
     if (const auto number = number_in(text)) {

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-bool is_picture_name(const std::string& text)
+bool is_file_name(const std::string& text)
 {
     std::error_code error;
     return std::filesystem::is_regular_file(text, error);
@@ -17,7 +17,7 @@ bool is_picture_name(const std::string& text)
 
 Density density_of_text(const std::string& text, const std::string& from, double width, double height)
 {
-    if (is_picture_name(text)) return density_of_picture(read_linear_picture(text), from, text);
+    if (is_file_name(text)) return density_of_picture(read_linear_picture(text), from, text);
     if (from != "light")
         throw InputError(fmt::format("{}: \"{}\" is for pictures, and this is none", shortened(text), printable(from)));
     try {

@@ -28,7 +28,7 @@ std::uint32_t part_of_side(std::uint64_t place, std::uint32_t tiles)
 }
 
 SquarePoints tiling_points(const PoissonTileSet& tiles, std::size_t points, double width, double height,
-                           std::uint64_t seed, const DistributionWork& work)
+                           std::uint64_t seed, const DistributionPlace& place)
 {
     const TileGrid grid = tile_grid(points, tiles.parameters.points_per_tile, width, height);
     const TileBlock block{{}, {grid.columns, grid.rows, 1}};
@@ -42,30 +42,30 @@ SquarePoints tiling_points(const PoissonTileSet& tiles, std::size_t points, doub
             square.push_back(part_of_side(torus_place(units[i], side), side));
         }
     };
-    if (work.engine == Engine::reference)
+    if (place.engine == Engine::reference)
         append(reference::exact_tile_points(tiles, tiling, block));
     else
-        TilePointGenerator(work.device(), tiles).stream(tiling, block, append);
+        TilePointGenerator(place.device(), tiles).stream(tiling, block, append);
     return square;
 }
 
 SquarePoints sampled_points(const SamplerChoice& method, std::size_t points, double width, double height,
-                            std::uint64_t seed, const DistributionWork& work)
+                            std::uint64_t seed, const DistributionPlace& place)
 {
     const double longest = std::max(width, height);
     const double area = width * height / (longest * longest);
     const SampleRequest request{static_cast<std::size_t>(std::llround(static_cast<double>(points) / area)), 2, seed,
-                                work.on_step};
+                                place.on_step};
     const SamplerSpec& spec = *method.spec;
     if (std::ranges::find(spec.dimensions, 2) == spec.dimensions.end())
         throw InputError(fmt::format("sampler \"{}\": has no sets in the plane", spec.name));
     if (spec.check) spec.check(method.parameters, request, {spec.name});
-    if (spec.device_memory && work.engine == Engine::opencl) {
-        const DeviceInfo& device = work.device().info();
+    if (spec.device_memory && place.engine == Engine::opencl) {
+        const DeviceInfo& device = place.device().info();
         check_fits(fmt::format("sampler \"{}\"", spec.name), spec.device_memory(method.parameters, request, device),
                    device);
     }
-    const PointSet set = spec.create(method.parameters, request, work.engine, work.device)->sample(0);
+    const PointSet set = spec.create(method.parameters, request, place.engine, place.device)->sample(0);
     SquarePoints square;
     for (std::size_t i = 0; i < set.size(); ++i) {
         const double x = set[i][0] * longest / width, y = set[i][1] * longest / height;
@@ -112,24 +112,25 @@ SamplerChoice default_even_method()
 }
 
 SquarePoints even_points(const EvenMethod& method, std::size_t points, double width, double height, std::uint64_t seed,
-                         const DistributionWork& work)
+                         const DistributionPlace& place)
 {
     if (const auto* tiles = std::get_if<PoissonTileSet>(&method))
-        return tiling_points(*tiles, points, width, height, seed, work);
+        return tiling_points(*tiles, points, width, height, seed, place);
     const SamplerChoice& sampler = std::get<SamplerChoice>(method);
     const auto built = plane_tile_set(sampler.spec->name, sampler.parameters, tile_set_seed);
     if (!built || sampler.parameters.number("density") < 1)
-        return sampled_points(sampler, points, width, height, seed, work);
+        return sampled_points(sampler, points, width, height, seed, place);
     if (sampler.spec->check) sampler.spec->check(sampler.parameters, {points, 2, tile_set_seed}, {sampler.spec->name});
-    const CachedTileSet cached = cached_tile_set(*built, work.engine, work.device, tile_cache_folder(), work.on_step);
-    return tiling_points(cached.set, points, width, height, seed, work);
+    const CachedTileSet cached =
+        cached_tile_set(*built, place.engine, place.device, tile_cache_folder(), place.on_step);
+    return tiling_points(cached.set, points, width, height, seed, place);
 }
 
-PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionWork& work)
+PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionPlace& place)
 {
     const WarpTable table(density);
-    if (work.engine == Engine::reference) return reference::warp_points(table, points);
-    Device& device = work.device();
+    if (place.engine == Engine::reference) return reference::warp_points(table, points);
+    Device& device = place.device();
     check_fits("warping", PointWarper::memory(table.width, table.height, points.size() / 2), device.info());
     return PointWarper(device, table).warp(points);
 }

@@ -4,14 +4,12 @@
 // side as its length asks for.
 #pragma once
 
+#include "host/distribution/distribution_place.hpp"
 #include "host/distribution/warp.hpp"
 #include "host/sampling/sampler.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>
-#include <functional>
-#include <optional>
-#include <string>
 #include <variant>
 
 namespace poissonlab {
@@ -33,14 +31,6 @@ TileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double wid
 /// The method that points come from: a tile set that is there, or a sampler with its parameters.
 using EvenMethod = std::variant<PoissonTileSet, SamplerChoice>;
 
-/// The workplace of a distribution: where its kernels run, and who is told of long steps.
-struct DistributionWork
-{
-    Engine engine = Engine::opencl;
-    DeviceProvider device;
-    std::function<void(const std::string& what)> on_step = {};
-};
-
 /// Corner tiles of 3 colours and 32 points, the method where none is chosen.
 SamplerChoice default_even_method();
 
@@ -49,9 +39,9 @@ SamplerChoice default_even_method();
 /// made for a square, of which the rectangle is the part from the lowest corner: they close along the longer side as
 /// well. Throws InputError where the method cannot make them.
 SquarePoints even_points(const EvenMethod& method, std::size_t points, double width, double height, std::uint64_t seed,
-                         const DistributionWork& work);
+                         const DistributionPlace& place);
 
 /// Warps points by the engine of the workplace. Throws InputError where its device has no memory for that.
-PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionWork& work);
+PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionPlace& place);
 
 }

@@ -1,8 +1,10 @@
 #include "host/distribution/sky_lights.hpp"
 
+#include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -55,6 +57,21 @@ double height_cosine(std::uint64_t place, int height)
 
 }
 
+LinearPicture sky_map(const std::string& text)
+{
+    if (is_file_name(text)) return read_linear_picture(text);
+    const Density density = density_of_text(text, "light", 2, 1);
+    LinearPicture map{density.width, density.height, {"Y"}, {}, {}};
+    for (int row = map.height; row-- > 0;)
+        for (int column = 0; column < map.width; ++column)
+            map.values.push_back(static_cast<float>(
+                static_cast<double>(
+                    density.weights[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.width) +
+                                    static_cast<std::size_t>(column)]) /
+                static_cast<double>(full_weight)));
+    return map;
+}
+
 double solid_angle(int row, int width, int height)
 {
     return 2 * std::numbers::pi / width * (border_cosine(row, height) - border_cosine(row + 1, height));
@@ -105,6 +122,14 @@ std::vector<SkyLight> sky_lights(const LinearPicture& map, std::span<const std::
         lights.push_back(std::move(light));
     }
     return lights;
+}
+
+std::string lights_text(const std::vector<SkyLight>& lights)
+{
+    std::string text = lights.front().power.size() == 3 ? "x,y,z,red,green,blue\n" : "x,y,z,power\n";
+    for (const SkyLight& light : lights)
+        text += fmt::format("{},{}\n", fmt::join(light.direction, ","), fmt::join(light.power, ","));
+    return text;
 }
 
 }

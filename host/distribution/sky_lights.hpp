@@ -21,6 +21,10 @@ struct SkyLight
     std::vector<double> power;         ///< radiance times solid angle, of each colour of the picture
 };
 
+/// The environment map of a picture's name, or of a formula in x, the longitude from -1 to 1, and y, the latitude from
+/// -1/2 to 1/2: grey, its largest value 1. Throws InputError for what is neither.
+LinearPicture sky_map(const std::string& text);
+
 /// The solid angle of a pixel in this row of a map, row 0 at the top.
 double solid_angle(int row, int width, int height);
 
@@ -34,5 +38,8 @@ double sky_luminance(const LinearPicture& map);
 /// A light at each place of the map. All have the same luminance, and together that of the map; each has the colour of
 /// its pixel.
 std::vector<SkyLight> sky_lights(const LinearPicture& map, std::span<const std::uint64_t> places);
+
+/// Lights as lines of numbers under the names of their columns: direction, then power.
+std::string lights_text(const std::vector<SkyLight>& lights);
 
 }

@@ -70,8 +70,8 @@ TEST_F(DistributeWarp, WritesCoordinatesInUnitsOfTheLongestSide)
 
 TEST_F(DistributeWarp, TakesFormulasAndMethods)
 {
-    const Outcome outcome = run(
-        {"--density", "x > 0", "--points", "100", "--method", "{ sampler = \"regular\" }", "--out", "points.npy"});
+    const Outcome outcome =
+        run({"--density", "x > 0", "--points", "100", "--method", "{ sampler = \"regular\" }", "--out", "points.npy"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const PointSet points = read_points(folder_.path() / "points.npy").at(0);
     EXPECT_EQ(points.size(), 100);
@@ -111,7 +111,7 @@ TEST_F(DistributeWarp, RefusesWhatItCannotDo)
     expect_error(with({"--density", "half.png", "--density-from", "Z"}), "must be light, ink or a channel");
     expect_error(with({"--density", "x+1", "--density-from", "ink"}), "is for pictures");
     expect_error(with({"--density", "half.png", "--lights", "l.csv"}), "--lights: goes with --environment");
-    expect_error(with({"--density", "x+1", "--environment"}), "needs a picture");
+    expect_error(with({"--density", "half.png", "--density-from", "ink", "--environment"}), "takes the light");
     expect_error(with({"--density", "x+1", "--engine", "fast"}), "--engine \"fast\": must be one of");
     expect_error(with({"--density", "x+1", "--method", "dart-trowing"}), "did you mean");
     expect_error(with({"--density", "x+1", "--method", "{ sampler = "}), "distribute warp: --method");

@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-DistributionWork work_on(Engine engine)
+DistributionPlace work_on(Engine engine)
 {
     return {engine, []() -> Device& {
                 static Device device = Device::open();
