@@ -91,6 +91,7 @@ std::vector<Command> all_commands(const std::string& typed)
     std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_verify_command()};
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(),
                                       aperiodic_verify_command()};
+    std::vector<Command> of_densities{distribute_warp_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
@@ -100,6 +101,7 @@ std::vector<Command> all_commands(const std::string& typed)
             packing_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
+            {"distribute", "Points and objects that follow densities", {}, "", {}, std::move(of_densities)},
             devices_command(),
             samplers_command()};
 }

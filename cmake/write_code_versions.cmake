@@ -27,11 +27,14 @@ hash_of(construction_version ${construction})
 hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/series/*)
 hash_of(analysis_version base/* analysis/* results/* host/measuring/* host/series/*)
 hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/scenes/* host/series/*)
+hash_of(distribution_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/* results/pictures/*
+        host/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"
 #define POISSONLAB_SAMPLING_VERSION \"${sampling_version}\"
 #define POISSONLAB_ANALYSIS_VERSION \"${analysis_version}\"
 #define POISSONLAB_PICTURE_VERSION \"${picture_version}\"
+#define POISSONLAB_DISTRIBUTION_VERSION \"${distribution_version}\"
 " @ONLY)
 get_filename_component(folder ${OUTPUT} DIRECTORY)
 file(WRITE ${folder}/code_files.txt "${listed}")

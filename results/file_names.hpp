@@ -22,6 +22,9 @@ inline constexpr const char* zone_plate_error = "zone-plate.csv";
 inline constexpr const char* tiles = "tiles.txt";
 inline constexpr const char* construction = "construction.json";
 
+/// In the folder of a distribution.
+inline constexpr const char* distribution_numbers = "numbers.csv";
+
 /// "realization-007.dat": the points of a realization.
 std::string realization(std::uint32_t number);
 

@@ -3,6 +3,7 @@
 
 #include "results/machine.hpp"
 #include "results/pictures/construction_result.hpp"
+#include "results/pictures/distribution_result.hpp"
 #include "results/pictures/tiling_result.hpp"
 #include "results/series.hpp"
 
@@ -30,6 +31,7 @@ struct Run
     std::vector<Series> series;
     std::vector<TilingResult> tilings; ///< and tile sets
     std::vector<ConstructionResult> constructions;
+    std::vector<DistributionResult> distributions;
 
     bool operator==(const Run&) const = default;
 };
@@ -37,8 +39,8 @@ struct Run
 /// The text of results.json.
 std::string run_json(const Run& run);
 
-/// Reads and checks folder/results.json, and that the files it names are there and that it has a series, a tiling or
-/// a construction. Throws InputError that names the file and the member.
+/// Reads and checks folder/results.json, and that the files it names are there and that it has a series, a tiling, a
+/// construction or a distribution. Throws InputError that names the file and the member.
 Run read_run(const std::filesystem::path& folder);
 
 }

@@ -51,6 +51,7 @@ void members(JsonMembers& m, Stored<Run> auto& run)
     m.objects("series", run.series);
     m.objects_if_any("tilings", run.tilings);
     m.objects_if_any("constructions", run.constructions);
+    m.objects_if_any("distributions", run.distributions);
 }
 
 namespace {
@@ -106,7 +107,7 @@ Run read_run(const std::filesystem::path& folder)
     members(root, run);
     if (run.dimension > 3) throw root.stored().error("dimension", "must be 2 or 3");
     check_places(root.stored(), run);
-    if (run.series.empty() && run.tilings.empty() && run.constructions.empty())
+    if (run.series.empty() && run.tilings.empty() && run.constructions.empty() && run.distributions.empty())
         throw root.stored().error("series", "must hold at least one series");
     return run;
 }

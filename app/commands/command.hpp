@@ -76,6 +76,7 @@ Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();
 Command aperiodic_verify_command();
+Command distribute_warp_command();
 Command devices_command();
 Command samplers_command();
 

@@ -1,6 +1,6 @@
 #include "app/commands/window_density.hpp"
 
-#include "base/densities/density_formula.hpp"
+#include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
@@ -20,29 +20,12 @@ std::optional<double> number_in(const std::string& text)
     return number;
 }
 
-bool is_file(const std::string& text)
-{
-    std::error_code error;
-    return std::filesystem::is_regular_file(text, error);
-}
-
-Density density_in(const std::string& text, const std::string& from, const TileBlock& window)
-{
-    if (is_file(text)) return density_of_picture(read_linear_picture(text), from, text);
-    try {
-        return density_of_formula(text, window.size[0], window.size[1]);
-    } catch (const InputError& error) {
-        if (text.find('.') == std::string::npos && text.find('/') == std::string::npos) throw;
-        throw InputError(fmt::format("{}: no such file; as a {}", printable(text), error.what()));
-    }
-}
-
 }
 
 WindowDensity::WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension)
     : size_{static_cast<double>(window.size[0]), static_cast<double>(window.size[1])}
 {
-    if (from != "light" && !is_file(text))
+    if (from != "light" && !is_file_name(text))
         throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
                                      printable(from), shortened(text)));
     if (const auto number = number_in(text)) {
@@ -55,7 +38,7 @@ WindowDensity::WindowDensity(const std::string& text, const std::string& from, c
     if (dimension != 2)
         throw InputError(fmt::format("{} {}: must be a number for tiles in space", option, shortened(text)));
     try {
-        density_ = density_in(text, from, window);
+        density_ = density_of_text(text, from, size_[0], size_[1]);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", option, error.what()));
     }

@@ -20,17 +20,16 @@ std::size_t channel_number(const LinearPicture& picture, std::string_view channe
     return static_cast<std::size_t>(found - picture.channels.begin());
 }
 
-/// Rec. 709, which is that of sRGB as well. A picture without three colours is grey: its first channel.
+/// Pixels by column and row from the top left, as programs for pictures name them.
+std::string pixel_name(int column, int row) { return fmt::format("pixel ({}, {})", column, row); }
+
+}
+
 double luminance(const LinearPicture& picture, int column, int row)
 {
     const std::size_t colors = picture.channels.size() - (picture.alpha ? 1 : 0);
     const auto channel = [&](std::size_t i) { return static_cast<double>(picture.at(column, row, i)); };
     return colors < 3 ? channel(0) : 0.2126 * channel(0) + 0.7152 * channel(1) + 0.0722 * channel(2);
-}
-
-/// Pixels by column and row from the top left, as programs for pictures name them.
-std::string pixel_name(int column, int row) { return fmt::format("pixel ({}, {})", column, row); }
-
 }
 
 Density density_of_values(int width, int height, const std::vector<double>& values, const std::string& name)

@@ -35,6 +35,10 @@ struct Density
 /// finite, and where all are 0.
 Density density_of_values(int width, int height, const std::vector<double>& values, const std::string& name);
 
+/// The luminance of a pixel, by column and row from the top left: that of Rec. 709, which is that of sRGB as well. A
+/// picture without three colours is grey: its first channel.
+double luminance(const LinearPicture& picture, int column, int row);
+
 /// The density of a picture. `channel` says what of it: "light", its luminance; "ink", 1 - luminance; or the name of a
 /// channel. Throws InputError, one line with the picture's name, for an unknown channel, ink of pixels that are
 /// brighter than 1, and what density_of_values() refuses. Pixels are named by column and row from the top left.

@@ -45,7 +45,7 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
 void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
-    if (!node && config.tilings.empty() && config.constructions.empty())
+    if (!node && config.tilings.empty() && config.constructions.empty() && config.distributions.empty())
         throw InputError::at({config.file}, "no [[method]] table: a config needs at least one");
     const auto* list = node ? node->get_if<ConfigList>() : nullptr;
     if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
@@ -61,7 +61,7 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
     check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
-                     "include"});
+                     "distribution", "include"});
     if (const ConfigNode* include = find(top, "include"))
         throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
@@ -76,6 +76,7 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     read_analysis(top, config);
     config.tilings = read_tilings(top, config.seed);
     config.constructions = read_constructions(top, config.seed);
+    for (const ConfigNode* table : read_tables(top, "distribution")) config.distributions.push_back(*table);
     read_methods(top, registry, config);
     return config;
 }

@@ -44,8 +44,10 @@ struct Config
     int dimension = 2;
     AnalysisOptions analysis;
     std::vector<MethodConfig> methods;
-    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these, or one method or construction
+    std::vector<TilingConfig>
+        tilings; ///< and tile sets; at least one of these, or one method, construction or distribution
     std::vector<ConstructionConfig> constructions;
+    std::vector<ConfigNode> distributions; ///< tables, which read_distributions() checks
 };
 
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.

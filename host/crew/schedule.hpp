@@ -21,6 +21,7 @@ struct Job
         sample,        ///< realizations `first` ... of a series
         tiling,        ///< a tile set or tiling
         constructions, ///< all constructions of an experiment
+        distribution,  ///< one that follows a density
     };
 
     Kind kind = Kind::series;

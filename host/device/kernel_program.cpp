@@ -29,6 +29,7 @@ const std::vector<KernelFile>& kernel_files()
         {"voronoi_2d.cl", {}},
         {"voronoi_3d_fast.cl", {}},
         {"voronoi_3d_slow.cl", {}},
+        {"warp.cl", {}},
     };
     return files;
 }

@@ -174,6 +174,16 @@ std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<
     return tasks;
 }
 
+std::vector<DistributionTask> distribution_tasks(const Config& config, std::set<std::string>& names)
+{
+    std::vector<DistributionTask> tasks;
+    for (DistributionConfig& distribution : read_distributions(config.distributions, config.seed)) {
+        const std::string name = unused_name("distribution-" + distribution.kind, names);
+        tasks.push_back({name, std::move(distribution)});
+    }
+    return tasks;
+}
+
 }
 
 Experiment make_experiment(const Config& config, const std::string& device, unsigned threads)
@@ -199,6 +209,8 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     for (const SeriesTask& task : experiment.series) names.insert(task.name);
     experiment.tilings = tiling_tasks(config, names);
     experiment.constructions = construction_tasks(config, names);
+    experiment.distributions = distribution_tasks(config, names);
+    experiment.distribution_place = {config.engine, [lazy]() -> Device& { return lazy->get(); }};
     experiment.make_filler = [lazy, engine = config.engine](const FillSettings& settings) {
         return engine == Engine::opencl ? make_tile_filler(settings, lazy->get())
                                         : reference::make_tile_filler(settings);

@@ -146,6 +146,17 @@ ConstructionResult construction_of(const ConstructionTask& task, const SceneSumm
     return result;
 }
 
+DistributionResult distribution_of(const DistributionTask& task, DistributionResult result)
+{
+    const std::string folder = task.name + "/";
+    result.name = task.name;
+    result.label = task.config.label;
+    result.kind = task.config.kind;
+    for (DistributionPicture& picture : result.pictures) picture.file = folder + picture.file;
+    for (std::string& file : result.files) file = folder + file;
+    return result;
+}
+
 }
 
 Run make_run(const Experiment& experiment, const ExperimentResults& results)
@@ -168,6 +179,8 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
         run.tilings.push_back(tiling_of(experiment.tilings[i], results.statistics.at(i)));
     for (std::size_t i = 0; i < experiment.constructions.size(); ++i)
         run.constructions.push_back(construction_of(experiment.constructions[i], results.scenes.at(i)));
+    for (std::size_t i = 0; i < experiment.distributions.size(); ++i)
+        run.distributions.push_back(distribution_of(experiment.distributions[i], results.distributions.at(i)));
     return run;
 }
 

@@ -15,6 +15,7 @@ struct ExperimentResults
     std::vector<Series> series;                              ///< as SeriesWork::result() has them
     std::vector<std::optional<TilingStatistics>> statistics; ///< nothing for tile sets and tilings with a period
     std::vector<SceneSummary> scenes;
+    std::vector<DistributionResult> distributions; ///< files without the folder
     Machine machine;
 };
 

@@ -37,7 +37,7 @@ std::vector<std::string> series_in(const fs::path& folder)
     try {
         const auto json = nlohmann::json::parse(read_whole_file(folder / file_names::results));
         if (json.at("format") != "poissonlab-results") return {};
-        for (const char* member : {"series", "tilings", "constructions"})
+        for (const char* member : {"series", "tilings", "constructions", "distributions"})
             for (const auto& series : json.value(member, nlohmann::json::array())) {
                 const std::string name = series.at("name");
                 // A name that leads elsewhere is not one that this program wrote.
@@ -58,7 +58,8 @@ bool looks_like_series(const fs::path& folder)
     std::error_code error;
     return fs::is_directory(folder, error) &&
            (fs::is_empty(folder, error) || fs::exists(folder / file_names::realization(0), error) ||
-            fs::exists(folder / file_names::tiles, error) || fs::exists(folder / file_names::construction, error));
+            fs::exists(folder / file_names::tiles, error) || fs::exists(folder / file_names::construction, error) ||
+            fs::exists(folder / file_names::distribution_numbers, error));
 }
 
 }

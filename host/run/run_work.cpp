@@ -39,7 +39,8 @@ T there(std::optional<T> stored, const std::string& label)
 
 RunWork::RunWork(const Experiment& experiment, std::uint32_t number, const CodeVersions& versions, UnitStore& store,
                  SamplerSlot& slot)
-    : experiment_(experiment), number_(number), pictures_(experiment, versions, store)
+    : experiment_(experiment), number_(number), pictures_(experiment, versions, store),
+      distributions_(experiment, versions, store)
 {
     for (const SeriesTask& task : experiment.series) series_.emplace_back(experiment, task, versions, store, slot);
 }
@@ -48,7 +49,7 @@ std::string RunWork::identity() const
 {
     std::string text;
     for (const SeriesWork& series : series_) text += series.units().analysis_key().text();
-    return text + pictures_.identity();
+    return text + pictures_.identity() + distributions_.identity();
 }
 
 Job RunWork::job(Job::Kind kind, std::uint32_t item, const RealizationRange& range) const
@@ -120,11 +121,13 @@ void RunWork::add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32
     for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item, ++next)
         if (!pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
     if (!pictures_.are_constructions_there()) schedule.add(job(Job::Kind::constructions, 0));
+    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item, ++next)
+        if (!distributions_.find(item)) schedule.add(job(Job::Kind::distribution, item));
 }
 
 std::uint32_t RunWork::independent_jobs() const
 {
-    auto jobs = static_cast<std::uint32_t>(experiment_.tilings.size());
+    auto jobs = static_cast<std::uint32_t>(experiment_.tilings.size() + experiment_.distributions.size());
     for (const SeriesWork& series : series_) jobs += series.units().parts();
     return jobs;
 }
@@ -150,6 +153,8 @@ void RunWork::add_share(Schedule& schedule, const Shard& shard, bool split, std:
         if (is_mine() && !pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
     if (!experiment_.constructions.empty() && is_mine() && !pictures_.are_constructions_there())
         schedule.add(job(Job::Kind::constructions, 0));
+    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item)
+        if (is_mine() && !distributions_.find(item)) schedule.add(job(Job::Kind::distribution, item));
 }
 
 bool RunWork::all_shares_are_done(bool split) const
@@ -164,6 +169,8 @@ bool RunWork::all_shares_are_done(bool split) const
     }
     for (const TilingTask& task : experiment_.tilings)
         if (!pictures_.tiling(task)) return false;
+    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item)
+        if (!distributions_.find(item)) return false;
     return pictures_.are_constructions_there();
 }
 
@@ -175,6 +182,8 @@ std::string RunWork::label(const Job& job) const
         return experiment_.tilings.at(job.item).config.label;
     case Job::Kind::constructions:
         return "constructions";
+    case Job::Kind::distribution:
+        return experiment_.distributions.at(job.item).config.label;
     default:
         return series_.at(job.item).task().label;
     }
@@ -202,6 +211,8 @@ void RunWork::execute_in_memory(const Job& job, const WorkListener& listener)
         return pictures_.make_tiling(experiment_.tilings.at(job.item));
     case Job::Kind::constructions:
         return pictures_.make_constructions();
+    case Job::Kind::distribution:
+        return distributions_.make(job.item);
     }
 }
 
@@ -257,6 +268,13 @@ void RunWork::publish(const std::filesystem::path& out, int processes)
         const ConstructionUnit stored = there(pictures_.construction(task), task.config.label);
         folder.add(task.name, stored.files);
         results.scenes.push_back(stored.summary);
+        used_device = used_device || stored.on_device;
+    }
+    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item) {
+        const DistributionTask& task = experiment_.distributions[item];
+        const DistributionUnit stored = there(distributions_.find(item), task.config.label);
+        folder.add(task.name, stored.files);
+        results.distributions.push_back(stored.result);
         used_device = used_device || stored.on_device;
     }
     const auto& machine_of = experiment_.workplace->machine;

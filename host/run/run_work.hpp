@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/crew/schedule.hpp"
+#include "host/series/distribution_units.hpp"
 #include "host/series/picture_units.hpp"
 #include "host/series/series_work.hpp"
 
@@ -79,6 +80,7 @@ private:
     std::uint32_t number_;
     std::deque<SeriesWork> series_;
     PictureWork pictures_;
+    DistributionUnits distributions_;
 };
 
 }

@@ -136,8 +136,8 @@ private:
             schedule,
             [&](const Job& job) {
                 announce(job.run);
-                // Constructions need the device memory that the last series' sampler holds.
-                if (job.kind == Job::Kind::constructions) slot_.clear();
+                // Constructions and distributions need the device memory that the last series' sampler holds.
+                if (job.kind == Job::Kind::constructions || job.kind == Job::Kind::distribution) slot_.clear();
                 works_.at(job.run).execute(job, listener());
             },
             [&](const Job& job, bool here) { note_done(job, here); });
@@ -247,6 +247,7 @@ std::vector<std::string> folder_names(const Experiment& experiment)
     for (const SeriesTask& task : experiment.series) names.push_back(task.name);
     for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
     for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
+    for (const DistributionTask& task : experiment.distributions) names.push_back(task.name);
     return names;
 }
 

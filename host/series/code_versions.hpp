@@ -11,6 +11,7 @@ struct CodeVersions
     std::string sampling; ///< of point sets
     std::string analysis; ///< of what is measured on them
     std::string pictures; ///< of tilings and constructions
+    std::string distributions;
 
     /// The versions of this program.
     static CodeVersions current();

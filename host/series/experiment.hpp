@@ -3,7 +3,9 @@
 #pragma once
 
 #include "host/config/analysis_options.hpp"
+#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/tiling_table.hpp"
+#include "host/distribution/distribution_place.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/scenes/construction_run.hpp"
 #include "host/store/unit_key.hpp"
@@ -51,6 +53,13 @@ struct ConstructionTask
     ConstructionConfig config;
 };
 
+/// One distribution of points or objects.
+struct DistributionTask
+{
+    std::string name; ///< folder
+    DistributionConfig config;
+};
+
 /// Told what is being done, in a few words, by work that takes long.
 using StepListener = std::function<void(const std::string& what)>;
 
@@ -90,6 +99,8 @@ struct Experiment
     std::vector<SeriesTask> series;
     std::vector<TilingTask> tilings;
     std::vector<ConstructionTask> constructions;
+    std::vector<DistributionTask> distributions;
+    DistributionPlace distribution_place;
     FillerFactory make_filler;                                            ///< of constructions
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
 };

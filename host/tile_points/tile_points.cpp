@@ -65,17 +65,19 @@ void check(const TileBlock& block, int dimension)
         throw InputError("a window with layers: the tiles are two-dimensional");
 }
 
+std::uint64_t torus_place(std::uint32_t unit, std::uint32_t tiles)
+{
+    const std::uint64_t size = std::uint64_t{tile_units} * tiles;
+    const auto overhang = static_cast<std::uint64_t>(tile_units / 2);
+    // Points of chains may be outside, up to half a tile: above, or below modulo 2^32.
+    if (unit < size) return unit;
+    return unit < size + overhang ? unit - size : unit + size - (std::uint64_t{1} << 32);
+}
+
 void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates)
 {
-    const std::uint64_t size = std::uint64_t{tile_units} * period;
-    const auto overhang = static_cast<std::uint64_t>(tile_units / 2);
-    for (const std::uint32_t unit : units) {
-        // Points of chains may be outside of the block, up to half a tile: above it, or below it modulo 2^32.
-        std::uint64_t inside = unit;
-        if (inside >= size)
-            inside = inside < size + overhang ? inside - size : inside + size - (std::uint64_t{1} << 32);
-        coordinates.push_back(static_cast<double>(inside) / static_cast<double>(size));
-    }
+    const auto size = static_cast<double>(std::uint64_t{tile_units} * period);
+    for (const std::uint32_t unit : units) coordinates.push_back(static_cast<double>(torus_place(unit, period)) / size);
 }
 
 NeededBuffers TilePointGenerator::Buffers::needed(const PoissonTileParameters& p, std::size_t piece)

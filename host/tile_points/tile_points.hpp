@@ -40,6 +40,10 @@ struct TileRun
     std::uint32_t count = 0;
 };
 
+/// The place of an integer position on a circle of so many tiles; positions are at most half a tile outside of it,
+/// below 0 modulo 2^32.
+std::uint64_t torus_place(std::uint32_t unit, std::uint32_t tiles);
+
 /// Integer positions of a torus of `period` tiles as coordinates in [0, 1): each, modulo the side of the torus, divided
 /// by that. Positions are at most half a tile outside of it.
 void append_torus_points(std::span<const std::uint32_t> units, std::uint32_t period, std::vector<double>& coordinates);

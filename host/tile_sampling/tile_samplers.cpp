@@ -232,9 +232,14 @@ DeviceMemory device_memory(const PoissonTileParameters& tiles, double density, s
                   TilePointGenerator::memory(tiles, tiles_of_sets(tiles, density, points), device));
 }
 
+std::string sampler_name(const PoissonTileFamily& family)
+{
+    return std::string(poisson_tile_families[family]) + "-tiles";
+}
+
 SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std::string summary)
 {
-    const std::string name = std::string(poisson_tile_families[family]) + "-tiles";
+    const std::string name = sampler_name(family);
     SamplerSpec spec;
     spec.name = name;
     spec.title = std::move(title);
@@ -270,6 +275,14 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
     return spec;
 }
 
+}
+
+std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,
+                                                    std::uint64_t seed)
+{
+    for (const auto& [family, word] : poisson_tile_families.entries)
+        if (family.dimension == 2 && sampler_name(family) == sampler) return tile_parameters(family, parameters, seed);
+    return std::nullopt;
 }
 
 std::uint32_t tiling_side(std::size_t points, double points_per_tile, int dimension)

@@ -6,9 +6,12 @@
 #pragma once
 
 #include "host/sampling/sampler.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace poissonlab {
 
@@ -16,6 +19,10 @@ SamplerSpec corner_tile_sampler();
 SamplerSpec edge_tile_sampler();
 SamplerSpec template_tile_sampler();
 SamplerSpec sphere_tile_sampler();
+
+/// The tile set that one of these samplers builds, for tiles in the plane; nothing for any other sampler.
+std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,
+                                                    std::uint64_t seed);
 
 /// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1. Tiles of which
 /// only a part of the points is kept have that many on average.

@@ -4,6 +4,7 @@
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "reports/layout/construction_pictures.hpp"
+#include "reports/layout/distribution_pictures.hpp"
 #include "reports/layout/panel.hpp"
 #include "reports/layout/tiling_pictures.hpp"
 #include "reports/plots/curves.hpp"
@@ -40,9 +41,10 @@ struct ReportRun
     std::vector<ReportSeries> series;
     std::vector<ReportTiling> tilings;
     std::vector<ReportConstruction> constructions; ///< with what they show, which lay_out() reads
-    std::vector<Panel> overlays;                   ///< plots of all series
-    std::vector<Panel> integration;                ///< errors of integrals against N, one an integrand
-    std::vector<Panel> regions;                    ///< points in regions of tiles, where sets differ in size: one plot
+    std::vector<ReportDistribution> distributions;
+    std::vector<Panel> overlays;    ///< plots of all series
+    std::vector<Panel> integration; ///< errors of integrals against N, one an integrand
+    std::vector<Panel> regions;     ///< points in regions of tiles, where sets differ in size: one plot
 };
 
 /// The runs in order, as they are stored. With one run that lies in `out`, its pictures go to out and

@@ -23,7 +23,9 @@ fs::path run_picture(const ReportRun& run)
         return series.pictures / small_pictures(series).front().file;
     }
     if (!run.tilings.empty()) return run.tilings.front().pictures / "tiles.png";
-    return run.constructions.front().pictures / "construction.png";
+    if (!run.constructions.empty()) return run.constructions.front().pictures / "construction.png";
+    const ReportDistribution& distribution = run.distributions.front();
+    return png_of(distribution, distribution.stored->pictures.back());
 }
 
 }

@@ -23,6 +23,7 @@ std::string contents_of(const ReportRun& run)
     add(run.series.size(), "series", "series");
     add(run.tilings.size(), "tiling", "tilings");
     add(run.constructions.size(), "construction", "constructions");
+    add(run.distributions.size(), "distribution", "distributions");
     return text;
 }
 
@@ -48,7 +49,8 @@ PageData figures(const Site& site)
 /// Empties the parts that a page over several runs has not got of its own.
 void clear_run_parts(PageData& page)
 {
-    for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions"})
+    for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions",
+                             "has_distributions"})
         page.set(part, false);
     page.set("content", "");
 }

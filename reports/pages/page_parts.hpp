@@ -53,13 +53,17 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
                               const std::filesystem::path& page_folder);
 
+/// One distribution: facts, numbers, pictures.
+PageData distribution_section(const ReportDistribution& distribution, std::size_t index,
+                              const std::filesystem::path& page_folder);
+
 /// The methods of a run whose parameters have lists of values, as tables of pictures.
 PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder);
 
 /// True if a series is in one of these tables.
 bool is_in_matrix(const ReportSeries& series);
 
-/// Matrices, series as cards, overlays, integration errors, tilings and constructions of a run: rendered, and with
+/// Matrices, series as cards, overlays, integration errors, tilings, constructions and distributions of a run: rendered, and with
 /// flags for what there is (has_cards, compared, ...) set in `page`.
 std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder,
                        PageData& page);

@@ -52,6 +52,14 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
+PageData distribution_sections(const ReportRun& run, const std::filesystem::path& page_folder)
+{
+    PageData list{PageData::type::list};
+    for (std::size_t i = 0; i < run.distributions.size(); ++i)
+        list << distribution_section(run.distributions[i], i, page_folder);
+    return list;
+}
+
 PageData zone_plate_reference_data(const ReportRun& run, const std::filesystem::path& page_folder)
 {
     const auto curves = zone_plate_curves(series_of(run));
@@ -101,6 +109,8 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("has_tilings", !run.tilings.empty());
     page.set("constructions", construction_sections(run, page_folder));
     page.set("has_constructions", !run.constructions.empty());
+    page.set("distributions", distribution_sections(run, page_folder));
+    page.set("has_distributions", !run.distributions.empty());
     return render_template("run", page);
 }
 

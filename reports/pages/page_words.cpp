@@ -44,6 +44,13 @@ std::string constructions_summary(const std::vector<const ReportRun*>& runs)
                        count == 1 ? "A picture" : format_count(count) + " pictures");
 }
 
+std::string distributions_summary(const std::vector<const ReportRun*>& runs)
+{
+    std::size_t count = 0;
+    for (const ReportRun* run : runs) count += run->distributions.size();
+    return count == 0 ? std::string() : counted(count, "distribution") + ".";
+}
+
 std::string series_summary(const std::vector<const ReportRun*>& runs)
 {
     std::vector<const ReportSeries*> series;
@@ -89,7 +96,8 @@ void set_dimension_words(PageData& page, const std::vector<const ReportRun*>& ru
 std::string summary_of(const std::vector<const ReportRun*>& runs)
 {
     std::string text;
-    for (const auto& part : {series_summary(runs), tilings_summary(runs), constructions_summary(runs)})
+    for (const auto& part :
+         {series_summary(runs), tilings_summary(runs), constructions_summary(runs), distributions_summary(runs)})
         if (!part.empty()) text += (text.empty() ? "" : " ") + part;
     return text;
 }

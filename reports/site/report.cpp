@@ -32,6 +32,7 @@ void create_folders(const Site& site)
             for (const auto& entry : run.series) fs::create_directories(entry.pictures);
             for (const auto& entry : run.tilings) fs::create_directories(entry.pictures);
             for (const auto& entry : run.constructions) fs::create_directories(entry.pictures);
+            for (const auto& entry : run.distributions) fs::create_directories(entry.pictures);
         }
     } catch (const fs::filesystem_error& error) {
         throw StorageError(error.what());
@@ -71,6 +72,8 @@ void draw_images(const ReportRun& run, PictureStore& store)
     tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
     tbb::parallel_for_each(run.constructions,
                            [&](const auto& construction) { draw_construction_picture(construction, store); });
+    tbb::parallel_for_each(run.distributions,
+                           [&](const auto& distribution) { draw_distribution_pictures(distribution, store); });
     draw_zone_plate_reference(run);
     draw_run_thumbnail(run);
 }

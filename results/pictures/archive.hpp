@@ -1,7 +1,8 @@
-// Archives by cereal of the units of tilings and constructions.
+// Archives by cereal of the units of tilings, constructions and distributions.
 #pragma once
 
 #include "results/pictures/construction_scene.hpp"
+#include "results/pictures/distribution_result.hpp"
 #include "results/pictures/tiling_result.hpp"
 #include "results/records/archive.hpp"
 
@@ -36,6 +37,24 @@ template <class Archive>
 void serialize(Archive& archive, SceneSummary& summary)
 {
     archive(summary.panels, summary.points);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DistributionNumber& number)
+{
+    archive(number.key, number.title, number.value, number.meaning);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DistributionPicture& picture)
+{
+    archive(picture.file, picture.caption);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DistributionResult& distribution)
+{
+    archive(distribution.facts, distribution.numbers, distribution.pictures, distribution.files);
 }
 
 }

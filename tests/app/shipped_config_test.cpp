@@ -1,5 +1,6 @@
 // Every config that ships can be run.
 #include "host/config/collection.hpp"
+#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/plan.hpp"
 #include "tests/support/places.hpp"
 
@@ -17,7 +18,8 @@ TEST(ShippedConfigs, ArePlannable)
         EXPECT_EQ(entry.path().extension(), ".toml");
         if (read_collection(entry.path())) continue; // its configs are here as well
         const Config config = read_config(entry.path());
-        EXPECT_FALSE(make_plan(config).empty() && config.tilings.empty() && config.constructions.empty());
+        EXPECT_FALSE(make_plan(config).empty() && config.tilings.empty() && config.constructions.empty() &&
+                     read_distributions(config.distributions, 1).empty());
         ++count;
     }
     EXPECT_GE(count, 6);
@@ -25,10 +27,11 @@ TEST(ShippedConfigs, ArePlannable)
 
 TEST(ShippedConfigs, TheDissertationIsWhole)
 {
-    // Every figure of chapters 4 and 6 that there is a config for, in the order of the figures.
+    // Every figure of chapters 4, 6 and 7 that there is a config for, in the order of the figures.
     std::vector<std::string> figures;
     for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/configs/dissertation"))
-        if (const std::string stem = entry.path().stem(); stem.starts_with("fig-4-") || stem.starts_with("fig-6-"))
+        if (const std::string stem = entry.path().stem();
+            stem.starts_with("fig-4-") || stem.starts_with("fig-6-") || stem.starts_with("fig-7-"))
             figures.push_back(stem);
     std::ranges::sort(figures);
     std::vector<std::string> included;

@@ -30,6 +30,7 @@ protected:
         run.series = {estimate(), single()};
         run.tilings = {tiling(), tile_set()};
         run.constructions = {construction()};
+        run.distributions = {distribution()};
         return run;
     }
 
@@ -137,6 +138,17 @@ protected:
         return result;
     }
 
+    DistributionResult distribution() const
+    {
+        return {"d",
+                "Warped",
+                "warp",
+                {"12 points"},
+                {{"error", "Error", 0.25, "of counts"}},
+                {{file("picture.json"), "All of it."}, {file("ground.png"), ""}},
+                {file("numbers.csv")}};
+    }
+
     ConstructionResult construction() const
     {
         return {"c",
@@ -167,6 +179,7 @@ TEST_F(MadeUpResults, AreReadAsTheyWereWritten)
     EXPECT_EQ(back.series, run.series);
     EXPECT_EQ(back.tilings, run.tilings);
     EXPECT_EQ(back.constructions, run.constructions);
+    EXPECT_EQ(back.distributions, run.distributions);
     EXPECT_EQ(back, run);
 }
 

@@ -53,13 +53,14 @@ bool may_change(const std::string& version, const std::string& file)
     const auto is_in = [&](const char* folder) { return file.starts_with(folder); };
     if (is_in("host/store/") || is_in("host/config/") || is_in("host/crew/")) return true;
     if (version == "analysis_version") return is_in("host/") || is_in("tiles/");
+    if (version != "distribution_version" && is_in("host/distribution/")) return true;
     return is_in("analysis/") || is_in("host/measuring/") || is_in("host/scenes/") || is_in("results/");
 }
 
 TEST(CodeVersions, CoverWhatTheirFilesInclude)
 {
     const auto versions = hashed_files();
-    ASSERT_EQ(versions.size(), 4);
+    ASSERT_EQ(versions.size(), 5);
     for (const auto& [version, files] : versions)
         for (const std::string& file : files)
             for (const std::string& name : includes(file))
@@ -80,6 +81,7 @@ TEST(CodeVersions, CoverWhatDecidesResults)
         EXPECT_THAT(versions.at(version), Contains("results/records/archive.hpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/command_sampler.cpp"));
+    EXPECT_THAT(versions.at("distribution_version"), Contains("host/distribution/warp.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("analysis/spectra/fast_periodogram.cpp"));
     EXPECT_THAT(versions.at("analysis_version"), Contains("host/measuring/series_analysis.cpp"));
 }

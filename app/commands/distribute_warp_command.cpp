@@ -1,0 +1,68 @@
+// poissonlab distribute warp: even points through the inverse cumulative distribution of a picture or a formula.
+#include "app/commands/distribute_options.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/distribution/place_file.hpp"
+#include "host/distribution/sky_lights.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto distribute_warp_notes =
+    R"help(Even points, of a tiling or of any method, are moved such that their density follows a picture or a formula: rows of
+pixels by y, pixels of a row by x, in exact integers. Coordinates are in units of the longest side, y upwards.
+Formulas are over a square; "gauss-and-waves" is that of the dissertation's figure 4.44. Methods other than tiles make
+their points for a square, and those in the picture's proportions are taken.
+With --environment the picture is an environment map, twice as wide as high, or the formula one of longitude x and
+latitude y, -1/2 to 1/2: densities are luminance times solid angle.
+--lights writes the lights at the points, `x y z` of the direction (z up, x in the middle of the left border), then the
+power of each colour: all have the same luminance, together that of the map.
+  poissonlab distribute warp --density photo.jpg --density-from ink --points 13000 --out dots.ply
+  poissonlab distribute warp --density gauss-and-waves --points 2048 --out blob.npy
+  poissonlab distribute warp --density sky.exr --environment --points 288 --lights lights.csv --out places.txt)help";
+
+struct WarpOptions : DistributeOptions
+{
+    bool is_environment = false;
+    std::filesystem::path lights;
+};
+
+void warp(const WarpOptions& o)
+{
+    check(o);
+    if (!o.is_environment && !o.lights.empty()) throw InputError(o.command + ": --lights: goes with --environment");
+    if (o.is_environment && o.density_from != "light")
+        throw InputError(o.command + ": --environment: takes the light; leave --density-from out");
+    std::optional<LinearPicture> map;
+    if (o.is_environment) map = sky_map(o.density);
+    const Density density = map ? sky_density(*map, o.density) : read_density(o);
+    const EvenMethod method = read_even_method(o);
+    const DistributionPlace place = make_place(o);
+    const SquarePoints points = even_points(method, o.points, density.width, density.height, o.seed, place);
+    const PixelPlaces places = warp_points(density, points, place);
+    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places)));
+    write_places(o.out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
+                 fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of the "
+                             "longest side of {} x {} pixels, y upwards",
+                             printable(o.density), o.points, o.seed, places.size() / 2, density.width, density.height));
+}
+
+}
+
+Command distribute_warp_command()
+{
+    const auto o = std::make_shared<WarpOptions>();
+    o->command = "distribute warp";
+    const std::vector<Option> own{
+        {"--environment", &o->is_environment, "The picture is an environment map: weights are by solid angle"},
+        {"--lights", &o->lights, "With it: the lights as directions and powers (.csv)", "FILE"}};
+    return {"warp", "Move even points by the inverse cumulative distribution of a density",
+            joined({density_options(*o), even_point_options(*o), own, output_options(*o)}), distribute_warp_notes,
+            action_on(o, warp)};
+}
+
+}

@@ -1,0 +1,58 @@
+#include "host/config/distributions/distribution_keys.hpp"
+
+#include "base/densities/density_text.hpp"
+#include "host/config/config_values.hpp"
+#include "host/config/sampler_table.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+InputError missing_key(const SourceLocation& where, const std::string& key)
+{
+    return InputError::at(where, fmt::format("[[distribution]]: needs {}", key));
+}
+
+DensityChoice read_density_choice(const ConfigTable& table, const SourceLocation& where)
+{
+    const ConfigNode* node = find(table, "density");
+    if (!node) throw missing_key(where, "density");
+    DensityChoice choice{read_text(table, "density", ""), read_text(table, "density_from", "light")};
+    try {
+        density_of_text(choice.text, choice.from, 1, 1);
+    } catch (const InputError& error) {
+        throw InputError::at(node->location, fmt::format("density: {}", error.what()));
+    }
+    return choice;
+}
+
+std::size_t read_distributed_points(const ConfigTable& table, const SourceLocation& where)
+{
+    if (!find(table, "points")) throw missing_key(where, "points");
+    return static_cast<std::size_t>(read_integer(table, "points", 1, max_points, 1));
+}
+
+EvenMethodChoice read_even_method_choice(const ConfigTable& table)
+{
+    EvenMethodChoice choice;
+    const ConfigNode* method = find(table, "method");
+    const ConfigNode* tiles = find(table, "tiles");
+    if (method && tiles) throw invalid_node("tiles", *tiles, "does not go with method");
+    if (tiles) {
+        choice.tiles = read_text(table, "tiles", "");
+        if (!is_file_name(choice.tiles.string())) throw invalid_node("tiles", *tiles, "must be a tile set's file");
+    }
+    if (!method) return choice;
+    static const ParameterSpec spec{.key = "method", .kind = ParameterSpec::Kind::sampler};
+    const auto choices = sampler_choices(spec, *method, sampler_registry(), 0);
+    if (choices.size() != 1) throw invalid_node("method", *method, "must be one method, without lists");
+    choice.sampler = *as_sampler(choices.front().value);
+    return choice;
+}
+
+void add_input(DistributionConfig& config, const std::string& text)
+{
+    if (is_file_name(text)) config.inputs.emplace_back(text);
+}
+
+}

@@ -1,0 +1,24 @@
+// Keys that several kinds of distributions have in common.
+#pragma once
+
+#include "host/config/config_tree.hpp"
+#include "host/config/distributions/distribution_config.hpp"
+
+namespace poissonlab {
+
+/// `density` and `density_from`. Throws InputError where a density cannot be made of them.
+DensityChoice read_density_choice(const ConfigTable& table, const SourceLocation& where);
+
+/// `points`, which must be there.
+std::size_t read_distributed_points(const ConfigTable& table, const SourceLocation& where);
+
+/// `tiles` or `method`.
+EvenMethodChoice read_even_method_choice(const ConfigTable& table);
+
+/// The InputError for a key that is missing.
+InputError missing_key(const SourceLocation& where, const std::string& key);
+
+/// Adds the file to the inputs of a config, where the text names one.
+void add_input(DistributionConfig& config, const std::string& text);
+
+}

@@ -1,0 +1,50 @@
+// Distributions of an experiment as units of work.
+#pragma once
+
+#include "host/series/code_versions.hpp"
+#include "host/series/experiment.hpp"
+#include "host/store/unit_store.hpp"
+#include "results/pictures/distribution_result.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace poissonlab {
+
+/// The stored results of a distribution.
+struct DistributionUnit
+{
+    DistributionResult result; ///< without name and label, files without folder
+    bool on_device = false;    ///< whether a device made it
+    std::map<std::string, std::filesystem::path> files;
+};
+
+/// The distributions of one experiment, each stored when it is done.
+class DistributionUnits
+{
+public:
+    /// The arguments must outlive it.
+    DistributionUnits(const Experiment& experiment, const CodeVersions& versions, UnitStore& store)
+        : experiment_(experiment), versions_(versions), store_(store)
+    {}
+
+    /// The stored results of distribution `item`, or std::nullopt if there are none.
+    std::optional<DistributionUnit> find(std::size_t item) const;
+
+    /// The keys of all units, as text.
+    std::string identity() const;
+
+    /// Makes and stores it, unless it is there. Throws InputError and StorageError.
+    void make(std::size_t item);
+
+private:
+    UnitKey key_of(const DistributionTask& task) const;
+
+    const Experiment& experiment_;
+    const CodeVersions& versions_;
+    UnitStore& store_;
+};
+
+}

@@ -1,0 +1,14 @@
+// What warp.cl and its host code, host/distribution/warp.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(warp)
+
+struct Warping
+{
+    uint points;
+    uint width, height; ///< pixels
+};
+
+END_CONTRACT

@@ -1,0 +1,33 @@
+#include "reports/layout/distribution_pictures.hpp"
+
+#include "base/files/whole_file.hpp"
+#include "reports/drawings/drawing_pictures.hpp"
+#include "reports/drawings/mark_image.hpp"
+
+namespace poissonlab {
+
+std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture)
+{
+    const std::filesystem::path stored = distribution.run->folder / picture.file;
+    if (!picture.has_marks()) return stored;
+    return distribution.pictures / stored.filename().replace_extension(".png");
+}
+
+void draw_distribution_pictures(const ReportDistribution& distribution, PictureStore& store)
+{
+    for (const DistributionPicture& picture : distribution.stored->pictures) {
+        if (!picture.has_marks()) continue;
+        const std::filesystem::path file = distribution.run->folder / picture.file;
+        const MarkPicture marks = read_mark_picture(file);
+        const Drawing drawing = draw_marks(marks, file.parent_path());
+        const std::filesystem::path png = png_of(distribution, picture);
+        if (marks.ground.empty()) {
+            write_drawing(png.parent_path() / png.stem(), drawing, drawing.width, store);
+            continue;
+        }
+        const std::string input = read_whole_file(file) + read_whole_file(file.parent_path() / marks.ground);
+        store.draw_once({png}, input, [&] { write_drawing_png(png, drawing, marks.pixels); });
+    }
+}
+
+}

@@ -1,0 +1,27 @@
+// The pictures of distributions of a report: those of marks are drawn here, others are stored as they are shown.
+#pragma once
+
+#include "reports/images/picture_store.hpp"
+#include "results/run.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace poissonlab {
+
+/// One distribution of the report.
+struct ReportDistribution
+{
+    const Run* run = nullptr; ///< the runs outlive this
+    const DistributionResult* stored = nullptr;
+    std::filesystem::path pictures; ///< folder of its pictures
+};
+
+/// The PNG of a picture: drawn, or the stored one.
+std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture);
+
+/// Writes a PNG, and an SVG unless there is a ground, for each picture of marks. Throws InputError when stored files
+/// are not what they should be.
+void draw_distribution_pictures(const ReportDistribution& distribution, PictureStore& store);
+
+}

@@ -1,0 +1,70 @@
+// The page's section on points and objects that follow densities.
+#include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr int distribution_digits = 4;
+
+PageData picture_data(const ReportDistribution& distribution, const DistributionPicture& picture,
+                      const std::filesystem::path& page_folder)
+{
+    PageData data;
+    const std::string png = relative_link(page_folder, png_of(distribution, picture));
+    data.set("source", png);
+    data.set("png", png);
+    data.set("caption", picture.caption);
+    data.set("alt", fmt::format("{}. {}", distribution.stored->label, picture.caption));
+    return data;
+}
+
+PageData number_data(const DistributionNumber& number)
+{
+    PageData data;
+    data.set("name", number.title);
+    data.set("value", format_significant(number.value, distribution_digits));
+    data.set("meaning", number.meaning);
+    return data;
+}
+
+PageData file_data(const ReportDistribution& distribution, const std::string& file,
+                   const std::filesystem::path& page_folder)
+{
+    PageData data;
+    data.set("words", std::filesystem::path(file).filename().string());
+    data.set("link", relative_link(page_folder, distribution.run->folder / file));
+    return data;
+}
+
+}
+
+PageData distribution_section(const ReportDistribution& distribution, std::size_t index,
+                              const std::filesystem::path& page_folder)
+{
+    const DistributionResult& stored = *distribution.stored;
+    PageData data, facts{PageData::type::list}, numbers{PageData::type::list}, pictures{PageData::type::list},
+        files{PageData::type::list};
+    for (const std::string& fact : stored.facts) facts << PageData(fact);
+    for (const DistributionNumber& number : stored.numbers) numbers << number_data(number);
+    for (const DistributionPicture& picture : stored.pictures) {
+        pictures << picture_data(distribution, picture, page_folder);
+        if (picture.has_marks()) files << file_data(distribution, picture.file, page_folder);
+    }
+    for (const std::string& file : stored.files) files << file_data(distribution, file, page_folder);
+    data.set("label", stored.label);
+    data.set("anchor", fmt::format("distribution-{}", index + 1));
+    data.set("facts", facts);
+    data.set("numbers", numbers);
+    data.set("has_numbers", !stored.numbers.empty());
+    data.set("pictures", pictures);
+    data.set("files", files);
+    data.set("has_files", files.is_non_empty_list());
+    return data;
+}
+
+}
