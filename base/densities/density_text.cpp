@@ -1,0 +1,31 @@
+#include "base/densities/density_text.hpp"
+
+#include "base/densities/density_formula.hpp"
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace poissonlab {
+
+bool is_picture_name(const std::string& text)
+{
+    std::error_code error;
+    return std::filesystem::is_regular_file(text, error);
+}
+
+Density density_of_text(const std::string& text, const std::string& from, double width, double height)
+{
+    if (is_picture_name(text)) return density_of_picture(read_linear_picture(text), from, text);
+    if (from != "light")
+        throw InputError(fmt::format("{}: \"{}\" is for pictures, and this is none", shortened(text), printable(from)));
+    try {
+        return density_of_formula(text, width, height);
+    } catch (const InputError& error) {
+        if (text.find('.') == std::string::npos && text.find('/') == std::string::npos) throw;
+        throw InputError(fmt::format("{}: no such file; as a {}", printable(text), error.what()));
+    }
+}
+
+}
