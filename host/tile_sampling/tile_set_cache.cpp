@@ -3,9 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "code_hashes.hpp"
-#include "host/store/file_lock.hpp"
 #include "host/tile_construction/chain_construction.hpp"
 #include "host/tile_construction/tile_ranking.hpp"
+#include "host/tile_sampling/building_lock.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
@@ -90,23 +90,6 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
     const auto counts = region_counts(set);
     for (std::size_t i = 0; i < names.size(); ++i) points.push_back({names[i], counts[i].mean, counts[i].expected});
     return points;
-}
-
-/// Lets one process build a set while others wait, and say so. Nothing where there is no folder that could be written.
-std::optional<FileLock> building_lock(const std::filesystem::path& file,
-                                      const std::function<void(const std::string& what)>& on_step)
-{
-    const std::string lock_file = file.string() + ".lock";
-    try {
-        std::filesystem::create_directories(file.parent_path());
-        auto lock = FileLock::try_lock(lock_file);
-        if (lock) return lock;
-        if (on_step) on_step("waiting for another process that builds the tile set");
-        return FileLock(lock_file);
-    } catch (const std::filesystem::filesystem_error&) {
-    } catch (const StorageError&) {
-    }
-    return std::nullopt;
 }
 
 CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build, double waiting_seconds)

@@ -13,15 +13,6 @@ namespace {
 
 using SectorOutcome = std::optional<ClaimOutcome>;
 
-/// A parameter as it is shown, given or by default.
-std::string text_parameter(const ReportSeries& series, const std::string& key)
-{
-    for (const NamedTexts* texts : {&series.stored->parameters, &series.stored->defaults})
-        for (const auto& [name, value] : *texts)
-            if (name == key) return value;
-    return {};
-}
-
 const ReportSeries* sector_darts(const ClaimSeries& report, const std::string& variant)
 {
     for (const ReportSeries* series : report.all({.sampler = "sector-darts", .needs = SeriesQuery::Needs::spectrum}))

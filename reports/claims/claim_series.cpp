@@ -123,6 +123,14 @@ std::optional<double> number_parameter(const ReportSeries& series, const std::st
     return std::nullopt;
 }
 
+std::string text_parameter(const ReportSeries& series, const std::string& key)
+{
+    for (const NamedTexts* texts : {&series.stored->parameters, &series.stored->defaults})
+        for (const auto& [name, value] : *texts)
+            if (name == key) return value;
+    return {};
+}
+
 std::optional<double> tiles_of_set(const ReportSeries& series)
 {
     const auto& sampler = series.stored->sampler;

@@ -60,6 +60,9 @@ private:
 /// A parameter as a number: what was given, or the stored default.
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key);
 
+/// A parameter as it is shown, given or by default; empty: there is none.
+std::string text_parameter(const ReportSeries& series, const std::string& key);
+
 /// Tiles in the set: C^4, C^12, T, or C^8 (3D).
 std::optional<double> tiles_of_set(const ReportSeries& series);
 

@@ -54,6 +54,7 @@ std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& se
 std::vector<PaperClaim> claims_about_untiled_sets();
 std::vector<PaperClaim> claims_about_accelerated_darts();
 std::vector<PaperClaim> claims_about_early_tiles();
+std::vector<PaperClaim> claims_about_recursive_tiles();
 std::vector<PaperClaim> claims_about_tiles();
 
 /// Counts the cases in which a claim holds. All: it agrees; at least half: partly.

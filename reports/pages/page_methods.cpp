@@ -116,6 +116,7 @@ std::string verdict_of_the_paper(const std::string& sampler)
         {"lloyd", "not for interactive use, nor for many points"},
         {"shade-tiles", "major shortcomings: should not be used"},
         {"averaged-tiles", "not recommended: a small radius, a rather bad spectrum"},
+        {"recursive-wang-tiles", "not for constant density: a surprisingly low radius, a rather bad spectrum"},
         {"edge-tiles", "better than earlier tiles in radius and spectrum"},
         {"template-tiles", "of theoretical interest: too many artifacts in the spectrum"},
         {"corner-tiles", "seem to be the best of those that tile"},

@@ -1,9 +1,14 @@
-// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts, and
-// averaged tiles of 63 points after 30 iterations.
+// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts, averaged
+// tiles of 63 points after 30 iterations, and recursive Wang tiles.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.13: 0.137 s, 7.911 s and 7.002 s on an Athlon 64
-// 4000+.
+// 4000+; section 6.14: 1.005 s. Targets on two cores for recursive tiles: built in 10 s, 16,384 points in 15 ms, 20
+// million points a second of a density.
+#include "base/densities/density_formula.hpp"
+#include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "host/tile_construction/recursive/recursive_construction.hpp"
+#include "host/tile_sampling/recursive/recursive_points.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 
@@ -32,6 +37,35 @@ void averaged_tiles(benchmark::State& state)
     }
 }
 
+void recursive_building(benchmark::State& state)
+{
+    for (auto _ : state) benchmark::DoNotOptimize(build_recursive_tiles(2048, 1));
+}
+
+/// Points of a density are counted: a million of a formula, and 16,384 everywhere alike.
+void recursive_points(benchmark::State& state, std::size_t points, const std::optional<Density>& density)
+{
+    static const RecursiveTileSet tiles = build_recursive_tiles(2048, 1);
+    const RecursiveDensity wanted(points, 4, 0, density);
+    std::uint32_t realization = 0;
+    std::size_t made = 0;
+    for (auto _ : state) {
+        const StreamKey stream = stream_key(1, Purpose::recursive_tilings, realization++);
+        const PointSet set = RecursiveTiling(tiles, 4, stream).torus_points(wanted);
+        made += set.size();
+    }
+    state.counters["points/s"] = benchmark::Counter(static_cast<double>(made), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(recursive_building)->Iterations(1)->Repetitions(3)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(recursive_points, uniform, 16'384, std::nullopt)
+    ->Repetitions(9)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(recursive_points, density, 1'000'000, density_of_formula("gauss-and-waves", 1, 1))
+    ->Repetitions(9)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(sector_darts, boundary, "boundary")->Repetitions(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sector_darts, linear, "linear")->Iterations(1)->Repetitions(5)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sector_darts, logarithmic, "logarithmic")

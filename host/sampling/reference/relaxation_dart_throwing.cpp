@@ -1,125 +1,12 @@
 // Relaxation dart throwing, plain and sequential: what the kernels must reproduce.
 #include "host/sampling/relaxation_dart_throwing.hpp"
 
-#include "base/geometry/torus.hpp"
+#include "host/sampling/reference/relaxing_grid.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace poissonlab::reference {
 namespace {
-
-/// The darts of a stream, one after the other.
-template <int D>
-class Darts
-{
-public:
-    explicit Darts(const StreamKey& stream) : stream_(stream) {}
-
-    std::uint64_t thrown() const { return thrown_; }
-
-    TorusPoint<D> next()
-    {
-        constexpr std::uint64_t darts_a_block = 4 / D;
-        const std::uint64_t place = thrown_ % darts_a_block;
-        if (place == 0) {
-            const std::uint64_t block = thrown_ / darts_a_block;
-            words_ =
-                philox({static_cast<std::uint32_t>(block), static_cast<std::uint32_t>(block >> 32), 0, 0}, stream_);
-        }
-        ++thrown_;
-        TorusPoint<D> dart;
-        for (std::size_t k = 0; k < D; ++k) dart[k] = words_[place * D + k];
-        return dart;
-    }
-
-private:
-    StreamKey stream_;
-    std::array<std::uint32_t, 4> words_{};
-    std::uint64_t thrown_ = 0;
-};
-
-/// Points in cells at least as wide as the minimum distance, so that a conflict is at most one cell away.
-template <int D>
-class RelaxingGrid
-{
-public:
-    /// `points` is looked at in every call; the grid only keeps numbers.
-    RelaxingGrid(const std::vector<TorusPoint<D>>& points, std::size_t expected_points)
-        : points_(points), next_(expected_points)
-    {}
-
-    /// Makes cells for a minimum distance, and for those that are smaller by less than a half.
-    void fit(double min_distance)
-    {
-        if (!heads_.empty() && 2 * min_distance * size_ > 1) return;
-        // More cells than points are of no use.
-        const double most = std::pow(2.0 * static_cast<double>(next_.size()), 1.0 / D);
-        const auto size = static_cast<std::uint32_t>(std::max(1.0, std::min(most, 0.999999 / min_distance)));
-        if (size == size_) return;
-        size_ = size;
-        std::size_t cells = 1;
-        for (int k = 0; k < D; ++k) cells *= size;
-        heads_.assign(cells, none);
-        for (std::uint32_t i = 0; i < points_.size(); ++i) insert(i);
-    }
-
-    void insert(std::uint32_t number)
-    {
-        std::uint32_t& head = heads_[index(cell_of(points_[number]))];
-        next_[number] = head;
-        head = number;
-    }
-
-    bool conflicts(const TorusPoint<D>& dart, std::uint64_t squared_min_distance) const
-    {
-        const Cell cell = cell_of(dart);
-        // Most darts that fail do so here.
-        if (conflicts_in(index(cell), dart, squared_min_distance)) return true;
-        constexpr int neighbours = D == 2 ? 9 : 27;
-        for (int n = 0; n < neighbours; ++n) {
-            Cell other = cell;
-            for (int k = 0, digits = n; k < D; ++k, digits /= 3) {
-                if (digits % 3 == 1) other[k] = cell[k] == 0 ? size_ - 1 : cell[k] - 1;
-                if (digits % 3 == 2) other[k] = cell[k] == size_ - 1 ? 0 : cell[k] + 1;
-            }
-            if (n > 0 && conflicts_in(index(other), dart, squared_min_distance)) return true;
-        }
-        return false;
-    }
-
-private:
-    using Cell = std::array<std::uint32_t, D>;
-    static constexpr std::uint32_t none = UINT32_MAX;
-
-    Cell cell_of(const TorusPoint<D>& point) const
-    {
-        Cell cell;
-        for (int k = 0; k < D; ++k) cell[k] = static_cast<std::uint32_t>((std::uint64_t{point[k]} * size_) >> 32);
-        return cell;
-    }
-
-    std::size_t index(const Cell& cell) const
-    {
-        std::size_t result = 0;
-        for (int k = D - 1; k >= 0; --k) result = result * size_ + cell[k];
-        return result;
-    }
-
-    bool conflicts_in(std::size_t cell, const TorusPoint<D>& dart, std::uint64_t squared_min_distance) const
-    {
-        for (std::uint32_t i = heads_[cell]; i != none; i = next_[i]) {
-            if (squared_distance<D>(points_[i], dart) < squared_min_distance) return true;
-        }
-        return false;
-    }
-
-    const std::vector<TorusPoint<D>>& points_;
-    std::uint32_t size_ = 0;           ///< cells along each axis
-    std::vector<std::uint32_t> heads_; ///< the first point of each cell's chain
-    std::vector<std::uint32_t> next_;  ///< the next point after each point
-};
 
 template <int D>
 RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request)

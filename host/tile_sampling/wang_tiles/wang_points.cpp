@@ -11,12 +11,6 @@ namespace {
 
 constexpr WangColors two_colors{2, 2};
 
-const TileSet& wang_set()
-{
-    static const TileSet set = one_hash_wang_set(2);
-    return set;
-}
-
 /// The smallest squared distance of points of a tile from those of another one, so many tiles away.
 std::int64_t squared_between(const std::vector<WangPoint>& points, const std::vector<WangPoint>& others, int x, int y)
 {
@@ -30,16 +24,6 @@ std::int64_t squared_between(const std::vector<WangPoint>& points, const std::ve
     return smallest;
 }
 
-}
-
-WangTile wang_colors_of(std::size_t tile) { return wang_tile(wang_set().index(tile), two_colors); }
-
-bool may_lie_beside(std::size_t tile, std::size_t other, int x, int y)
-{
-    const WangTile a = wang_colors_of(tile), b = wang_colors_of(other);
-    if (x != 0 && y != 0) return true;
-    if (x != 0) return x > 0 ? a.east == b.west : a.west == b.east;
-    return y > 0 ? a.north == b.south : a.south == b.north;
 }
 
 std::int64_t squared_distance_within(const WangPoints& points)
@@ -67,7 +51,7 @@ PointSet wang_torus(const WangPoints& points, std::uint64_t seed, std::uint32_t 
     const double size = static_cast<double>(side) * tile_units;
     for (std::int64_t y = 0; y < side; ++y)
         for (std::int64_t x = 0; x < side; ++x)
-            for (const WangPoint& point : points.tiles[wang_set().position(tiling.tile(x, y)).value()])
+            for (const WangPoint& point : points.tiles[even_wang_tile(wang_tile(tiling.tile(x, y), two_colors))])
                 for (std::size_t k = 0; k < 2; ++k)
                     set.coordinates.push_back(static_cast<double>((k == 0 ? x : y) * tile_units + point[k]) / size);
     return set;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
-#include "tiles/tilings/tile_index.hpp"
+#include "tiles/tilings/even_wang_tiles.hpp"
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-inline constexpr std::size_t wang_point_tiles = 8;
+inline constexpr std::size_t wang_point_tiles = even_wang_tiles;
 
 /// In units of 1/65,536 of a tile's side, 0 to 65,535.
 using WangPoint = std::array<std::int32_t, 2>;
@@ -26,12 +26,6 @@ struct WangPoints
 
     bool operator==(const WangPoints&) const = default;
 };
-
-/// The colours of a tile.
-WangTile wang_colors_of(std::size_t tile);
-
-/// Tells whether a tile may have another one beside it, at an offset of -1 to 1 tiles along either axis.
-bool may_lie_beside(std::size_t tile, std::size_t other, int x, int y);
 
 /// The squared distances, in units, of the two nearest points in one tile, and in two tiles that may lie beside each
 /// other; INT64_MAX without any.

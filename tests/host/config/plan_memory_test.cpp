@@ -91,6 +91,9 @@ sampler = "shade-tiles"
 [[method]]
 sampler = "averaged-tiles"
 iterations = 1
+[[method]]
+sampler = "recursive-wang-tiles"
+points_per_tile = 128
 )";
 
 constexpr const char* methods_3d = R"(

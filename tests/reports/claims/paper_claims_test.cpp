@@ -274,6 +274,23 @@ const std::vector<ClaimCase>& claim_cases()
              MadeUpReport::set_curve(r.add("dart-throwing", {{"stop", "saturation"}}), {});
              MadeUpReport::set_curve(r.add("sector-darts", {{"variant", "boundary"}}), {.beyond = agrees ? 1.5 : 1.1});
          }},
+        {"6.14-radius",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_radius(r.add("recursive-wang-tiles", {{"drawing", "once"}}), agrees ? 0.0005 : 0.5);
+             MadeUpReport::set_radius(r.add("recursive-wang-tiles", {{"drawing", "twice"}}), agrees ? 0.5 : 0.0);
+             MadeUpReport::set_radius(
+                 r.add("recursive-wang-tiles", {{"drawing", "once"}, {"density", "gauss-and-waves"}}), 0.2);
+         }},
+        {"6.14-spectrum",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("recursive-wang-tiles", {{"drawing", "once"}}),
+                                     {.low = agrees ? 0.5 : 0.05});
+         }},
+        {"6.14-anisotropy",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("recursive-wang-tiles", {{"drawing", "once"}}),
+                                     {.anisotropy = agrees ? 4.0 : 0.1});
+         }},
         {"6.13-fast",
          [](MadeUpReport& r, bool agrees) {
              const auto add = [&](const char* variant, double seconds) {
@@ -517,6 +534,9 @@ TEST_F(ClaimsOnPictures, OfPatternsAndDarts)
     expect("6.2.3-aliasing", [&](MadeUpReport& r, bool agrees) {
         add_plate(r, "regular", {}, agrees ? 0.5 : 0.2);
         add_plate(r, "jittered", {}, agrees ? 0.0 : 0.2);
+    });
+    expect("6.14-aliasing", [&](MadeUpReport& r, bool agrees) {
+        add_plate(r, "recursive-wang-tiles", {{"drawing", "once"}}, agrees ? 0.0 : 0.2);
     });
     expect("6.3-noise", [&](MadeUpReport& r, bool agrees) {
         add_plate(r, "dart-throwing", {{"relative_radius", "0.7"}}, agrees ? 0.0 : 0.2);

@@ -1,0 +1,80 @@
+// Points of recursive Wang tiles: of toroidal tilings, and of any small square of them.
+//
+// Kopf, Cohen-Or, Deussen and Lischinski, Recursive Wang tiles for real-time blue noise, SIGGRAPH 2006. A tile of level
+// 0 gets its points by rank, then the tiles in its cells, which are of level 1, get their sub-points, and so on, as far
+// as the density asks for more. What a density has stays where it is when it grows.
+//
+// Departures: M x M tiles of level 0 lie on a torus, by the direct algorithm with one hash function. The tiles of a
+// level get their next points one after the other, in an order in which neighbours are far from each other, rather than
+// all at once: a uniform density of N points has just N.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "base/random/random.hpp"
+#include "host/tile_sampling/recursive/recursive_density.hpp"
+#include "tiles/recursive/recursive_tile_set.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// How the levels of tiles become points.
+enum class RecursiveDrawing
+{
+    once,  ///< a tile's points, and of the tiles in its cells what these have beside them
+    twice, ///< the points of tiles and of the tiles in their cells: an error, as the first are among the second
+};
+
+/// A point where it lies: `cell`, in tiles of a level from the torus' lower left, and the place in that tile.
+struct RecursivePoint
+{
+    int level = 0;
+    std::array<std::uint64_t, 2> cell{};
+    RecursivePlace place{};
+
+    auto operator<=>(const RecursivePoint&) const = default;
+};
+
+/// Whole tiles of a level: `side` along each axis from `corner` on.
+struct RecursiveWindow
+{
+    int level = 0;
+    std::array<std::uint64_t, 2> corner{};
+    std::uint64_t side = 1;
+};
+
+/// The deepest level whose tiles have numbers in 64 bits, for tori of up to four tiles.
+inline constexpr int deepest_recursive_level = 31;
+
+class RecursiveTiling
+{
+public:
+    /// A torus of side x side tiles of level 0; `tiles` must outlive it. Side from 1 to 256.
+    RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream);
+
+    std::uint32_t side() const { return side_; }
+
+    /// The points of the whole torus, in the order of tiles and ranks. `density` is over the torus: its side, level 0.
+    /// On all threads; the same for any number of them.
+    PointSet torus_points(const RecursiveDensity& density, RecursiveDrawing drawing = RecursiveDrawing::once) const;
+
+    /// The points in a window, whose density is one over just these tiles. Places are those of the window's level or
+    /// deeper ones, exactly: points of larger tiles are followed down. Throws InputError for windows that reach beyond
+    /// the torus, and levels so deep that tiles' numbers do not fit 64 bits.
+    std::vector<RecursivePoint> window_points(const RecursiveWindow& window, const RecursiveDensity& density) const;
+
+private:
+    struct Node;
+    class Walk;
+
+    std::vector<Node> roots() const;
+
+    const RecursiveTileSet* tiles_;
+    std::uint32_t side_;
+    std::vector<std::uint8_t> root_tiles_;  ///< row by row from the lower left
+    std::vector<std::uint64_t> root_turns_; ///< when a tile gets its next point: parts of 2^32 of one point per tile
+};
+
+}

@@ -1,0 +1,137 @@
+#include "host/tile_sampling/recursive/recursive_sampler.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/random/random.hpp"
+#include "host/sampling/density_parameters.hpp"
+#include "host/tile_sampling/recursive/recursive_points.hpp"
+#include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace poissonlab {
+namespace {
+
+constexpr WordTable<RecursiveDrawing, 2> recursive_drawings{
+    {{{RecursiveDrawing::once, "once"}, {RecursiveDrawing::twice, "twice"}}}};
+
+constexpr const char* base_key = "base_tiles";
+constexpr const char* recursive_size_key = "points_per_tile";
+
+std::uint32_t small_parameter(const Parameters& given, const char* key)
+{
+    return static_cast<std::uint32_t>(given.integer(key));
+}
+
+RecursiveDensity density_asked(const Parameters& given, const SampleRequest& request)
+{
+    return {request.points, small_parameter(given, base_key), 0, given_density(given)};
+}
+
+class RecursiveSampler final : public Sampler
+{
+public:
+    RecursiveSampler(const Parameters& given, const SampleRequest& request)
+        : seed_(request.seed), side_(small_parameter(given, base_key)),
+          drawing_(*recursive_drawings.find(given.text("drawing"))), density_(density_asked(given, request)),
+          begin_(std::chrono::steady_clock::now()),
+          cached_(cached_recursive_tiles(small_parameter(given, recursive_size_key), request.seed, tile_cache_folder(),
+                                         request.on_step))
+    {
+        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin_;
+        preparation_seconds_ = all.count() - cached_.waiting_seconds;
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const StreamKey stream = stream_key(seed_, Purpose::recursive_tilings, realization);
+        return RecursiveTiling(cached_.tiles, side_, stream).torus_points(density_, drawing_);
+    }
+
+    /// A density takes some points or leaves them by where they lie.
+    bool sizes_vary() const override { return !density_.is_uniform(); }
+
+    std::optional<TileSetRecord> tile_set() const override { return cached_.record; }
+    std::uint32_t tiles_along_axis() const override { return side_; }
+    double preparation_seconds() const override { return preparation_seconds_; }
+
+private:
+    std::uint64_t seed_;
+    std::uint32_t side_;
+    RecursiveDrawing drawing_;
+    RecursiveDensity density_;
+    std::chrono::steady_clock::time_point begin_;
+    CachedRecursiveTiles cached_;
+    double preparation_seconds_ = 0;
+};
+
+std::vector<ParameterSpec> recursive_parameters()
+{
+    using Kind = ParameterSpec::Kind;
+    std::vector<ParameterSpec> specs{
+        {.key = recursive_size_key,
+         .kind = Kind::integer,
+         .help = "N, points of a tile before those of the tiles in its cells are drawn",
+         .minimum = min_recursive_points,
+         .maximum = max_recursive_points,
+         .symbol = "N",
+         .otherwise = std::int64_t{2048}},
+        {.key = base_key,
+         .kind = Kind::integer,
+         .help = "M, the largest tiles along each axis of the torus",
+         .minimum = 1,
+         .maximum = 256,
+         .symbol = "M",
+         .otherwise = std::int64_t{4}},
+        {.key = "drawing",
+         .kind = Kind::choice,
+         .help = "once; or twice: points of tiles and of their cells, which have some in common, an error of programs",
+         .choices = recursive_drawings.all(),
+         .otherwise = std::string(recursive_drawings[RecursiveDrawing::once])},
+    };
+    for (ParameterSpec& spec : density_parameters()) specs.push_back(std::move(spec));
+    return specs;
+}
+
+void check_recursive(const Parameters& given, const SampleRequest& request, const SourceLocation& where)
+{
+    try {
+        density_asked(given, request);
+    } catch (const InputError& error) {
+        if (!error.key().empty()) throw;
+        throw InputError::at(where, fmt::format("sampler = \"recursive-wang-tiles\": {}", error.what()));
+    }
+}
+
+/// The second drawing has the points of whole tiles on top.
+std::size_t most_recursive_points(const Parameters& given, const SampleRequest& request)
+{
+    const std::size_t tiles = std::size_t{small_parameter(given, base_key)} * small_parameter(given, base_key);
+    const bool is_twice = given.text("drawing") == recursive_drawings[RecursiveDrawing::twice];
+    return is_twice ? 2 * request.points + tiles * small_parameter(given, recursive_size_key) : request.points;
+}
+
+}
+
+SamplerSpec recursive_wang_tile_sampler()
+{
+    SamplerSpec spec;
+    spec.name = "recursive-wang-tiles";
+    spec.title = "Recursive Wang tiles";
+    spec.summary = "8 Wang tiles with ranked points, each made of 16 of them; of any density";
+    spec.dimensions = {2};
+    spec.parameters = recursive_parameters();
+    spec.check = check_recursive;
+    spec.outside_input = density_hash;
+    spec.most_points = most_recursive_points;
+    // One tile can only lie beside itself.
+    spec.is_deterministic = [](const Parameters& given) { return given.integer(base_key) == 1; };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
+        return std::make_unique<RecursiveSampler>(given, request);
+    };
+    return spec;
+}
+
+}

@@ -1,0 +1,91 @@
+// The dissertation's claims about recursive Wang tiles: section 6.14.
+#include "reports/claims/claim_words.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+using RecursiveOutcome = std::optional<ClaimOutcome>;
+
+/// Series that draw each point once, of the same density everywhere; or those that draw levels twice.
+std::vector<const ReportSeries*> recursive_series(const ClaimSeries& report, const std::string& drawing,
+                                                  SeriesQuery::Needs needs = SeriesQuery::Needs::anything)
+{
+    auto found = report.all({.sampler = "recursive-wang-tiles", .needs = needs});
+    std::erase_if(found, [&](const ReportSeries* series) {
+        return text_parameter(*series, "drawing") != drawing || !text_parameter(*series, "density").empty();
+    });
+    return found;
+}
+
+/// The radius of sets drawn once, and beside it that of sets with points of two levels.
+RecursiveOutcome radius_is_low(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> once, twice;
+    for (const ReportSeries* series : recursive_series(report, "once"))
+        if (const auto& radius = series->stored->relative_radius) {
+            once.push_back(radius->min);
+            tally.add(radius->min < 0.001);
+        }
+    for (const ReportSeries* series : recursive_series(report, "twice"))
+        if (const auto& radius = series->stored->relative_radius) twice.push_back(radius->min);
+    if (tally.empty()) return std::nullopt;
+    const std::string explained =
+        twice.empty() ? "" : "with the points of two levels, some of which are the same, " + range_words(twice, 3);
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(once, 2), explained})};
+}
+
+RecursiveOutcome is_anisotropic(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> excess;
+    for (const ReportSeries* series : recursive_series(report, "once", SeriesQuery::Needs::spectrum)) {
+        excess.push_back(mean_excess_anisotropy(*series));
+        tally.add(excess.back() > 1);
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(excess, 1) + " dB above chance", tally.words()})};
+}
+
+RecursiveOutcome has_a_bad_spectrum(const ClaimSeries& report)
+{
+    Tally tally;
+    std::string words;
+    for (const ReportSeries* series : recursive_series(report, "once", SeriesQuery::Needs::spectrum)) {
+        const BlueNoise found = blue_noise(*series);
+        tally.add(!found.holds);
+        words = found.words;
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({words, tally.words()})};
+}
+
+}
+
+std::vector<PaperClaim> claims_about_recursive_tiles()
+{
+    return {
+        {"6.14-radius", "6.14",
+         "The relative radius over a constant density is surprisingly low: 0.44 to less than 0.001, mostly the latter.",
+         "the smallest one of all realizations is below 0.001. The dissertation used the original tile set, these "
+         "tiles "
+         "are our own",
+         radius_is_low},
+        {"6.14-spectrum", "6.14", "The power spectrum is rather bad.",
+         std::string("these features are not all there: ") + blue_noise_criterion, has_a_bad_spectrum},
+        {"6.14-anisotropy", "6.14", "The anisotropy is rather high.", "more than 1 dB above chance on average",
+         is_anisotropic},
+        {"6.14-aliasing", "6.14", "The zone plate shows no structured aliasing artifacts.",
+         "no false plate is stronger than noise makes once in 100 pictures",
+         [](const ClaimSeries& report) {
+             return false_plates(report, recursive_series(report, "once", SeriesQuery::Needs::plate), false);
+         }},
+        time_claim("6.14-time", "6.14", "Some 16,384 points take 1.005 s.",
+                   {{"", {.sampler = "recursive-wang-tiles", .points = usual_points}}}),
+    };
+}
+
+}

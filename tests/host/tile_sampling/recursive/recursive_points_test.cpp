@@ -1,0 +1,392 @@
+// Points of recursive Wang tiles: exact numbers, densities that contain each other, windows of any depth.
+#include "host/tile_sampling/recursive/recursive_points.hpp"
+
+#include "base/densities/density_formula.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/config/sampler_registry.hpp"
+#include "host/tile_construction/recursive/recursive_construction.hpp"
+#include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::uint32_t tile_points = 128;
+
+const RecursiveTileSet& recursive_set()
+{
+    static const RecursiveTileSet set = build_recursive_tiles(tile_points, 1);
+    return set;
+}
+
+RecursiveTiling recursive_tiling(std::uint32_t side, std::uint32_t realization = 0)
+{
+    return {recursive_set(), side, stream_key(1, Purpose::recursive_tilings, realization)};
+}
+
+RecursiveDensity uniform(std::uint64_t points, std::uint64_t side, int level = 0) { return {points, side, level, {}}; }
+
+using Positions = std::vector<std::array<double, 2>>;
+
+Positions sorted_positions(const PointSet& set)
+{
+    Positions positions;
+    for (std::size_t i = 0; i < set.size(); ++i) positions.push_back({set[i][0], set[i][1]});
+    std::ranges::sort(positions);
+    return positions;
+}
+
+TEST(RecursivePoints, AreAsManyAsAreAskedFor)
+{
+    for (const std::uint32_t side : {1U, 2U, 3U, 5U})
+        for (const std::uint64_t points : {1ULL, 2ULL, 17ULL, 128ULL, 129ULL, 1000ULL, 2048ULL, 2049ULL, 4095ULL,
+                                           18'437ULL, 32'768ULL, 32'769ULL, 50'001ULL}) {
+            const PointSet set = recursive_tiling(side).torus_points(uniform(points, side));
+            EXPECT_EQ(set.size(), points) << side;
+            for (const double c : set.coordinates) EXPECT_TRUE(c >= 0 && c < 1);
+        }
+}
+
+/// To the last bit, for uniform densities and pictures of them.
+TEST(RecursivePoints, OfLessDensityAreAmongThoseOfMore)
+{
+    const Density formula = density_of_formula("gauss-and-waves", 1, 1);
+    for (const auto& density : {std::optional<Density>(), std::optional(formula)}) {
+        Positions before;
+        for (const std::uint64_t points : {100ULL, 700ULL, 701ULL, 2500ULL, 9000ULL, 40'000ULL}) {
+            const Positions all =
+                sorted_positions(recursive_tiling(2).torus_points(RecursiveDensity(points, 2, 0, density)));
+            EXPECT_TRUE(std::ranges::includes(all, before)) << points;
+            EXPECT_EQ(std::ranges::adjacent_find(all), all.end());
+            EXPECT_GE(all.size(), before.size());
+            before = all;
+        }
+    }
+}
+
+/// A relative radius of 0.4 or more at any density: half of what as many points of one level may have.
+TEST(RecursivePoints, KeepTheirDistanceAtEveryDensity)
+{
+    for (const std::uint64_t points : {300ULL, 1100ULL, 1152ULL, 2000ULL, 5000ULL, 12'000ULL}) {
+        const PointSet set = recursive_tiling(3).torus_points(uniform(points, 3));
+        EXPECT_GT(relative_radius(test::brute_force_min_distance(set), points, 2), 0.47) << points;
+    }
+}
+
+/// Lagae's dissertation, section 6.14: "Most distributions had a relative radius of less than 0.001". Sets that draw
+/// each level's own points have that, since points of a tile are points of its cells as well.
+TEST(RecursivePoints, DrawnTwiceLieOnEachOther)
+{
+    const RecursiveTiling tiling = recursive_tiling(2);
+    constexpr std::uint64_t points = 2'400; // 600 a tile, which has 128 of its own, and 37 or 38 of each cell's tile
+    const PointSet once = tiling.torus_points(uniform(points, 2));
+    const PointSet twice = tiling.torus_points(uniform(points, 2), RecursiveDrawing::twice);
+    EXPECT_EQ(twice.size(), points + 4 * tile_points);
+    EXPECT_GT(relative_radius(test::brute_force_min_distance(once), once.size(), 2), 0.5);
+    EXPECT_LT(relative_radius(test::brute_force_min_distance(twice), twice.size(), 2), 0.001);
+    // Below N points a tile nothing is drawn twice: the larger radii of that section.
+    const PointSet sparse = tiling.torus_points(uniform(500, 2), RecursiveDrawing::twice);
+    EXPECT_EQ(sparse, tiling.torus_points(uniform(500, 2)));
+}
+
+/// The density of a block of the square is its integral, within three times the square root of its number.
+TEST(RecursivePoints, FollowDensities)
+{
+    const Density blocks = density_of_values(4, 4, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0}, "blocks");
+    constexpr double points = 30'000;
+    const PointSet set = recursive_tiling(3).torus_points(RecursiveDensity(30'000, 3, 0, blocks));
+    EXPECT_NEAR(static_cast<double>(set.size()), points, 3 * std::sqrt(points));
+    std::array<double, 16> counts{};
+    for (std::size_t i = 0; i < set.size(); ++i)
+        ++counts[static_cast<std::size_t>(set[i][1] * 4) * 4 + static_cast<std::size_t>(set[i][0] * 4)];
+    for (std::size_t i = 0; i < 15; ++i) {
+        const double expected = points * static_cast<double>(i + 1) / 120;
+        EXPECT_NEAR(counts[i], expected, 3 * std::sqrt(expected));
+    }
+    EXPECT_EQ(counts[15], 0);
+}
+
+TEST(RecursivePoints, AreTheSameOnAnyNumberOfThreads)
+{
+    const RecursiveDensity density(20'000, 2, 0, density_of_formula("1 + x*y", 1, 1));
+    const PointSet set = recursive_tiling(2).torus_points(density);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(recursive_tiling(2).torus_points(density), set);
+    EXPECT_NE(recursive_tiling(2, 1).torus_points(density), set);
+}
+
+/// Exact places over the torus, in units of 2^-32 tiles of a level that all of them have.
+using UnitPlaces = std::vector<std::array<std::uint64_t, 2>>;
+
+UnitPlaces places_at(const std::vector<RecursivePoint>& points, int level)
+{
+    UnitPlaces places;
+    for (const RecursivePoint& point : points) {
+        const int up = 2 * (point.level - level);
+        places.push_back({});
+        for (std::size_t k = 0; k < 2; ++k)
+            places.back()[k] = (point.cell[k] >> up) << 32 |
+                               ((point.cell[k] & ((std::uint64_t{1} << up) - 1)) << 32 | point.place[k]) >> up;
+    }
+    std::ranges::sort(places);
+    return places;
+}
+
+/// A window of tiles two levels down against all points of the torus, at densities at which larger tiles are
+/// unfinished, finished, and divided.
+TEST(RecursiveWindows, HaveThePointsOfTheTorus)
+{
+    const RecursiveTiling tiling = recursive_tiling(2);
+    constexpr std::uint64_t along = 32;
+    for (const std::uint64_t per_tile : {1ULL, 5ULL, 60ULL, 128ULL, 300ULL}) {
+        const PointSet torus = tiling.torus_points(uniform(per_tile * along * along, 2));
+        const RecursiveWindow window{2, {5, 30}, 2};
+        const auto points = tiling.window_points(window, uniform(per_tile * 4, 2, 2));
+        Positions expected, found;
+        for (std::size_t i = 0; i < torus.size(); ++i) {
+            const double x = torus[i][0] * along, y = torus[i][1] * along;
+            if (x >= 5 && x < 7 && y >= 30 && y < 32) expected.push_back({x, y});
+        }
+        for (const RecursivePoint& point : points) {
+            const double size = std::ldexp(1.0, 2 * (point.level - 2));
+            found.push_back({(static_cast<double>(point.cell[0]) + point.place[0] * 0x1p-32) / size,
+                             (static_cast<double>(point.cell[1]) + point.place[1] * 0x1p-32) / size});
+        }
+        ASSERT_EQ(found.size(), expected.size()) << per_tile;
+        EXPECT_FALSE(found.empty());
+        // A torus' places are cut at 2^-32 larger tiles: each point has one that is as near as that.
+        for (const auto& point : expected)
+            EXPECT_EQ(std::ranges::count_if(found,
+                                            [&](const auto& other) {
+                                                return std::abs(point[0] - other[0]) < 0x1p-24 &&
+                                                       std::abs(point[1] - other[1]) < 0x1p-24;
+                                            }),
+                      1);
+    }
+}
+
+/// The same density over a larger window, and over one of larger tiles.
+TEST(RecursiveWindows, HaveThePointsOfWindowsAround)
+{
+    const RecursiveTiling tiling = recursive_tiling(3);
+    const auto small = places_at(tiling.window_points({9, {123'457, 700'001}, 3}, uniform(9 * 77, 3, 9)), 9);
+    for (const auto& [level, corner, side] :
+         {std::tuple{9, std::array<std::uint64_t, 2>{123'450, 699'999}, std::uint64_t{12}},
+          std::tuple{8, std::array<std::uint64_t, 2>{30'864, 175'000}, std::uint64_t{2}}}) {
+        const std::uint64_t scale = std::uint64_t{1} << 2 * (9 - level);
+        const auto around = places_at(
+            tiling.window_points({level, corner, side}, uniform(77 * side * side * scale * scale, side, level)), level);
+        UnitPlaces inside;
+        for (const auto& place : around) {
+            const auto in_window = [&](std::size_t k, std::uint64_t from) {
+                return place[k] * scale >= from << 32 && place[k] * scale < (from + 3) << 32;
+            };
+            if (in_window(0, 123'457) && in_window(1, 700'001)) inside.push_back(place);
+        }
+        UnitPlaces expected;
+        for (const auto& place : small) expected.push_back({place[0] / scale, place[1] / scale});
+        std::ranges::sort(expected);
+        std::ranges::sort(inside);
+        EXPECT_EQ(inside, expected) << level;
+    }
+}
+
+/// At N points a tile, and 31 levels down, a tile has just its own points.
+TEST(RecursiveWindows, OfTheDeepestLevelAreTiles)
+{
+    for (const std::uint32_t side : {1U, 4U}) {
+        const std::array<std::uint64_t, 2> corner{0x3FED'CBA9'8765'4321, 0x0123'4567'89AB'CDEF};
+        const auto points =
+            recursive_tiling(side).window_points({31, corner, 1}, uniform(tile_points, 1, deepest_recursive_level));
+        std::vector<RecursivePlace> places;
+        for (const RecursivePoint& point : points) {
+            EXPECT_EQ(point.level, 31);
+            EXPECT_EQ(point.cell, corner);
+            places.push_back(point.place);
+        }
+        std::ranges::sort(places);
+        bool is_a_tile = false;
+        for (std::size_t tile = 0; tile < even_wang_tiles; ++tile) {
+            auto own = recursive_set().places(tile);
+            std::ranges::sort(own);
+            is_a_tile = is_a_tile || own == places;
+        }
+        EXPECT_TRUE(is_a_tile) << side;
+    }
+}
+
+TEST(RecursiveWindows, OfTheDeepestLevelKeepTheirDistance)
+{
+    constexpr std::uint64_t last = (std::uint64_t{1} << 62) - 3; // the upper right corner of one tile
+    const auto points =
+        recursive_tiling(1).window_points({31, {last, last}, 3}, uniform(9 * 700, 3, deepest_recursive_level));
+    EXPECT_EQ(points.size(), 9U * 700U);
+    double smallest = 9;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const auto along = [&](std::size_t k) {
+                const auto at = [&](const RecursivePoint& point) {
+                    const int down = 2 * (point.level - 31);
+                    return std::ldexp(static_cast<double>(point.cell[k] - (last << down)) + point.place[k] * 0x1p-32,
+                                      -down);
+                };
+                return at(points[i]) - at(points[j]);
+            };
+            smallest = std::min(smallest, std::hypot(along(0), along(1)));
+        }
+    EXPECT_GT(relative_radius(smallest, 700, 2), 0.5);
+}
+
+TEST(RecursiveWindows, FollowDensitiesOfTheirOwn)
+{
+    const Density half = density_of_values(2, 2, {1, 0, 0, 1}, "chess");
+    const auto points = recursive_tiling(1).window_points({20, {1'000'000'007, 12}, 2}, {2000, 2, 20, half});
+    EXPECT_NEAR(static_cast<double>(points.size()), 2000, 3 * std::sqrt(2000));
+    for (const RecursivePoint& point : points) {
+        const auto cell = [&](std::size_t k) { return point.cell[k] >> 2 * (point.level - 20); };
+        EXPECT_EQ(cell(0) - 1'000'000'007, cell(1) - 12);
+    }
+}
+
+TEST(RecursiveWindows, AreRefusedOutsideOfTheTorus)
+{
+    const RecursiveTiling tiling = recursive_tiling(3);
+    const auto refused = [&](const RecursiveWindow& window) {
+        return refusal_of([&] { static_cast<void>(tiling.window_points(window, uniform(1, 1, 0))); });
+    };
+    EXPECT_EQ(refused({2, {45, 46}, 2}), "accepted");
+    EXPECT_THAT(refused({2, {46, 47}, 2}), HasSubstr("reaches beyond its torus"));
+    EXPECT_THAT(refused({2, {0, 0}, 0}), HasSubstr("empty"));
+    EXPECT_THAT(refused({32, {0, 0}, 1}), HasSubstr("level 32 of 3 tiles: must be from 0 to 31"));
+    EXPECT_THAT(refused({-1, {0, 0}, 1}), HasSubstr("level -1"));
+    EXPECT_THAT(refusal_of([&] {
+                    static_cast<void>(
+                        RecursiveTiling(recursive_set(), 5, {}).window_points({31, {0, 0}, 1}, uniform(1, 1, 31)));
+                }),
+                HasSubstr("below 2^64"));
+}
+
+TEST(RecursiveDensities, AreExactShares)
+{
+    const RecursiveDensity density(1000, 3, 0, density_of_values(2, 1, {1, 3}, "two"));
+    // The right half has three quarters of the points: 750 in four and a half tiles.
+    EXPECT_EQ(density.demand(full_weight, 0), (std::uint64_t{1500} << 32) / 9);
+    EXPECT_EQ(density.demand(full_weight, 1), (std::uint64_t{1500} << 32) / 9 / 16);
+    EXPECT_EQ(density.demand(0, 0), 0U);
+    EXPECT_EQ(density.demand(full_weight, 40), 0U);
+    EXPECT_EQ(RecursiveDensity(5, 1, 31, {}).demand(full_weight, 0), std::uint64_t{1} << 63);
+    EXPECT_EQ(RecursiveDensity(5, 1, 2, {}).demand(full_weight, 1), std::uint64_t{80} << 32);
+    EXPECT_THAT(refusal_of([] { RecursiveDensity(std::uint64_t{1} << 31, 1, 0, {}); }), HasSubstr("less than 2^31"));
+}
+
+TEST(RecursiveTileCache, BuildsOnceAndAgainWhatIsDamaged)
+{
+    const TemporaryFolder folder;
+    const auto first = cached_recursive_tiles(tile_points, 1, folder.path());
+    EXPECT_FALSE(first.record.cached);
+    EXPECT_EQ(first.tiles, recursive_set());
+    EXPECT_EQ(first.record.points_per_tile, tile_points);
+    ASSERT_TRUE(first.record.build);
+    const auto second = cached_recursive_tiles(tile_points, 1, folder.path());
+    EXPECT_TRUE(second.record.cached);
+    EXPECT_EQ(second.tiles, first.tiles);
+    EXPECT_EQ(second.record.build, first.record.build);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+        if (entry.path().extension() == ".rtiles") write_whole_file(entry.path(), "RECWANG1 no more");
+    const auto third = cached_recursive_tiles(tile_points, 1, folder.path());
+    EXPECT_FALSE(third.record.cached);
+    EXPECT_EQ(third.tiles, first.tiles);
+    EXPECT_FALSE(cached_recursive_tiles(tile_points, 2, folder.path()).record.cached);
+}
+
+class RecursiveSamplers : public ::testing::Test
+{
+protected:
+    RecursiveSamplers() { setenv("POISSONLAB_CACHE", cache_.path().c_str(), 1); }
+    ~RecursiveSamplers() override { unsetenv("POISSONLAB_CACHE"); }
+
+    static Parameters parameters()
+    {
+        Parameters given(spec().parameters);
+        given.set("points_per_tile", std::int64_t{tile_points}, {"test.toml", 2});
+        return given;
+    }
+
+    static std::unique_ptr<Sampler> make(const Parameters& given, std::size_t points = 2000)
+    {
+        return spec().create(given, {points, 2, 1}, Engine::opencl, {});
+    }
+
+    static std::string refused(const Parameters& given, std::size_t points = 2000)
+    {
+        return refusal_of([&] { spec().check(given, {points, 2, 1}, {"test.toml", 1}); });
+    }
+
+    static const SamplerSpec& spec() { return *find_sampler("recursive-wang-tiles"); }
+
+private:
+    TemporaryFolder cache_;
+};
+
+TEST_F(RecursiveSamplers, MakeSetsOfTheSizeThatIsAsked)
+{
+    const auto sampler = make(parameters());
+    EXPECT_EQ(sampler->sample(0).size(), 2000U);
+    EXPECT_NE(sampler->sample(0), sampler->sample(1));
+    EXPECT_EQ(sampler->sample(1), make(parameters())->sample(1));
+    EXPECT_FALSE(sampler->sizes_vary());
+    EXPECT_EQ(sampler->tiles_along_axis(), 4U);
+    EXPECT_FALSE(spec().is_deterministic(parameters()));
+    Parameters one = parameters();
+    one.set("base_tiles", std::int64_t{1});
+    EXPECT_TRUE(spec().is_deterministic(one));
+    EXPECT_EQ(make(one)->sample(0), make(one)->sample(5));
+}
+
+TEST_F(RecursiveSamplers, FollowAFormula)
+{
+    Parameters given = parameters();
+    given.set("density", std::string("x < 0 ? 1 : 3"), {"test.toml", 3});
+    const auto sampler = make(given);
+    EXPECT_TRUE(sampler->sizes_vary());
+    const PointSet set = sampler->sample(0);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < set.size(); ++i) left += set[i][0] < 0.5;
+    EXPECT_NEAR(static_cast<double>(left), 500, 3 * std::sqrt(500));
+    EXPECT_NEAR(static_cast<double>(set.size()), 2000, 3 * std::sqrt(2000));
+    EXPECT_EQ(refused(given), "accepted");
+    EXPECT_NE(spec().outside_input(given), spec().outside_input(parameters()));
+}
+
+TEST_F(RecursiveSamplers, RefuseDensitiesThatAreNone)
+{
+    Parameters given = parameters();
+    given.set("density", std::string("1 +"), {"test.toml", 3});
+    EXPECT_THAT(refused(given), StartsWith("test.toml:3: density = 1 +: "));
+    given.set("density", std::string("no-such.png"), {"test.toml", 3});
+    EXPECT_THAT(refused(given), HasSubstr("no-such.png: no such file"));
+    given.set("density", std::string("x"), {"test.toml", 3});
+    EXPECT_THAT(refused(given), HasSubstr("not negative"));
+    given.set("density", std::string("x > 0.999 && y > 0.999 ? 1 : 0"), {"test.toml", 3});
+    EXPECT_THAT(refused(given, 1'000'000'000),
+                StartsWith("test.toml:1: sampler = \"recursive-wang-tiles\": the densest"));
+    Parameters channel = parameters();
+    channel.set("density_from", std::string("ink"), {"test.toml", 4});
+    EXPECT_THAT(refused(channel), StartsWith("test.toml:4: density_from = ink: is for a density"));
+}
+
+}
+}
