@@ -32,6 +32,8 @@ enum class Purpose : std::uint32_t
     wang_surroundings = 25,
     wang_tilings = 26,
     sector_darts = 27,
+    voronoi_darts = 35,
+    sample_elimination = 39,
 };
 
 /// The 64-bit key of one independent stream.

@@ -9,7 +9,11 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/optimized/farthest_point.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
+#include "host/sampling/voronoi_darts.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
 
@@ -21,16 +25,30 @@ const SamplerRegistry& sampler_registry()
 {
     // clang-format off: one a line
     static const SamplerRegistry registry = {
-        random_sampler(),         regular_sampler(),
-        jittered_sampler(),       hexagonal_sampler(),
-        sobol_sampler(),          halton_sampler(),
-        best_candidate_sampler(), bridson_sampler(),
-        dart_throwing_sampler(),  relaxation_dart_throwing_sampler(),
-        sector_dart_sampler(),    lloyd_sampler(),
-        corner_tile_sampler(),    edge_tile_sampler(),
-        template_tile_sampler(),  sphere_tile_sampler(),
-        shade_tile_sampler(),     averaged_tile_sampler(),
-        file_sampler(),           command_sampler(),
+        random_sampler(),
+        regular_sampler(),
+        jittered_sampler(),
+        hexagonal_sampler(),
+        sobol_sampler(),
+        halton_sampler(),
+        best_candidate_sampler(),
+        bridson_sampler(),
+        dart_throwing_sampler(),
+        relaxation_dart_throwing_sampler(),
+        voronoi_dart_sampler(),
+        sector_dart_sampler(),
+        lloyd_sampler(),
+        sample_elimination_sampler(),
+        farthest_point_sampler(),
+        gaussian_blue_noise_sampler(),
+        corner_tile_sampler(),
+        edge_tile_sampler(),
+        template_tile_sampler(),
+        sphere_tile_sampler(),
+        shade_tile_sampler(),
+        averaged_tile_sampler(),
+        file_sampler(),
+        command_sampler(),
     };
     // clang-format on
     return registry;

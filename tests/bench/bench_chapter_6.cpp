@@ -1,9 +1,10 @@
-// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts, and
-// averaged tiles of 63 points after 30 iterations.
+// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts and of
+// Jones', and averaged tiles of 63 points after 30 iterations.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.13: 0.137 s, 7.911 s and 7.002 s on an Athlon 64
-// 4000+.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007: 0.137 s, 7.911 s and 7.002 s (section 6.13), 3.403 s (section
+// 6.12, at 0.75) on an Athlon 64 4000+.
 #include "host/config/sampler_registry.hpp"
+#include "host/device/device.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 
@@ -23,6 +24,19 @@ void sector_darts(benchmark::State& state, const char* variant)
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
 }
 
+/// 16,384 points at a relative radius of 0.75.
+void darts(benchmark::State& state, const char* method)
+{
+    const SamplerSpec& spec = *find_sampler(method);
+    Parameters parameters(spec.parameters);
+    parameters.set("relative_radius", 0.75, {});
+    Device device = Device::open();
+    const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, [&]() -> Device& { return device; });
+    std::uint32_t realization = 0;
+    sampler->sample(realization++);
+    for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
+}
+
 void averaged_tiles(benchmark::State& state)
 {
     for (auto _ : state) {
@@ -38,6 +52,8 @@ BENCHMARK_CAPTURE(sector_darts, logarithmic, "logarithmic")
     ->Iterations(1)
     ->Repetitions(5)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(darts, dart_throwing, "dart-throwing")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(darts, voronoi_darts, "voronoi-darts")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(averaged_tiles)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }
@@ -46,5 +62,8 @@ int main(int argc, char** argv)
 {
     return poissonlab::bench::run_benchmarks(argc, argv,
                                              {{"16,384 sector darts: time of logarithmic / boundary",
-                                               "sector_darts/logarithmic/", "sector_darts/boundary/", 3}});
+                                               "sector_darts/logarithmic/", "sector_darts/boundary/", 3},
+                                              // At most six times as long.
+                                              {"16,384 darts at 0.75: time of dart throwing / Voronoi darts",
+                                               "darts/dart_throwing/", "darts/voronoi_darts/", 1.0 / 6}});
 }
