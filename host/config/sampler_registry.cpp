@@ -9,6 +9,7 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/optimized/equal_areas.hpp"
 #include "host/sampling/optimized/farthest_point.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
@@ -41,6 +42,7 @@ const SamplerRegistry& sampler_registry()
         sample_elimination_sampler(),
         farthest_point_sampler(),
         gaussian_blue_noise_sampler(),
+        equal_areas_sampler(),
         corner_tile_sampler(),
         edge_tile_sampler(),
         template_tile_sampler(),

@@ -14,6 +14,7 @@ const std::vector<KernelFile>& kernel_files()
         {"gaussian_blue_noise.cl", {dimension}},
         {"joint_nulling.cl", {}},
         {"point_grid.cl", {dimension}},
+        {"power_cells.cl", {}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
         {"repulsion.cl", {dimension}},

@@ -128,7 +128,7 @@ TEST(Start, IsCheckedLikeAMethod)
               "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
               "\"hexagonal\", \"sobol\", \"halton\", \"best-candidate\", \"bridson\", "
               "\"dart-throwing\", \"relaxation-dart-throwing\", \"voronoi-darts\", \"sector-darts\", \"lloyd\", "
-              "\"sample-elimination\", \"farthest-point\", \"gaussian-blue-noise\", "
+              "\"sample-elimination\", \"farthest-point\", \"gaussian-blue-noise\", \"equal-areas\", "
               "\"corner-tiles\", \"edge-tiles\", "
               "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", \"file\", "
               "\"command\", \"relax\"; "

@@ -29,10 +29,10 @@ inline CutPolygon square_around(double length)
             {length, -length, no_neighbour}};
 }
 
-/// What is not nearer to a neighbour at (x, y) than to the site.
-inline CutPolygon without_side(const CutPolygon& polygon, double x, double y, std::uint32_t neighbour)
+/// The places p with p . (x, y) <= offset.
+inline CutPolygon without_half_plane(const CutPolygon& polygon, double x, double y, double offset,
+                                     std::uint32_t neighbour)
 {
-    const double offset = (x * x + y * y) / 2;
     const auto height = [&](const CutVertex& vertex) { return vertex.x * x + vertex.y * y - offset; };
     CutPolygon rest;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -45,6 +45,12 @@ inline CutPolygon without_side(const CutPolygon& polygon, double x, double y, st
         rest.push_back({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y), is_kept ? neighbour : a.neighbour});
     }
     return rest;
+}
+
+/// What is not nearer to a neighbour at (x, y) than to the site.
+inline CutPolygon without_side(const CutPolygon& polygon, double x, double y, std::uint32_t neighbour)
+{
+    return without_half_plane(polygon, x, y, (x * x + y * y) / 2, neighbour);
 }
 
 inline double squared_radius_of(const CutPolygon& polygon)

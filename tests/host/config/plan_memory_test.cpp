@@ -45,6 +45,10 @@ sampler = "farthest-point"
 points = [5, 1000, 10000]
 iterations = 1
 [[method]]
+sampler = "equal-areas"
+points = [5, 1000, 10000]
+iterations = 0
+[[method]]
 sampler = "gaussian-blue-noise"
 points = [200, 1000, 10000]
 iterations = 1
