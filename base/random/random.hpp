@@ -35,6 +35,8 @@ enum class Purpose : std::uint32_t
     recursive_tile_darts = 32,
     recursive_tile_words = 33,
     recursive_tilings = 34,
+    voronoi_darts = 35,
+    sample_elimination = 39,
     tile_packing = 41,
     texture_windows = 42,
     texture_variants = 43,

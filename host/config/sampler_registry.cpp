@@ -9,7 +9,12 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "host/sampling/file_sampler.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/optimized/equal_areas.hpp"
+#include "host/sampling/optimized/farthest_point.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
+#include "host/sampling/voronoi_darts.hpp"
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/wang_tiles/wang_samplers.hpp"
@@ -32,8 +37,13 @@ const SamplerRegistry& sampler_registry()
         bridson_sampler(),
         dart_throwing_sampler(),
         relaxation_dart_throwing_sampler(),
+        voronoi_dart_sampler(),
         sector_dart_sampler(),
         lloyd_sampler(),
+        sample_elimination_sampler(),
+        farthest_point_sampler(),
+        gaussian_blue_noise_sampler(),
+        equal_areas_sampler(),
         corner_tile_sampler(),
         edge_tile_sampler(),
         template_tile_sampler(),

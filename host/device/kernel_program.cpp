@@ -10,11 +10,15 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
+        {"farthest_point.cl", {}},
+        {"gaussian_blue_noise.cl", {dimension}},
         {"joint_nulling.cl", {dimension}},
         {"point_grid.cl", {dimension}},
+        {"power_cells.cl", {}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
         {"repulsion.cl", {dimension}},
+        {"sample_elimination.cl", {dimension}},
         {"tile_darts.cl", {dimension}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},
@@ -29,6 +33,7 @@ const std::vector<KernelFile>& kernel_files()
         {"voronoi_2d.cl", {}},
         {"voronoi_3d_fast.cl", {}},
         {"voronoi_3d_slow.cl", {}},
+        {"voronoi_darts.cl", {}},
         {"warp.cl", {}},
     };
     return files;

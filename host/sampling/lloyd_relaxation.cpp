@@ -14,7 +14,8 @@ class DeviceState
 {
 public:
     DeviceState(Device& device, const PointSet& points, const Domain& domain, std::size_t group_size)
-        : grid_(device, points.dimension, points.size(),
+        : dimension_(points.dimension),
+          grid_(device, points.dimension, points.size(),
                 VoronoiKernels::cells_per_axis(points.dimension, points.size()), group_size),
           voronoi_(device, points.dimension, points.size(), group_size),
           mover_(device, domain, points.dimension, group_size), summary_(device, points.dimension, points.size())
@@ -26,7 +27,9 @@ public:
     {
         grid_.sort();
         voronoi_.find_cells(grid_);
-        return summary_.summarize(voronoi_.energies(), voronoi_.squared_near());
+        IterateMeasure measure = summary_.summarize(voronoi_.energies(), voronoi_.squared_near());
+        measure.energy = lloyd_energy(measure.energy, grid_.size(), dimension_);
+        return measure;
     }
 
     void move() { mover_.move(grid_, voronoi_.displacements(), false); }
@@ -34,6 +37,7 @@ public:
     PointSet kept() { return std::move(kept_); }
 
 private:
+    int dimension_;
     PointGrid grid_;
     VoronoiKernels voronoi_;
     PointMover mover_;

@@ -180,13 +180,19 @@ void add_iteration_panels(const ReportSeries& series, std::size_t index, const R
                           "Level: nothing more to gain. The line is the mean over the <i>K</i> sets that got so far, "
                           "the band reaches from the least to the largest.",
                       .stored = {csv}});
+    const bool is_of_pairs = series.stored->sampler == "gaussian-blue-noise";
     panels.push_back({.stem = "energy",
-                      .picture = alone(*plots.energy, index),
+                      .picture = alone(is_of_pairs ? *plots.pair_energy : *plots.energy, index),
                       .title = "Energy over iterations",
                       .caption = from_to(iterations.energy, iterations.count()) + means_of_what(iterations),
-                      .guide = "The mean squared distance from anywhere to the nearest point, times "
-                               "<i>N</i><sup>2/<i>d</i></sup>: what the method makes smaller. The dashed line is the "
-                               "perfect lattice; random points have about 0.32 in 2D and 0.35 in 3D.",
+                      .guide = is_of_pairs
+                                   ? "The Gaussians of all points at a point, on average, less those of points spread "
+                                     "evenly: what the method makes smaller. Random points have about 1, no set less "
+                                     "than 0."
+                                   : "The mean squared distance from anywhere to the nearest point, times "
+                                     "<i>N</i><sup>2/<i>d</i></sup>: small where points serve all places alike. The "
+                                     "dashed line is the perfect lattice; random points have about 0.32 in 2D and 0.35 "
+                                     "in 3D.",
                       .stored = {csv}});
 }
 

@@ -70,7 +70,9 @@ void add_iteration_panels(const SeriesList& series, std::vector<Panel>& panels)
                       "The higher, the further apart the nearest two points. A method that has found its balance runs "
                       "level; one that still climbs would gain from more iterations. Means over the sets that got so "
                       "far."});
-    panels.push_back({"energy-all", together(energy_plot(curves)), "Energy", "over iterations",
+    const auto energies = energy_curves(series, false);
+    if (energies.size() < 2) return;
+    panels.push_back({"energy-all", together(energy_plot(energies)), "Energy", "over iterations",
                       "How far a place is from its nearest point, squared, on average, in units of the mean spacing: "
                       "the lower, the more evenly the points serve all places. The dashed line is the perfect lattice; "
                       "a set that comes too near to it has rows."});

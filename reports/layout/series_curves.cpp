@@ -107,7 +107,18 @@ std::vector<IterationCurve> iteration_curves(const SeriesList& series)
     std::vector<IterationCurve> curves;
     for (std::size_t i = 0; i < series.size(); ++i)
         if (const auto& iterations = series[i].series->stored->iterations)
-            curves.push_back({i, series[i].label, series[i].series->run->dimension, &*iterations});
+            curves.push_back({.index = i,
+                              .label = series[i].label,
+                              .dimension = series[i].series->run->dimension,
+                              .stored = &*iterations,
+                              .is_pair_energy = series[i].series->stored->sampler == "gaussian-blue-noise"});
+    return curves;
+}
+
+std::vector<IterationCurve> energy_curves(const SeriesList& series, bool of_pairs)
+{
+    std::vector<IterationCurve> curves = iteration_curves(series);
+    std::erase_if(curves, [&](const IterationCurve& curve) { return curve.is_pair_energy != of_pairs; });
     return curves;
 }
 

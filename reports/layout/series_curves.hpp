@@ -47,6 +47,9 @@ std::vector<PairCorrelationCurve> pair_correlation_curves(const SeriesList& seri
 /// The iterations of the series that have some.
 std::vector<IterationCurve> iteration_curves(const SeriesList& series);
 
+/// Those whose energies are sums of Gaussians of pairs, or those with the energy of Lloyd relaxation.
+std::vector<IterationCurve> energy_curves(const SeriesList& series, bool of_pairs);
+
 /// The errors of the series that have sampled the zone plate.
 std::vector<ZonePlateCurve> zone_plate_curves(const SeriesList& series);
 

@@ -81,11 +81,13 @@ RunPlots run_plots(const ReportRun& run)
                    pair_correlation_plot(pair_correlation_curves(series), packing_distance),
                    {},
                    {},
+                   {},
                    {}};
     if (const auto curves = iteration_curves(series); !curves.empty()) {
         plots.radius = relative_radius_plot(curves);
-        plots.energy = energy_plot(curves);
     }
+    if (const auto curves = energy_curves(series, false); !curves.empty()) plots.energy = energy_plot(curves);
+    if (const auto curves = energy_curves(series, true); !curves.empty()) plots.pair_energy = energy_plot(curves);
     if (const auto curves = zone_plate_curves(series); !curves.empty()) plots.plate = zone_plate_plot(curves);
     return plots;
 }

@@ -113,6 +113,8 @@ std::string verdict_of_the_paper(const std::string& sampler)
     static const std::map<std::string, std::string> verdicts{
         {"dart-throwing", "not for interactive use, nor for many points"},
         {"relaxation-dart-throwing", "not for interactive use, nor for many points"},
+        {"voronoi-darts", "for interactive use, but slow beside tiles"},
+        {"sector-darts", "for interactive use, but slow beside tiles"},
         {"lloyd", "not for interactive use, nor for many points"},
         {"shade-tiles", "major shortcomings: should not be used"},
         {"averaged-tiles", "not recommended: a small radius, a rather bad spectrum"},

@@ -97,12 +97,15 @@ Plot relative_radius_plot(const std::vector<IterationCurve>& curves)
 Plot energy_plot(const std::vector<IterationCurve>& curves)
 {
     Plot plot = plot_of(curves, &Iterations::energy);
-    double low = least_energy(curves.front().dimension);
+    const bool has_least = !curves.front().is_pair_energy;
+    double low = has_least ? least_energy(curves.front().dimension) : 0.05;
     double high = low;
     std::set<int> dimensions;
     for (const auto& curve : curves) {
-        low = std::min({low, least_energy(curve.dimension), std::ranges::min(curve.stored->energy.min)});
+        low = std::min(low, std::ranges::min(curve.stored->energy.min));
         high = std::max(high, std::ranges::max(curve.stored->energy.max));
+        if (!has_least) continue;
+        low = std::min(low, least_energy(curve.dimension));
         dimensions.insert(curve.dimension);
     }
     const double bottom = std::floor(20 * low - 0.2) / 20; // there is room for the words below the least energy

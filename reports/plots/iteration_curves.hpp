@@ -17,6 +17,7 @@ struct IterationCurve
     std::string label;
     int dimension = 2;
     const Iterations* stored = nullptr; ///< outlives this
+    bool is_pair_energy = false;        ///< the sum of Gaussians of pairs, else what Lloyd relaxation makes smaller
 };
 
 /// The smallest energy that is possible (2D: hexagonal lattice, Fejes Toth 1953) or known (3D: body-centred
@@ -26,6 +27,7 @@ double least_energy(int dimension);
 /// All curves, of which there must be one: the mean over realizations in a band from the least to the largest, over
 /// iterations, on a logarithmic axis where there are more than 100.
 Plot relative_radius_plot(const std::vector<IterationCurve>& curves);
+/// Energies of one kind.
 Plot energy_plot(const std::vector<IterationCurve>& curves);
 
 }

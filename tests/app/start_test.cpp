@@ -127,7 +127,8 @@ TEST(Start, IsCheckedLikeAMethod)
     EXPECT_EQ(start("\"randm\""),
               "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
               "\"hexagonal\", \"sobol\", \"halton\", \"best-candidate\", \"bridson\", "
-              "\"dart-throwing\", \"relaxation-dart-throwing\", \"sector-darts\", \"lloyd\", "
+              "\"dart-throwing\", \"relaxation-dart-throwing\", \"voronoi-darts\", \"sector-darts\", \"lloyd\", "
+              "\"sample-elimination\", \"farthest-point\", \"gaussian-blue-noise\", \"equal-areas\", "
               "\"corner-tiles\", \"edge-tiles\", "
               "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", \"file\", "
               "\"command\", \"relax\"; "

@@ -1,12 +1,13 @@
-// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts, averaged
-// tiles of 63 points after 30 iterations, and recursive Wang tiles.
+// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts and of
+// Jones', averaged tiles of 63 points after 30 iterations, and recursive Wang tiles.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.13: 0.137 s, 7.911 s and 7.002 s on an Athlon 64
-// 4000+; section 6.14: 1.005 s. Targets on two cores for recursive tiles: built in 10 s, 16,384 points in 15 ms, 20
-// million points a second of a density.
+// Lagae, Tile-Based Methods in Computer Graphics, 2007: 0.137 s, 7.911 s and 7.002 s (section 6.13), 3.403 s (section
+// 6.12, at 0.75) on an Athlon 64 4000+; section 6.14: 1.005 s. Targets on two cores for recursive tiles: built in 10 s,
+// 16,384 points in 15 ms, 20 million points a second of a density.
 #include "base/densities/density_formula.hpp"
 #include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "host/device/device.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
@@ -25,6 +26,19 @@ void sector_darts(benchmark::State& state, const char* variant)
     parameters.set("variant", std::string(variant), {});
     const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, {});
     std::uint32_t realization = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
+}
+
+/// 16,384 points at a relative radius of 0.75.
+void darts(benchmark::State& state, const char* method)
+{
+    const SamplerSpec& spec = *find_sampler(method);
+    Parameters parameters(spec.parameters);
+    parameters.set("relative_radius", 0.75, {});
+    Device device = Device::open();
+    const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, [&]() -> Device& { return device; });
+    std::uint32_t realization = 0;
+    sampler->sample(realization++);
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
 }
 
@@ -72,6 +86,8 @@ BENCHMARK_CAPTURE(sector_darts, logarithmic, "logarithmic")
     ->Iterations(1)
     ->Repetitions(5)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(darts, dart_throwing, "dart-throwing")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(darts, voronoi_darts, "voronoi-darts")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(averaged_tiles)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }
@@ -80,5 +96,8 @@ int main(int argc, char** argv)
 {
     return poissonlab::bench::run_benchmarks(argc, argv,
                                              {{"16,384 sector darts: time of logarithmic / boundary",
-                                               "sector_darts/logarithmic/", "sector_darts/boundary/", 3}});
+                                               "sector_darts/logarithmic/", "sector_darts/boundary/", 3},
+                                              // At most six times as long.
+                                              {"16,384 darts at 0.75: time of dart throwing / Voronoi darts",
+                                               "darts/dart_throwing/", "darts/voronoi_darts/", 1.0 / 6}});
 }

@@ -2,9 +2,12 @@
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
 #include "kernels/common/dart_throwing.h"
+#include "kernels/common/gaussian_blue_noise.h"
 #include "kernels/common/relaxation_dart_throwing.h"
+#include "kernels/common/sample_elimination.h"
 #include "kernels/common/tile_filling.h"
 #include "kernels/common/tile_points.h"
+#include "kernels/common/voronoi_darts.h"
 
 #include <gmock/gmock.h>
 
@@ -71,6 +74,34 @@ TEST(Contract, OfTilePoints)
     EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Run", "shift")), ElementsAreArray(run));
     const std::size_t window[] = {LAYOUT_OF(contract::tile_points::Window, bottom)};
     EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Window", "bottom")), ElementsAreArray(window));
+}
+
+TEST(Contract, OfVoronoiDarts)
+{
+    using namespace contract::voronoi_darts;
+    const std::string file = "kernels/common/voronoi_darts.h";
+    const std::size_t torus[] = {LAYOUT_OF(Torus, near_offsets)};
+    EXPECT_THAT(on_device(file, layout_of("Torus", "near_offsets")), ElementsAreArray(torus));
+    const std::size_t batch[] = {LAYOUT_OF(Batch, key_y)};
+    EXPECT_THAT(on_device(file, layout_of("Batch", "key_y")), ElementsAreArray(batch));
+    const std::size_t offset[] = {LAYOUT_OF(Offset, squared_gap)};
+    EXPECT_THAT(on_device(file, layout_of("Offset", "squared_gap")), ElementsAreArray(offset));
+}
+
+TEST(Contract, OfGaussianBlueNoise)
+{
+    using contract::gaussian_blue_noise::Gaussians;
+    const std::size_t layout[] = {LAYOUT_OF(Gaussians, stride)};
+    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("Gaussians", "stride")),
+                ElementsAreArray(layout));
+}
+
+TEST(Contract, OfSampleElimination)
+{
+    using contract::sample_elimination::Elimination;
+    const std::size_t layout[] = {LAYOUT_OF(Elimination, stride)};
+    EXPECT_THAT(on_device("kernels/common/sample_elimination.h", layout_of("Elimination", "stride")),
+                ElementsAreArray(layout));
 }
 
 }

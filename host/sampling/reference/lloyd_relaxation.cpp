@@ -19,7 +19,8 @@ public:
     IterateMeasure measure()
     {
         cells_ = voronoi_cells(points_);
-        return {std::accumulate(cells_.energies.begin(), cells_.energies.end(), 0.0),
+        const double integral = std::accumulate(cells_.energies.begin(), cells_.energies.end(), 0.0);
+        return {lloyd_energy(integral, points_.size(), points_.dimension),
                 *std::min_element(cells_.squared_near.begin(), cells_.squared_near.end())};
     }
 

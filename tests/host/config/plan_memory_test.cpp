@@ -38,6 +38,21 @@ sampler = "relaxation-dart-throwing"
 points = [10, 1000, 10000]
 factor = [0.9, 0.998]
 [[method]]
+sampler = "sample-elimination"
+points = [5, 1000, 10000]
+[[method]]
+sampler = "farthest-point"
+points = [5, 1000, 10000]
+iterations = 1
+[[method]]
+sampler = "equal-areas"
+points = [5, 1000, 10000]
+iterations = 0
+[[method]]
+sampler = "gaussian-blue-noise"
+points = [200, 1000, 10000]
+iterations = 1
+[[method]]
 sampler = "lloyd"
 points = [5, 1000, 40000]
 iterations = 1
@@ -107,6 +122,14 @@ sampler = "halton"
 sampler = "best-candidate"
 [[method]]
 sampler = "bridson"
+[[method]]
+sampler = "voronoi-darts"
+points = [256, 20000]
+relative_radius = [0.3, 0.7]
+[[method]]
+sampler = "voronoi-darts"
+points = [256, 20000]
+stop = "saturation"
 [[method]]
 sampler = "sector-darts"
 [[method]]

@@ -55,6 +55,11 @@ ReportSeries& darts(MadeUpReport& report, const std::string& rho, std::size_t po
     return report.add("dart-throwing", {{"relative_radius", rho}}, points, dimension);
 }
 
+ReportSeries& jones(MadeUpReport& report, std::size_t points = 16384)
+{
+    return report.add("voronoi-darts", {{"relative_radius", "0.75"}}, points);
+}
+
 ReportSeries& relaxation(MadeUpReport& report, const std::string& factor, const std::string& attempts,
                          std::size_t points = 16384, int dimension = 2)
 {
@@ -252,6 +257,22 @@ const std::vector<ClaimCase>& claim_cases()
                  series.curve.bins.clear();
                  MadeUpReport::set_curve(series, {.spike = (kind == std::string("edge")) == agrees ? 20.0 : 5.0});
              }
+         }},
+        {"6.12-radius", [](MadeUpReport& r, bool agrees) { MadeUpReport::set_radius(jones(r), agrees ? 0.75 : 0.6); }},
+        {"6.12-spectrum",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(darts(r, "0.75"), {});
+             MadeUpReport::set_curve(jones(r), {.beyond = agrees ? 1.01 : 1.2});
+         }},
+        {"6.12-plate",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_plate_error(darts(r, "0.75", 262144), 0.1, 0.2);
+             MadeUpReport::set_plate_error(jones(r, 262144), 0.1, agrees ? 0.2005 : 0.25);
+         }},
+        {"6.12-fast",
+         [](MadeUpReport& r, bool agrees) {
+             const_cast<Series*>(darts(r, "0.75").stored)->sample_seconds = {0.02};
+             const_cast<Series*>(jones(r).stored)->sample_seconds = {agrees ? 0.01 : 0.05};
          }},
         {"6.13-logarithmic",
          [](MadeUpReport& r, bool agrees) {

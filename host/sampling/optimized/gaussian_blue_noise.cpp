@@ -1,0 +1,137 @@
+// Runs kernels/gaussian_blue_noise.cl.
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+
+#include "host/sampling/cells/domain_buffers.hpp"
+#include "host/sampling/cells/point_grid.hpp"
+#include "host/sampling/lloyd_iteration.hpp"
+#include "host/sampling/point_summary.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+
+namespace {
+
+using contract::gaussian_blue_noise::Gaussians;
+using contract::gaussian_blue_noise::WINDOW_REACH;
+
+constexpr double cut_off = 5.8; ///< sigma
+
+/// The side of the torus in mean distances.
+double side_of_torus(std::size_t points, int dimension)
+{
+    return dimension == 2 ? std::sqrt(static_cast<double>(points)) : std::cbrt(static_cast<double>(points));
+}
+
+/// Cells of half the cut-off or wider, so that all within it lie in the window.
+std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension)
+{
+    const auto cells =
+        static_cast<std::uint32_t>(side_of_torus(points, dimension) * int{WINDOW_REACH} / (cut_off * sigma));
+    return cells > 2 * WINDOW_REACH ? cells : 1;
+}
+
+struct GaussianBuffers
+{
+    Buffer<double> displacements, energies, squared_near;
+
+    NeededBuffers needed(std::size_t points, int dimension)
+    {
+        return {
+            {displacements, points * static_cast<std::size_t>(dimension)}, {energies, points}, {squared_near, points}};
+    }
+};
+
+class GaussianState
+{
+public:
+    GaussianState(Device& device, const PointSet& points, const GaussianRequest& request, std::size_t group_size)
+        : dimension_(points.dimension), sigma_(request.sigma), group_size_(group_size),
+          gaussians_(gaussians_for(request, points.size(), points.dimension)),
+          grid_(device, points.dimension, points.size(), gaussians_.grid_size, group_size),
+          mover_(device, Domain{}, points.dimension, group_size), summary_(device, points.dimension, points.size()),
+          sum_(device.kernel(kernel_program("gaussian_blue_noise.cl", {{"DIMENSION", points.dimension}}),
+                             "sum_gaussians"))
+    {
+        gaussians_.stride = grid_.stride();
+        reserve(device, buffers_.needed(points.size(), points.dimension));
+        grid_.load(points);
+    }
+
+    IterateMeasure measure()
+    {
+        grid_.sort();
+        sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
+                 buffers_.displacements, buffers_.energies, buffers_.squared_near);
+        IterateMeasure measure = summary_.summarize(buffers_.energies, buffers_.squared_near);
+        measure.energy = gaussian_energy(measure.energy, grid_.size(), sigma_, dimension_);
+        return measure;
+    }
+
+    void move() { mover_.move(grid_, buffers_.displacements, false); }
+    void keep() { kept_ = grid_.points(); }
+    PointSet kept() { return std::move(kept_); }
+
+private:
+    int dimension_;
+    double sigma_;
+    std::size_t group_size_;
+    Gaussians gaussians_;
+    PointGrid grid_;
+    PointMover mover_;
+    PointSummary summary_;
+    Kernel sum_;
+    GaussianBuffers buffers_;
+    PointSet kept_;
+};
+
+}
+
+std::size_t least_gaussian_points(double sigma, int dimension)
+{
+    return static_cast<std::size_t>(std::ceil(std::pow(2 * cut_off * sigma, dimension)));
+}
+
+double usual_gaussian_step(double sigma, int dimension)
+{
+    return dimension == 2 ? 0.25 : 0.25 / std::sqrt(2 * std::numbers::pi) / sigma;
+}
+
+Gaussians gaussians_for(const GaussianRequest& request, std::size_t points, int dimension)
+{
+    const double side = side_of_torus(points, dimension);
+    const double squared_sigma = request.sigma * request.sigma;
+    return {.step = request.step / squared_sigma / side,
+            .scale = static_cast<float>(side * 0x1p-32),
+            .exponent = static_cast<float>(-std::numbers::log2e / (2 * squared_sigma)),
+            .squared_cut = static_cast<float>(cut_off * cut_off * squared_sigma),
+            .points = static_cast<std::uint32_t>(points),
+            .grid_size = gaussian_grid(request.sigma, points, dimension),
+            .stride = 0};
+}
+
+double gaussian_energy(double sum_of_others, std::size_t points, double sigma, int dimension)
+{
+    const double spread_evenly = std::pow(2 * std::numbers::pi * sigma * sigma, 0.5 * dimension);
+    return sum_of_others / static_cast<double>(points) + 1 - spread_evenly;
+}
+
+GaussianBlueNoise::GaussianBlueNoise(Device device, std::size_t work_group_size)
+    : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+{}
+
+LloydResult GaussianBlueNoise::descend(const PointSet& points, const GaussianRequest& request)
+{
+    GaussianState state(device_, points, request, work_group_size_);
+    return run_iterations(state, points.size(), points.dimension, {.iterations = request.iterations});
+}
+
+DeviceMemory GaussianBlueNoise::memory(double sigma, std::size_t points, int dimension)
+{
+    return PointGrid::memory(dimension, points, gaussian_grid(sigma, points, dimension)) +
+           memory_of(GaussianBuffers{}.needed(points, dimension)) + DomainBuffers::memory_of_torus() +
+           PointSummary::memory(points);
+}
+
+}

@@ -1,0 +1,67 @@
+// Gaussian blue noise: points that descend the sum of the Gaussians of all pairs.
+//
+// Ahmed, Ren, Wonka, Gaussian blue noise, ACM Transactions on Graphics 41(6), 2022. Every point moves by a step along
+// the force that the others exert on it, all at once, again and again. Lengths are in mean distances s =
+// N^(-1/dimension): the Gaussian of a pair is exp(-d^2 / (2 sigma^2)). Departures: pairs farther apart than 5.8 sigma
+// are left out, each of which has a Gaussian below 5e-8, so that a force errs by less than 2e-6 even where all of them
+// are on one side; and 2e-7 of each Gaussian is due to single precision and to a polynomial for the exponential. The
+// shortest of the vectors between two points counts, so that the torus must be as wide as two such distances.
+#pragma once
+
+#include "host/sampling/lloyd_relaxation.hpp"
+#include "kernels/common/gaussian_blue_noise.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace poissonlab {
+
+struct GaussianRequest
+{
+    std::size_t iterations = 0;
+    double sigma = 1; ///< mean distances
+    double step = 0;  ///< mean distances for a unit of force
+};
+
+/// The fewest points whose torus is as wide as it must be.
+std::size_t least_gaussian_points(double sigma, int dimension);
+
+/// The step of the paper, 0.25 in 2D, and as large a part, 0.58, of what makes waves in an even set grow otherwise:
+/// exp(1) (2 pi)^(-dimension / 2) sigma^(2 - dimension), as the Gaussian resists waves of frequency k by at most
+/// k^2 (2 pi sigma^2)^(dimension / 2) exp(-k^2 sigma^2 / 2).
+double usual_gaussian_step(double sigma, int dimension);
+
+/// What both engines are told.
+contract::gaussian_blue_noise::Gaussians gaussians_for(const GaussianRequest& request, std::size_t points,
+                                                       int dimension);
+
+/// The energy of records: the mean over points of the Gaussians of all points, themselves among them, less that of
+/// points spread evenly. Random points have 1 on average; it cannot be negative.
+double gaussian_energy(double sum_of_others, std::size_t points, double sigma, int dimension);
+
+/// `points` has at least least_gaussian_points().
+namespace reference {
+LloydResult descend(const PointSet& points, const GaussianRequest& request);
+}
+
+/// The same, by kernels/gaussian_blue_noise.cl: the same bytes as the reference on every device.
+class GaussianBlueNoise
+{
+public:
+    /// `work_group_size` 0: the default.
+    explicit GaussianBlueNoise(Device device, std::size_t work_group_size = 0);
+
+    LloydResult descend(const PointSet& points, const GaussianRequest& request);
+
+    /// The memory that descend() takes, and gives back.
+    static DeviceMemory memory(double sigma, std::size_t points, int dimension);
+
+private:
+    Device device_;
+    std::size_t work_group_size_;
+};
+
+/// The sampler "gaussian-blue-noise": iterations, sigma, step, start.
+SamplerSpec gaussian_blue_noise_sampler();
+
+}

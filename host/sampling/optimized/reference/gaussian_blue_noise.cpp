@@ -1,0 +1,134 @@
+// Gaussian blue noise, plain and sequential: what the kernels must reproduce.
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+
+#include "host/sampling/lloyd_iteration.hpp"
+#include "host/sampling/reference/plain_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace poissonlab::reference {
+namespace {
+
+using namespace contract::gaussian_blue_noise;
+
+using LaneSums = std::array<float, SUM_LANES>;
+
+float sum_of_lanes(const LaneSums& v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
+
+/// 2^t for t <= 0: its power of two, and a Taylor polynomial for the rest.
+float power_of_two(float t)
+{
+    const float whole = std::floor(t + 0.5F);
+    const float x = (t - whole) * 0.693147182F; // log 2
+    float sum = 1.0F / 720;
+    for (const float coefficient : {1.0F / 120, 1.0F / 24, 1.0F / 6, 0.5F, 1.0F, 1.0F}) sum = sum * x + coefficient;
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(sum) + static_cast<std::int32_t>(whole) * (1 << 23));
+}
+
+class PlainGaussianState
+{
+public:
+    PlainGaussianState(const PointSet& points, const GaussianRequest& request)
+        : points_(points), sigma_(request.sigma), axes_(static_cast<std::size_t>(points.dimension)),
+          gaussians_(gaussians_for(request, points.size(), points.dimension)), displacements_(points.coordinates.size())
+    {}
+
+    IterateMeasure measure()
+    {
+        const PlainCells cells(points_, static_cast<int>(gaussians_.grid_size));
+        std::vector<double> energies;
+        double squared_near = std::numeric_limits<double>::infinity();
+        for (std::size_t id = 0; id < points_.size(); ++id) {
+            const Sums sums = sums_of(id, cells);
+            for (std::size_t k = 0; k < axes_; ++k)
+                displacements_[id * axes_ + k] = double{sum_of_lanes(sums.force[k])} * gaussians_.step;
+            energies.push_back(sum_of_lanes(sums.energy));
+            const double unit = 0x1p-32 / double{gaussians_.scale};
+            squared_near = std::min(squared_near, double{sums.squared_near} * (unit * unit));
+        }
+        double energy = 0;
+        for (const double e : energies) energy += e;
+        return {gaussian_energy(energy, points_.size(), sigma_, points_.dimension), squared_near};
+    }
+
+    void move()
+    {
+        for (std::size_t i = 0; i < points_.coordinates.size(); ++i) {
+            const double moved = points_.coordinates[i] + displacements_[i];
+            const double wrapped = moved - std::floor(moved);
+            points_.coordinates[i] = wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
+        }
+    }
+
+    void keep() { kept_ = points_; }
+    PointSet kept() { return std::move(kept_); }
+
+private:
+    struct Sums
+    {
+        std::array<LaneSums, 3> force{};
+        LaneSums energy{};
+        float squared_near = std::numeric_limits<float>::infinity();
+    };
+
+    Sums sums_of(std::size_t id, const PlainCells& cells) const
+    {
+        Sums sums;
+        const int n = static_cast<int>(gaussians_.grid_size);
+        const int reach = n == 1 ? 0 : WINDOW_REACH;
+        const int reach_z = axes_ == 3 ? reach : 0;
+        const auto cell = cells.cell_of(points_[id]);
+        for (int z = cell[2] - reach_z; z <= cell[2] + reach_z; ++z)
+            for (int y = cell[1] - reach; y <= cell[1] + reach; ++y) {
+                std::size_t lane = 0;
+                for (int x = cell[0] - reach; x <= cell[0] + reach; ++x) {
+                    if (x == 0 || x == n) lane = 0; // the torus begins again
+                    cells.for_each_in({x, y, z}, [&](std::size_t other, const auto&) {
+                        add(id, other, lane, sums);
+                        lane = (lane + 1) % SUM_LANES;
+                    });
+                }
+            }
+        return sums;
+    }
+
+    void add(std::size_t id, std::size_t other, std::size_t lane, Sums& sums) const
+    {
+        if (other == id) return;
+        std::array<float, 3> difference{};
+        float squared = 0;
+        for (std::size_t k = 0; k < axes_; ++k) {
+            const auto fixed = [&](std::size_t point) {
+                return static_cast<std::uint32_t>(points_.coordinates[point * axes_ + k] * 0x1p32);
+            };
+            difference[k] = static_cast<float>(static_cast<std::int32_t>(fixed(other) - fixed(id))) * gaussians_.scale;
+            squared += difference[k] * difference[k];
+        }
+        sums.squared_near = std::min(sums.squared_near, squared);
+        if (!(squared < gaussians_.squared_cut)) return;
+        const float gaussian = power_of_two(squared * gaussians_.exponent);
+        for (std::size_t k = 0; k < axes_; ++k) sums.force[k][lane] -= difference[k] * gaussian;
+        sums.energy[lane] += gaussian;
+    }
+
+    PointSet points_;
+    double sigma_;
+    std::size_t axes_;
+    Gaussians gaussians_;
+    std::vector<double> displacements_;
+    PointSet kept_;
+};
+
+}
+
+LloydResult descend(const PointSet& points, const GaussianRequest& request)
+{
+    PlainGaussianState state(points, request);
+    return run_iterations(state, points.size(), points.dimension, {.iterations = request.iterations});
+}
+
+}

@@ -1,0 +1,82 @@
+// Sample elimination, plain and sequential: what the kernels must reproduce.
+#include "host/sampling/optimized/sample_elimination.hpp"
+
+#include "base/geometry/torus.hpp"
+#include "host/sampling/classics/torus_grid.hpp"
+#include "kernels/common/sample_elimination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace poissonlab::reference {
+namespace {
+
+/// A point in reach of another, and what the pair weighs.
+struct Partner
+{
+    std::uint32_t point;
+    std::uint64_t weight;
+};
+
+std::vector<std::vector<Partner>> partners_within(const PointSet& points, const EliminationReach& reach)
+{
+    TorusGrid grid(points.size(), points.dimension);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        TorusPosition position{};
+        for (std::size_t k = 0; k < points[i].size(); ++k)
+            position[k] = static_cast<std::uint32_t>(points[i][k] * 0x1p32);
+        grid.add(position);
+    }
+    const double most = reach.most * 0x1p32, least = reach.least * 0x1p32;
+    const std::uint64_t squared_reach = squared_threshold(std::min(reach.most, 1.0));
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < points.size(); ++i) all.push_back(i);
+    std::vector<std::vector<Partner>> partners(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (const std::size_t j : reach.most < 0.49 ? grid.within(grid[i], most * 1.001) : all) {
+            const std::uint64_t squared = squared_torus_distance(grid[i], grid[j]);
+            if (j == i || squared >= squared_reach) continue;
+            const double rest = 1 - std::max(std::sqrt(static_cast<double>(squared)), least) / most;
+            const double fourth = (rest * rest) * (rest * rest);
+            partners[i].push_back(
+                {static_cast<std::uint32_t>(j),
+                 static_cast<std::uint64_t>(fourth * fourth * contract::sample_elimination::WEIGHT_UNITS + 0.5)});
+        }
+    }
+    return partners;
+}
+
+}
+
+std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach)
+{
+    const auto partners = partners_within(points, reach);
+    // The heaviest first; of equal weights, the lower number.
+    using Entry = std::pair<std::uint64_t, std::uint32_t>;
+    const auto heavier = [](const Entry& a, const Entry& b) {
+        return a.first != b.first ? a.first > b.first : a.second < b.second;
+    };
+    std::vector<std::uint64_t> weights;
+    std::set<Entry, decltype(heavier)> heap(heavier);
+    for (const auto& pairs : partners) {
+        weights.push_back(0);
+        for (const Partner& partner : pairs) weights.back() += partner.weight;
+        heap.emplace(weights.back(), static_cast<std::uint32_t>(weights.size() - 1));
+    }
+    std::vector<std::uint32_t> order;
+    while (!heap.empty()) {
+        const std::uint32_t heaviest = heap.begin()->second;
+        heap.erase(heap.begin());
+        order.push_back(heaviest);
+        for (const Partner& partner : partners[heaviest]) {
+            if (heap.erase({weights[partner.point], partner.point}) == 0) continue; // removed before
+            weights[partner.point] -= partner.weight;
+            heap.emplace(weights[partner.point], partner.point);
+        }
+    }
+    return order;
+}
+
+}

@@ -1,0 +1,61 @@
+// Sample elimination: of many points, the one that has the others nearest is removed, again and again.
+//
+// Yuksel, Sample elimination for generating Poisson disk sample sets, Computer Graphics Forum 34(2), 2015. A pair of
+// points at a distance d weighs (1 - d / d_max)^8, where d_max is the minimum distance of the densest packing of as
+// many points as are kept; pairs nearer than d_min weigh no more than at d_min. The order, too: elimination from n to n
+// / 2 points puts those that are removed behind those that are kept, the first one last, and so on with these, so that
+// every prefix is a set that elimination would keep, or nearly.
+//
+// Weights are integers here, so that sums do not depend on their order. Distances are the shortest ones on the torus;
+// images farther away weigh nothing, which matters for a handful of points only.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "host/sampling/device_method.hpp"
+#include "host/sampling/sampler.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace poissonlab {
+
+/// The distances between which weights vary; unit lengths.
+struct EliminationReach
+{
+    double most = 0;  ///< d_max
+    double least = 0; ///< d_min
+};
+
+/// Those for keeping so many of so many points: section 3.1 of the paper, with beta = 0.65 and gamma = 1.5.
+EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dimension);
+
+/// The numbers of all points of a set in the order in which they are removed, if all are. Coordinates count to 2^-32.
+using RemovalOrder = std::function<std::vector<std::uint32_t>(const PointSet&, const EliminationReach&)>;
+
+/// The points of a set that are kept, in progressive order.
+PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order);
+
+namespace reference {
+/// By a heap.
+std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach);
+}
+
+/// The same, by kernels/sample_elimination.cl: the same order on every device.
+class SampleElimination : DeviceMethod<struct EliminationBuffers>
+{
+public:
+    /// `work_group_size` 0: the default.
+    explicit SampleElimination(Device device, std::size_t work_group_size = 0);
+
+    std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach);
+
+    /// The memory that eliminate() takes.
+    static DeviceMemory memory(int dimension, std::size_t points, std::size_t kept);
+};
+
+/// The sampler "sample-elimination": candidates.
+SamplerSpec sample_elimination_sampler();
+
+}

@@ -1,0 +1,14 @@
+// What farthest_point.cl, its host code, host/sampling/optimized/farthest_point.cpp, and its twin agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(farthest_point)
+
+enum
+{
+    WINDOW_REACH = 2, ///< cells on either side of a point's own in which its neighbours are looked for
+    COLORS = 3        ///< along each axis: cells of one color are so far apart that none is in the window of another
+};
+
+END_CONTRACT

@@ -1,0 +1,26 @@
+// What gaussian_blue_noise.cl, its host code, host/sampling/optimized/gaussian_blue_noise.cpp, and its twin agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(gaussian_blue_noise)
+
+enum
+{
+    WINDOW_REACH = 2, ///< cells on either side of a point's own
+    SUM_LANES = 8     ///< sums that are kept apart until all neighbours are added
+};
+
+/// What sum_gaussians is told. Lengths are in mean distances of points, N^(-1/dimension).
+struct Gaussians
+{
+    double step;       ///< displacement for a unit of force; of the torus' side
+    float scale;       ///< a unit of 2^-32
+    float exponent;    ///< the Gaussian is 2^(exponent * squared distance)
+    float squared_cut; ///< farther pairs are left out
+    uint points;
+    uint grid_size; ///< cells along each axis: 1, or at least 2 WINDOW_REACH + 1
+    uint stride;    ///< of coordinates
+};
+
+END_CONTRACT

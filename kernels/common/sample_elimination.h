@@ -1,0 +1,23 @@
+// What sample_elimination.cl and its host code, host/sampling/optimized/sample_elimination.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(sample_elimination)
+
+/// Weights are integers, in units of which the largest of a pair has so many: sums are exact, in any order.
+REAL(WEIGHT_UNITS, 0x1p40)
+
+/// What the kernels are told of a set. Lengths are in units of 2^-32.
+struct Elimination
+{
+    ulong squared_reach; ///< nearer pairs have a weight
+    double reach;        ///< d_max
+    double least;        ///< d_min: nearer pairs weigh no more
+    uint points;
+    uint grid_size; ///< cells along each axis, of at least the reach, or one
+    uint stride;    ///< of coordinates
+    uint unused;
+};
+
+END_CONTRACT

@@ -1,0 +1,168 @@
+// Gaussian blue noise: both engines give the same bytes, forces are those of all pairs, the energy falls, and waves in
+// even sets decay as theory has it.
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+#include "host/config/sampler_registry.hpp"
+#include "tests/support/brute_force.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/point_patterns.hpp"
+#include "tests/support/statistics.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+PointSet random_gaussian_start(std::size_t points, int dimension, unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    return test::random_points(points, dimension, random);
+}
+
+struct GaussianCase
+{
+    int dimension;
+    std::size_t points;
+    double sigma;
+};
+
+void PrintTo(const GaussianCase& c, std::ostream* out)
+{
+    *out << c.dimension << "D, " << c.points << " points, sigma " << c.sigma;
+}
+
+class GaussianSets : public ::testing::TestWithParam<GaussianCase>
+{
+protected:
+    GaussianRequest request(std::size_t iterations) const
+    {
+        const auto [dimension, points, sigma] = GetParam();
+        return {.iterations = iterations, .sigma = sigma, .step = usual_gaussian_step(sigma, dimension)};
+    }
+};
+
+TEST_P(GaussianSets, AreTheSameByKernelAndReference)
+{
+    const PointSet start = random_gaussian_start(GetParam().points, GetParam().dimension, 4);
+    const LloydResult expected = reference::descend(start, request(3));
+    for (const std::size_t group : {std::size_t{1}, std::size_t{0}}) {
+        const LloydResult result = GaussianBlueNoise(Device::open(), group).descend(start, request(3));
+        EXPECT_EQ(result.points, expected.points);
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_NEAR(result.iterations[i].energy, expected.iterations[i].energy, 1e-9);
+            EXPECT_EQ(result.iterations[i].relative_radius, expected.iterations[i].relative_radius);
+        }
+    }
+}
+
+/// Forces of all pairs and of four images along each axis, in double precision: they differ by what the header states.
+TEST_P(GaussianSets, MoveByTheForcesOfAllPairs)
+{
+    const auto [dimension, points, sigma] = GetParam();
+    if (points > 1000) return;
+    const PointSet start = random_gaussian_start(points, dimension, 5);
+    const GaussianRequest one = request(1);
+    const LloydResult result = GaussianBlueNoise(Device::open()).descend(start, one);
+    const auto axes = static_cast<std::size_t>(dimension);
+    const double side = std::pow(static_cast<double>(points), 1.0 / dimension);
+    double energy = 0, least = 1;
+    for (std::size_t i = 0; i < points; ++i) {
+        std::array<double, 3> force{};
+        for (std::size_t j = 0; j < points; ++j)
+            for (int image = 0; image < (dimension == 2 ? 9 : 27); ++image) {
+                std::array<double, 3> d{};
+                double squared = 0;
+                for (std::size_t k = 0; k < axes; ++k) {
+                    const int turn = (image / (k == 0 ? 1 : k == 1 ? 3 : 9)) % 3 - 1;
+                    d[k] = (start[j][k] - start[i][k] + turn) * side;
+                    squared += d[k] * d[k];
+                }
+                if (squared == 0) continue;
+                least = std::min(least, std::sqrt(squared) / side);
+                const double gaussian = std::exp(-squared / (2 * sigma * sigma));
+                energy += gaussian;
+                for (std::size_t k = 0; k < axes; ++k) force[k] -= d[k] * gaussian / (sigma * sigma);
+            }
+        for (std::size_t k = 0; k < axes; ++k) {
+            const double moved = std::remainder(result.points[i][k] - start[i][k], 1.0) * side;
+            // Forces of some ten neighbours, each of a relative error of a few 2^-23, and what is cut off.
+            EXPECT_NEAR(moved / one.step, force[k], 4e-6);
+        }
+    }
+    EXPECT_NEAR(result.iterations[0].energy, gaussian_energy(energy, points, sigma, dimension), 1e-5);
+    EXPECT_NEAR(result.iterations[0].relative_radius, relative_radius(least, points, dimension), 1e-5);
+}
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, GaussianSets, ::testing::Values(GaussianCase{2, 140, 1.0}, GaussianCase{3, 60, 0.32}));
+INSTANTIATE_TEST_SUITE_P(Sizes, GaussianSets,
+                         ::testing::Values(GaussianCase{2, 135, 1.0}, GaussianCase{2, 211, 1.0},
+                                           GaussianCase{2, 300, 0.7}, GaussianCase{2, 1000, 1.3},
+                                           GaussianCase{2, 5000, 1.0}, GaussianCase{3, 1600, 1.0},
+                                           GaussianCase{3, 500, 0.5}, GaussianCase{3, 4000, 1.0}));
+
+TEST(GaussianBlueNoiseEnergy, FallsAtEveryStep)
+{
+    for (const int dimension : {2, 3}) {
+        const std::size_t points = dimension == 2 ? 4096 : 3100;
+        const PointSet start = random_gaussian_start(points, dimension, 6);
+        const GaussianRequest request{
+            .iterations = dimension == 2 ? 100u : 25u, .sigma = 1, .step = usual_gaussian_step(1, dimension)};
+        const auto records = GaussianBlueNoise(Device::open()).descend(start, request).iterations;
+        // Random points have 1: the variance of the mean is that of a sum over pairs, 2 (pi)^(d / 2) / points.
+        const double deviation =
+            std::sqrt(2 * std::pow(std::numbers::pi, 0.5 * dimension) / static_cast<double>(points));
+        EXPECT_NEAR(records[0].energy, 1, test::z_bound(2) * deviation);
+        for (std::size_t i = 1; i < records.size(); ++i) EXPECT_LT(records[i].energy, records[i - 1].energy) << i;
+        EXPECT_LT(records.back().energy, 0.1);
+        EXPECT_GT(records.back().energy, 0);
+    }
+}
+
+/// A wave of k in an even set meets a resistance of k^2 times the Gaussian's transform, (2 pi) exp(-k^2 / 2), so that a
+/// step takes so much of it.
+TEST(GaussianBlueNoiseForces, LetWavesDecayAsTheTransformOfTheGaussianSays)
+{
+    constexpr int n = 32;
+    for (const int waves : {1, 3, 7}) {
+        PointSet set = test::square_lattice(n, 2);
+        const PointSet lattice = set;
+        const double k = 2 * std::numbers::pi * waves / n; // a mean distance is 1
+        const auto shift = [&](std::size_t i) { return std::sin(k * n * lattice[i][0]); };
+        constexpr double height = 1e-3 / n;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            double& x = set.coordinates[2 * i];
+            x += height * shift(i);
+            x -= std::floor(x);
+        }
+        const PointSet after =
+            GaussianBlueNoise(Device::open()).descend(set, {.iterations = 1, .sigma = 1, .step = 0.25}).points;
+        double left = 0;
+        for (std::size_t i = 0; i < set.size(); ++i)
+            left += 2 * std::remainder(after[i][0] - lattice[i][0], 1.0) * shift(i) / height / (n * n);
+        // Rounding: forces err by some 1e-6, the height of the wave is 1e-3, and 1,024 points are averaged.
+        EXPECT_NEAR(left, 1 - 0.25 * k * k * 2 * std::numbers::pi * std::exp(-k * k / 2), 5e-4) << waves;
+    }
+}
+
+TEST(GaussianBlueNoiseSampler, RefusesTorusesThatAreTooNarrow)
+{
+    const SamplerSpec& spec = *find_sampler("gaussian-blue-noise");
+    Parameters parameters(spec.parameters);
+    const auto refusal = [&](std::size_t points, int dimension) {
+        return refusal_of([&] { spec.check(parameters, {points, dimension, 1}, {"test.toml", 9}); });
+    };
+    EXPECT_EQ(refusal(135, 2), "accepted");
+    EXPECT_THAT(refusal(134, 2), testing::HasSubstr("test.toml:9: sampler = gaussian-blue-noise: needs at least 135 "));
+    EXPECT_THAT(refusal(1000, 3), testing::HasSubstr("needs at least 1561 points in 3D"));
+    parameters.set("sigma", 2.0, {"test.toml", 10});
+    EXPECT_THAT(refusal(500, 2), testing::HasSubstr("test.toml:10: sigma = 2: 500 points are too few"));
+}
+
+}
+}
