@@ -124,14 +124,14 @@ TEST(Start, IsCheckedLikeAMethod)
     EXPECT_EQ(start("5"), "c.toml:3: start = 5: must be " + table_or_name);
     EXPECT_EQ(start("true"), "c.toml:3: start = true: must be " + table_or_name);
     EXPECT_EQ(start("[]"), "c.toml:3: start = []: the list is empty; each item must be " + table_or_name);
-    EXPECT_EQ(start("\"randm\""),
-              "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
-              "\"hexagonal\", \"sobol\", \"halton\", \"best-candidate\", \"bridson\", "
-              "\"dart-throwing\", \"relaxation-dart-throwing\", \"sector-darts\", \"lloyd\", "
-              "\"corner-tiles\", \"edge-tiles\", "
-              "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", \"file\", "
-              "\"command\", \"relax\"; "
-              "did you mean \"random\"?");
+    EXPECT_EQ(start("\"randm\""), "c.toml:3: start = \"randm\": must be one of \"random\", \"regular\", \"jittered\", "
+                                  "\"hexagonal\", \"sobol\", \"halton\", \"best-candidate\", \"bridson\", "
+                                  "\"dart-throwing\", \"relaxation-dart-throwing\", \"sector-darts\", \"lloyd\", "
+                                  "\"corner-tiles\", \"edge-tiles\", "
+                                  "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", "
+                                  "\"recursive-wang-tiles\", \"file\", "
+                                  "\"command\", \"relax\"; "
+                                  "did you mean \"random\"?");
     EXPECT_THAT(start("{ sampler = \"dart-throwin\" }"),
                 testing::AllOf(HasSubstr("c.toml:3: sampler = \"dart-throwin\": must be one of "),
                                HasSubstr("; did you mean \"dart-throwing\"?")));
