@@ -130,7 +130,8 @@ TEST(Start, IsCheckedLikeAMethod)
               "\"dart-throwing\", \"relaxation-dart-throwing\", \"voronoi-darts\", \"sector-darts\", \"lloyd\", "
               "\"sample-elimination\", \"farthest-point\", \"gaussian-blue-noise\", \"equal-areas\", "
               "\"corner-tiles\", \"edge-tiles\", "
-              "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", \"file\", "
+              "\"template-tiles\", \"sphere-tiles\", \"shade-tiles\", \"averaged-tiles\", "
+              "\"recursive-wang-tiles\", \"file\", "
               "\"command\", \"relax\"; "
               "did you mean \"random\"?");
     EXPECT_THAT(start("{ sampler = \"dart-throwin\" }"),

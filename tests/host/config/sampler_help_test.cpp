@@ -59,6 +59,8 @@ TEST(SamplerHelp, DefaultsAreOfTheKindAndInTheRangeOfTheirParameter)
                 EXPECT_TRUE(std::holds_alternative<bool>(*spec.otherwise));
             } else if (spec.kind == Kind::choice) {
                 EXPECT_THAT(spec.choices, testing::Contains(std::get<std::string>(*spec.otherwise)));
+            } else if (spec.kind == Kind::text) {
+                EXPECT_FALSE(std::get<std::string>(*spec.otherwise).empty());
             } else {
                 EXPECT_EQ(spec.kind, Kind::sampler);
                 EXPECT_TRUE(as_sampler(*spec.otherwise));
