@@ -25,7 +25,7 @@ namespace poissonlab {
 
 const SamplerRegistry& sampler_registry()
 {
-    // clang-format off: one a line
+    // clang-format off
     static const SamplerRegistry registry = {
         random_sampler(),
         regular_sampler(),

@@ -11,8 +11,8 @@
 // that, the last iterate is taken that has the wanted distance; of four masters of template tiles the one is taken
 // whose strips come nearest to the number of points that they should have; and in space what surrounds an interior is
 // filled three radii wide and held while the interior relaxes, where it is a whole torus that moves in the plane. Joint
-// iterations, in which all tiles are relaxed together afterwards, are not of the dissertation; none are made unless asked
-// for.
+// iterations, in which all tiles are relaxed together afterwards, are not of the dissertation; none are made unless
+// asked for.
 #pragma once
 
 #include "host/tile_construction/filling/tile_filling.hpp"

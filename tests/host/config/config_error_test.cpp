@@ -30,21 +30,24 @@ TEST(ConfigError, UnknownTopLevelKey)
 {
     EXPECT_EQ(error_of("title = \"x\"\nsede = 1\n" + good_method),
               "c.toml:2: sede = 1: unknown key; did you mean \"seed\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
+              "distribution, include");
 }
 
 TEST(ConfigError, UnknownKeyThatIsLikeNoOther)
 {
     EXPECT_EQ(error_of("wavelength = \"long\"\n" + good_method),
               "c.toml:1: wavelength = \"long\": unknown key; "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
+              "distribution, include");
 }
 
 TEST(ConfigError, UnknownTable)
 {
     EXPECT_EQ(error_of(good_method + "[analisys]\npoints = 3\n"),
               "c.toml:3: analisys = {...}: unknown key; did you mean \"analysis\"? "
-              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
+              "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
+              "distribution, include");
 }
 
 TEST(ConfigError, UnknownAnalysisKey)
