@@ -89,8 +89,8 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
 std::vector<Command> all_commands(const std::string& typed)
 {
     std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_verify_command()};
-    std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(),
-                                      aperiodic_verify_command()};
+    std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
+                                      aperiodic_tile_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
@@ -99,6 +99,7 @@ std::vector<Command> all_commands(const std::string& typed)
             tiling_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
+            {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
             devices_command(),
             samplers_command()};
 }

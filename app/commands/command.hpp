@@ -75,6 +75,10 @@ Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();
 Command aperiodic_verify_command();
+Command aperiodic_tile_command();
+Command aperiodic_tables_command();
+Command isohedral_list_command();
+Command isohedral_draw_command();
 Command devices_command();
 Command samplers_command();
 

@@ -32,6 +32,10 @@ enum class Purpose : std::uint32_t
     wang_surroundings = 25,
     wang_tilings = 26,
     sector_darts = 27,
+    beatty_tiling = 53,
+    ammann_tiling = 54,
+    tiling_search = 55,
+    edge_curves = 56,
 };
 
 /// The 64-bit key of one independent stream.

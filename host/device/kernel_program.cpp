@@ -9,6 +9,7 @@ const std::vector<KernelFile>& kernel_files()
 {
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
+        {"beatty_tiling.cl", {}},
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
         {"joint_nulling.cl", {}},
         {"point_grid.cl", {dimension}},
@@ -16,6 +17,7 @@ const std::vector<KernelFile>& kernel_files()
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
         {"repulsion.cl", {dimension}},
         {"tile_darts.cl", {dimension}},
+        {"tile_finder.cl", {}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},
           dimension,
