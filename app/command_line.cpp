@@ -89,8 +89,8 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
 std::vector<Command> all_commands(const std::string& typed)
 {
     std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_verify_command()};
-    std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(),
-                                      aperiodic_verify_command()};
+    std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
+                                      aperiodic_tile_command(), aperiodic_tables_command()};
     std::vector<Command> of_densities{distribute_warp_command()};
     return {run_command(typed),
             merge_command(),
@@ -102,6 +102,7 @@ std::vector<Command> all_commands(const std::string& typed)
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
             {"distribute", "Points and objects that follow densities", {}, "", {}, std::move(of_densities)},
+            {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
             devices_command(),
             samplers_command()};
 }

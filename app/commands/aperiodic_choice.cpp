@@ -1,7 +1,6 @@
 #include "app/commands/aperiodic_choice.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/files/whole_file.hpp"
 #include "host/config/nearest_key.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
@@ -10,14 +9,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace poissonlab {
 namespace {
-
-constexpr double pixels_a_unit = 2;
 
 /// The error for a set that is neither known nor a file: it may be a slip of the pen.
 InputError unknown_set(const std::string& name)
@@ -73,18 +68,6 @@ ChosenTiles constructed_tiles(const std::string& command, const std::string& set
     return chosen;
 }
 
-void check_picture_file(const std::string& command, const std::filesystem::path& file)
-{
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code unknown;
-    if (file.extension() != ".svg" && file.extension() != ".png")
-        throw InputError(fmt::format("{}: --out {}: must end in .svg or .png", command, file.string()));
-    if (!std::filesystem::is_directory(folder, unknown))
-        throw InputError(fmt::format("{}: --out {}: there is no folder {}", command, file.string(), folder.string()));
-    if (std::filesystem::is_directory(file, unknown))
-        throw InputError(fmt::format("{}: --out {}: is a folder", command, file.string()));
-}
-
 void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& chosen, std::span<const ListPlace> places,
                         std::size_t columns, bool has_gaps)
 {
@@ -95,11 +78,7 @@ void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& ch
     grid.has_gaps = has_gaps;
     const Drawing drawing = chosen.corners ? draw_tiles(grid, tiles_at(chosen.corners->tiles, places))
                                            : draw_tiles(grid, tiles_at(chosen.wang.tiles, places));
-    if (file.extension() == ".svg")
-        write_whole_file(file, drawing_svg(drawing));
-    else
-        write_drawing_png(file, drawing,
-                          std::min(max_drawing_pixels, static_cast<int>(std::ceil(pixels_a_unit * drawing.width))));
+    write_picture_file(file, drawing);
 }
 
 }

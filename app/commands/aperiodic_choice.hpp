@@ -1,6 +1,7 @@
 // The tile set that the commands of `aperiodic` speak of: a known one or a file, and a construction of it.
 #pragma once
 
+#include "app/commands/picture_output.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
 
 #include <cstdint>
@@ -33,9 +34,6 @@ CornerConstruction chosen_construction(const std::string& command, const std::st
 /// also where the construction is ambiguous before its last repetition.
 ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
                               std::uint32_t repetitions);
-
-/// Throws InputError for a file that is neither .svg nor .png, in a folder that is not there, or a folder.
-void check_picture_file(const std::string& command, const std::filesystem::path& file);
 
 /// Draws tiles of the set, `columns` in a row: a tiling, or, with gaps, a set. Throws StorageError.
 void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& chosen, std::span<const ListPlace> places,

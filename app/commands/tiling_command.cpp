@@ -19,9 +19,10 @@ constexpr auto tiling_notes =
 line between them. A tile's coordinates are those of its lower left corner; they may be negative, of 64 bits.
 An index is the number whose digits are the colours: N E S W (wang), NE SE SW NW (corner); the same at the top and
 then at the bottom (cube).
-  corner  direct; scanline, scanline-compact
-  wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact
+  corner  direct; scanline, scanline-compact; culik-diagonal and the like
+  wang    edge-hash, two-hashes, one-hash (a compact set); scanline, scanline-compact; culik, kari, ammann
   cube    direct
+Names of aperiodic sets are those of `poissonlab aperiodic`; --colors must be theirs.
 Scanline tilings start at their north-west tile; the window must be at 0 0.
 --hash long-period (repeats after 5,930,659,848 tiles), permutation (256; the fastest), xxh64 (never repeats);
 with edge-hash, after half as many.
@@ -84,7 +85,7 @@ Request checked(const TilingOptions& options)
         throw InputError(fmt::format("tiling: --period {}: there are {} axes", fmt::join(options.period, " "), axes));
     for (std::size_t i = 0; i < options.period.size(); ++i)
         (i == 0 ? tiling.period.x : i == 1 ? tiling.period.y : tiling.period.z) = options.period[i];
-    if (tiling.is_scanline() && (!options.hash.empty() || !options.period.empty()))
+    if (!tiling.is_direct() && (!options.hash.empty() || !options.period.empty()))
         throw InputError("tiling: --algorithm " + tiling.algorithm + ": has no --hash and no --period");
     if (tiling.is_scanline() && (window.x != 0 || window.y != 0))
         throw InputError(fmt::format("tiling: --window {}: with --algorithm {}, X and Y must be 0",

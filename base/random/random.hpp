@@ -41,6 +41,10 @@ enum class Purpose : std::uint32_t
     texture_windows = 42,
     texture_variants = 43,
     texture_scanlines = 44,
+    beatty_tiling = 53,
+    ammann_tiling = 54,
+    tiling_search = 55,
+    edge_curves = 56,
 };
 
 /// The 64-bit key of one independent stream.

@@ -12,12 +12,12 @@
 
 namespace poissonlab {
 
-/// The tiling algorithms of a kind, the default first.
+/// The tiling algorithms of a kind, the default first; also the words of aperiodic sets that there are tilings of.
 const std::vector<std::string>& tiling_algorithms(TileKind kind);
 
 /// The tile sets of a kind, the default first: "complete"; "compact" (for scanlines); of Wang tiles also
 /// "one-hash", the compact set of that algorithm, and "corner", the set that is equivalent to the complete
-/// corner tile set.
+/// corner tile set; and the words of aperiodic sets.
 const std::vector<std::string>& tile_set_names(TileKind kind);
 
 struct TilingRequest
@@ -30,7 +30,16 @@ struct TilingRequest
     Period period;
 
     bool is_scanline() const { return algorithm.starts_with("scanline"); }
+
+    /// True for tilings with an aperiodic set, which have no hash function and never close.
+    bool is_aperiodic() const;
+
+    /// True for tilings by hash functions.
+    bool is_direct() const { return !is_scanline() && !is_aperiodic(); }
 };
+
+/// The only number of colours that a set or a tiling with this word can have; 0: there are several.
+Color own_colors(TileKind kind, const std::string& word);
 
 /// A set of tile_set_names(kind). Throws InputError for numbers of colours that it cannot have.
 TileSet make_tile_set(TileKind kind, Color colors, const std::string& name);

@@ -57,25 +57,45 @@ std::string default_label(const TilingConfig& config)
     return label;
 }
 
+/// Aperiodic sets have one number of colours, which need not be given.
+Color read_colors(const ConfigTable& table, TileKind kind, const std::string& word, Color most)
+{
+    const Color own = own_colors(kind, word);
+    return static_cast<Color>(
+        read_integer(table, "colors", own > 0 ? own : 2, own > 0 ? own : most, own > 0 ? own : 2));
+}
+
+/// Tilings with aperiodic sets have no hash function and never close.
+void check_own(const ConfigTable& table, const TilingRequest& request)
+{
+    if (!request.is_aperiodic()) return;
+    for (const char* key : {"hash", "period"})
+        if (const ConfigNode* const node = find(table, key))
+            throw invalid_node(key, *node, fmt::format("has no place beside algorithm = \"{}\"", request.algorithm));
+}
+
 TilingConfig read_table(const ConfigTable& table, bool is_set, std::uint64_t seed)
 {
     TilingConfig config;
     TilingRequest& request = config.request;
     request.kind = read_word(table, "kind", tile_kinds, request.kind);
     const bool cube = request.kind == TileKind::cube;
-    request.colors = static_cast<Color>(read_integer(table, "colors", 2, cube ? max_cube_colors : max_colors, 2));
+    const Color most_colors = cube ? max_cube_colors : max_colors;
     request.seed = seed;
     config.regions = read_number(table, "regions", 0, cube ? largest_regions_3d : largest_regions_2d, 0);
     if (is_set) {
         check_keys(table, {"kind", "colors", "tiles", "regions", "label"});
         const auto& names = tile_set_names(request.kind);
         config.set = names[read_word(table, "tiles", names)];
+        request.colors = read_colors(table, request.kind, config.set, most_colors);
         // Pairs of their colours are the colours of the edges.
         if (config.set == "corner") read_integer(table, "colors", 2, max_paired_colors, 2);
     } else {
         check_keys(table, {"kind", "colors", "algorithm", "hash", "period", "window", "regions", "label"});
         const auto& names = tiling_algorithms(request.kind);
         request.algorithm = names[read_word(table, "algorithm", names)];
+        request.colors = read_colors(table, request.kind, request.algorithm, most_colors);
+        check_own(table, request);
         // The first word is the default; that of hash functions is another.
         if (find(table, "hash")) request.hash = static_cast<HashKind>(read_word(table, "hash", hash_names()));
         request.period = read_period(table, request.kind);

@@ -9,6 +9,7 @@ const std::vector<KernelFile>& kernel_files()
 {
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
+        {"beatty_tiling.cl", {}},
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
         {"farthest_point.cl", {}},
         {"gaussian_blue_noise.cl", {dimension}},
@@ -20,6 +21,7 @@ const std::vector<KernelFile>& kernel_files()
         {"repulsion.cl", {dimension}},
         {"sample_elimination.cl", {dimension}},
         {"tile_darts.cl", {dimension}},
+        {"tile_finder.cl", {}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},
           dimension,

@@ -111,7 +111,7 @@ TilingResult tiling_of(const TilingTask& task, const std::optional<TilingStatist
     result.algorithm = request.algorithm;
     result.origin = {w.x, w.y, w.z};
     result.size = {w.width, w.height, request.kind == TileKind::cube ? w.depth : 1};
-    if (!request.is_scanline()) {
+    if (request.is_direct()) {
         const HashPeriod period = hash_period(request);
         result.hash = hash_names().at(static_cast<std::size_t>(request.hash));
         result.hash_period = {period.x, period.y};

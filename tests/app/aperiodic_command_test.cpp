@@ -124,6 +124,37 @@ TEST_F(AperiodicCommand, FindsPeriods)
                 EndsWith("no period up to 3 tiles along either axis; that there is none is not proven by this\n"));
 }
 
+TEST_F(AperiodicCommand, PrintsTilings)
+{
+    // Both engines, any window; 14 tiles are numbered from 0.
+    const std::string whole = printed("tile kari --window -3 -2 6 4 --seed 2");
+    EXPECT_EQ(printed("tile kari --window -3 -2 6 4 --seed 2 --engine reference"), whole);
+    EXPECT_EQ(printed("tile kari --window -3 -2 6 1 --seed 2"), whole.substr(whole.rfind('\n', whole.size() - 2) + 1));
+    EXPECT_NE(printed("tile kari --window -3 -2 6 4 --seed 3"), whole);
+    EXPECT_EQ(std::ranges::count(printed("tile ammann --window 0 0 5 3"), '\n'), 3);
+    EXPECT_EQ(std::ranges::count(printed("tile jeandel-rao --window 0 0 12 12"), '\n'), 12);
+    EXPECT_EQ(std::ranges::count(printed("tile kari --construction rotation --repeat 2 --window -5 -5 4 3"), '\n'), 3);
+    printed("tile ammann --construction diagonal --window 0 0 8 8 --out tiling.png");
+    EXPECT_EQ(test::decode_png(content_of(folder_.path() / "tiling.png")).width, 2 * (8 * 32 + 16));
+}
+
+TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
+{
+    expect_error("tile kari --window 0 0 1", "aperiodic tile: --window 0 0 1: must be X Y W H");
+    expect_error("tile kari --window 0 0 0 1", "aperiodic tile: --window 0 0 0 1: sizes must be at least 1");
+    expect_error("tile kari --method substitution --window 0 0 1 1",
+                 "aperiodic tile: --method substitution: there is none for kari");
+    expect_error("tile jeandel-rao --window 1 0 2 2", "aperiodic tile: --window 1 0 2 2: by search, X and Y must be 0");
+    expect_error("tile kari --window 0 2000000 2 2",
+                 "rows of a tiling by Beatty sequences are from -1048576 to 1048575");
+    expect_error("tile ammann --window 0 0 8 8 --engine gpu",
+                 "aperiodic tile: --engine \"gpu\": unknown (known: opencl, reference)");
+    folder_.write("two.txt", "0 1 0 0\n0 2 0 1\n");
+    const Outcome none = run("tile two.txt --window 0 0 3 1");
+    EXPECT_EQ(none.status, 2);
+    EXPECT_THAT(none.error, EndsWith("error: aperiodic tile: no 3 x 1 tiles of two.txt fit together\n"));
+}
+
 TEST_F(AperiodicCommand, WrongArguments)
 {
     expect_error("verify karj --width 3", "aperiodic: set \"karj\": unknown, and no such file; did you mean \"kari\"? "

@@ -156,7 +156,7 @@ TEST_F(TilingCommand, WrongArguments)
     expect_error("corner --colors 2 --window 0 0 0 1", "tiling: --window 0 0 0 1: sizes must be at least 1");
     expect_error("wang --colors 2 --algorithm one-hsah --window 0 0 1 1",
                  "tiling: --algorithm \"one-hsah\": unknown; did you mean \"one-hash\"? "
-                 "(known: edge-hash, two-hashes, one-hash, scanline, scanline-compact)");
+                 "(known: edge-hash, two-hashes, one-hash, scanline, scanline-compact, culik, kari, ammann)");
     expect_error("wang --colors 2 --hash md5 --window 0 0 1 1",
                  "tiling: --hash \"md5\": unknown (known: permutation, long-period, xxh64)");
     expect_error("corner --colors 2 --window 0 0 1 1 --period -1",

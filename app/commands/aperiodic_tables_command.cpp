@@ -1,0 +1,141 @@
+// poissonlab aperiodic tables: the dissertation's tables 8.1 to 8.7 beside what is computed, as docs/aperiodic-tiles.md
+// has them.
+#include "app/commands/command.hpp"
+#include "tiles/aperiodic/table_comparison.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto aperiodic_tables_notes =
+    R"(Computes every number of the tables for the sets that are available, and searches all of their corner tiles for
+periods. The page docs/aperiodic-tiles.md is what this prints.)";
+
+constexpr std::size_t searched_width = 6;
+
+struct AperiodicTablesOptions
+{
+};
+
+constexpr auto tables_head =
+    R"(# Aperiodic sets of corner tiles: the tables of the dissertation, computed
+
+Lagae, *Tile-Based Methods in Computer Graphics*, 2007, chapter 8, makes sets of corner tiles of aperiodic sets of Wang
+tiles, and Wang tiles of those again. This page is what `poissonlab aperiodic tables` prints: every number of tables 8.1
+to 8.7 that can be computed, beside the one that is printed there. A cell is tiles/colours of corner tiles and, in
+brackets, the colours of the Wang tiles made of them, of which there are as many. The first rows are tables 8.1 and 8.2.
+
+The sets of 24 and 32 Wang tiles are printed as pictures only (Grünbaum and Shephard, *Tilings and Patterns*, page 593);
+their columns are not checked. "Failed" is explained by what is counted: several patterns of Wang tiles give the same
+corner tile, so that corner tiles do not tell the Wang tiles they come from. The dissertation gives no reason.
+)";
+
+constexpr auto periods_head =
+    R"(
+## Periods
+
+Rows that close after w tiles are stacked until nothing fits, for all w up to {} and along both axes. Where stacks have no
+end, the set has a tiling that repeats. **No finite search proves that a set is aperiodic**: there may be a longer period.
+Sets made by the diagonal, rotation and subdivision constructions, and by the vertical one of Kari's set, tell the Wang
+tiles that they are made of, and are aperiodic as those are.
+
+The dissertation calls 44 tiles over 6 colours (figure 8.6, of Ammann's 16 Wang tiles by the horizontal construction) the
+smallest aperiodic set of corner tiles known. Every number that it prints of this set is the same here, and the set tiles
+a torus of 2 × 3 tiles: `poissonlab aperiodic verify ammann --construction horizontal --width 2`. Of the sets here
+without a period, the smallest are the 40 corner tiles over 8 colours that the rotation makes of Jeandel and Rao's Wang
+tiles, which were found later; of those that the dissertation could know, the 49 of Ammann's by the same construction.
+
+| Wang tiles | construction | corner tiles/colours | |
+| --- | --- | --- | --- |
+)";
+
+std::string text_of(const PrintedStep& step)
+{
+    return fmt::format("{}/{}{}", step.tiles, step.colors,
+                       step.wang_colors > 0 ? fmt::format(" [{}]", step.wang_colors) : "");
+}
+
+/// What is printed, and what is here where that is something else.
+std::string cell_of(const ComparedColumn& column, std::size_t step)
+{
+    if (column.printed.steps.empty()) {
+        if (step > 0) return "";
+        if (!column.here) return "failed, not checked";
+        const std::size_t tiles = column.here->front().tiles;
+        return fmt::format("failed{}: {} patterns, {} tiles", column.agrees() ? "" : ", but not here", column.patterns,
+                           tiles);
+    }
+    const std::string printed = text_of(column.printed.steps[step]);
+    if (!column.here) return printed + ", not checked";
+    const std::string here = text_of(column.here->at(step));
+    return printed == here ? printed : printed + ", **here " + here + "**";
+}
+
+void print_table(const std::string& table, const std::vector<ComparedColumn>& all)
+{
+    std::vector<ComparedColumn> columns;
+    std::ranges::copy_if(all, std::back_inserter(columns),
+                         [&](const ComparedColumn& column) { return column.printed.table == table; });
+    fmt::print("\n## Table {}: {}, repeated\n\n|", table, corner_constructions[columns.front().printed.construction]);
+    for (const ComparedColumn& column : columns) fmt::print(" {} |", column.printed.set);
+    fmt::print("\n|");
+    std::size_t steps = 0;
+    for (const ComparedColumn& column : columns) {
+        fmt::print(" --- |");
+        steps = std::max(steps, column.printed.steps.size());
+    }
+    fmt::print("\n");
+    for (std::size_t step = 0; step < steps; ++step) {
+        fmt::print("|");
+        for (const ComparedColumn& column : columns) fmt::print(" {} |", cell_of(column, step));
+        fmt::print("\n");
+    }
+    for (const ComparedColumn& column : columns)
+        if (column.printed.white > 0)
+            fmt::print("\n{}: {} white and {} black tiles{}", column.printed.set, column.printed.white,
+                       column.printed.black,
+                       !column.here      ? ", not checked."
+                       : column.agrees() ? ", here the same."
+                                         : fmt::format(", **here {} and {}**.", column.white, column.black));
+    if (columns.front().printed.white > 0) fmt::print("\n");
+}
+
+void print_periods()
+{
+    fmt::print(periods_head, searched_width);
+    for (const SearchedColumn& column : search_constructions(searched_width)) {
+        const auto& period = column.search.period;
+        fmt::print("| {} | {} | {}/{} | {} |\n", column.title, corner_constructions[column.construction],
+                   column.corners.tiles.size(), column.corners.colors,
+                   period ? fmt::format("{} × {} tiles repeat", period->width, period->height)
+                          : fmt::format("no period up to {}", searched_width));
+    }
+}
+
+void print_tables(const AperiodicTablesOptions&)
+{
+    const std::vector<ComparedColumn> columns = compare_tables();
+    fmt::print("{}", tables_head);
+    for (const char* table : {"8.3", "8.4", "8.7", "8.5", "8.6"}) print_table(table, columns);
+    print_periods();
+}
+
+}
+
+Command aperiodic_tables_command()
+{
+    const auto o = std::make_shared<AperiodicTablesOptions>();
+    return {"tables",
+            "Compare the dissertation's tables 8.1 to 8.7 with what is computed",
+            {},
+            aperiodic_tables_notes,
+            action_on(o, print_tables)};
+}
+
+}

@@ -1,0 +1,113 @@
+// Aperiodic sets and isohedral tilings against their targets: transfer counts of the largest table, cylinder search to
+// circumference 10, tilings by Beatty sequences on a device, and windows of isohedral tiles.
+#include "host/aperiodic_tiling/beatty_generator.hpp"
+#include "reports/drawings/isohedral_image.hpp"
+#include "tiles/aperiodic/aperiodic_sets.hpp"
+#include "tiles/aperiodic/block_count.hpp"
+#include "tiles/aperiodic/corner_constructions.hpp"
+#include "tiles/aperiodic/cylinder_search.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace poissonlab;
+
+/// Fails where a benchmark takes longer than its target.
+struct TimeTarget
+{
+    std::string name;
+    double seconds;
+};
+
+/// The largest number of table 8.3: 1,213,029 squares of 5 x 5 of Kari's tiles, counted and made.
+void count_largest_table(benchmark::State& state)
+{
+    for (auto _ : state) benchmark::DoNotOptimize(count_blocks(kari_tiles(), 5, 5));
+}
+
+void make_largest_table(benchmark::State& state)
+{
+    for (auto _ : state) benchmark::DoNotOptimize(repeat_construction(kari_tiles(), CornerConstruction::diagonal, 4));
+}
+
+void search_ten(benchmark::State& state, WangList (*tiles)())
+{
+    for (auto _ : state) benchmark::DoNotOptimize(search_periods(tiles(), 10));
+}
+
+void stream_beatty_tiles(benchmark::State& state, BeattySet set)
+{
+    constexpr std::uint64_t side = 8192;
+    BeattyGenerator generator(Device::open(), BeattyTiling(set, 1));
+    for (auto _ : state) {
+        std::uint64_t seen = 0;
+        generator.stream({-4096, -4096, side, side}, [&](std::span<const std::uint8_t> tiles) { seen += tiles[0]; });
+        benchmark::DoNotOptimize(seen);
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(side * side) * state.iterations());
+}
+
+/// Some 1,000 tiles, as SVG text.
+void draw_thousand_tiles(benchmark::State& state)
+{
+    const IsohedralTile tile = random_tile(isohedral_types()[27], 5, 0.3, 0.12);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(drawing_svg(draw_isohedral_tiling(tile, proper_coloring(tile), 31, 31)));
+}
+
+BENCHMARK(count_largest_table)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(make_largest_table)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(search_ten, culik, culik_tiles)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(search_ten, kari, kari_tiles)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(search_ten, ammann, ammann_tiles)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stream_beatty_tiles, kari, BeattySet::kari)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stream_beatty_tiles, culik, BeattySet::culik)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(draw_thousand_tiles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Prints as usual, and remembers the slowest run of each benchmark.
+class TargetReporter : public benchmark::ConsoleReporter
+{
+public:
+    void ReportRuns(const std::vector<Run>& runs) override
+    {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs) {
+            const double seconds = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
+            for (const TimeTarget& target : targets)
+                if (run.run_name.function_name + "/" + run.run_name.args == target.name && seconds > target.seconds) {
+                    std::printf("  MISSED: %s takes %.2f s, at most %.2f s\n", target.name.c_str(), seconds,
+                                target.seconds);
+                    is_missed = true;
+                }
+        }
+    }
+
+    bool is_missed = false;
+
+private:
+    /// Two cores are meant: 8192^2 tiles at 20 million a second take 3.36 s.
+    std::vector<TimeTarget> targets{{"count_largest_table/", 60},
+                                    {"make_largest_table/", 60},
+                                    {"search_ten/culik/", 60},
+                                    {"search_ten/kari/", 60},
+                                    {"search_ten/ammann/", 60},
+                                    {"stream_beatty_tiles/kari/", 3.36},
+                                    {"stream_beatty_tiles/culik/", 3.36},
+                                    {"draw_thousand_tiles/", 0.2}};
+};
+
+}
+
+int main(int argc, char** argv)
+{
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    TargetReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    return reporter.is_missed ? 1 : 0;
+}

@@ -1,0 +1,158 @@
+// Tiles of all isohedral types: they fill the plane once, edges lie on edges, and colourings are what they promise.
+#include "tiles/isohedral/isohedral_tile.hpp"
+
+#include "tests/support/errors.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::array seeds{1, 2, 3};
+
+IsohedralTile tried_tile(const IsohedralType& type, int seed)
+{
+    return random_tile(type, static_cast<std::uint64_t>(seed), 0.3, 0.12);
+}
+
+TEST(IsohedralTiles, UnitsAreAsLargeAsTheirTiles)
+{
+    for (const IsohedralType& type : isohedral_types())
+        for (const int seed : seeds) {
+            const IsohedralTile tile = tried_tile(type, seed);
+            const auto& [a, b] = tile.translations();
+            const double area = area_of(tile.outline());
+            EXPECT_NEAR(a[0] * b[1] - a[1] * b[0], static_cast<double>(tile.aspects().size()) * area, 1e-9 * area)
+                << "IH" << type.number;
+        }
+}
+
+/// The number of tiles with a point inside: crossings of a ray to the right.
+bool is_inside(const std::vector<PlanePoint>& outline, const PlaneMotion& motion, const PlanePoint& p)
+{
+    bool inside = false;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const PlanePoint a = motion(outline[i]), b = motion(outline[(i + 1) % outline.size()]);
+        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1]))
+            inside = !inside;
+    }
+    return inside;
+}
+
+TEST(IsohedralTiles, EveryPointOfAGridIsInOneTile)
+{
+    for (const IsohedralType& type : isohedral_types()) {
+        const IsohedralTile tile = tried_tile(type, 4);
+        const double side = std::sqrt(area_of(tile.outline()) * static_cast<double>(tile.aspects().size()));
+        const auto places = tile.tiles_near({0, 0}, {side, side});
+        for (int i = 0; i < 14; ++i)
+            for (int j = 0; j < 14; ++j) {
+                // Away from symmetric places, where corners and edges are.
+                const PlanePoint p{(i + 0.3719) / 14 * side, (j + 0.6113) / 14 * side};
+                int tiles = 0;
+                for (const TilePlace& place : places) tiles += is_inside(tile.outline(), tile.motion(place), p);
+                EXPECT_EQ(tiles, 1) << "IH" << type.number << " at " << p[0] << ", " << p[1];
+            }
+    }
+}
+
+TEST(IsohedralTiles, EdgesLieOnThoseOfNeighbours)
+{
+    for (const IsohedralType& type : isohedral_types())
+        for (const int seed : seeds) {
+            const IsohedralTile tile = tried_tile(type, seed);
+            const auto& outline = tile.outline();
+            for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
+                const std::size_t end =
+                    edge + 1 < tile.corners().size() ? tile.corner_places()[edge + 1] : outline.size();
+                double farthest = 0;
+                for (std::size_t i = tile.corner_places()[edge]; i < end; ++i) {
+                    double nearest = std::numeric_limits<double>::infinity();
+                    for (const PlanePoint& p : outline) {
+                        const PlanePoint q = tile.hops()[edge](p);
+                        nearest = std::min(nearest, std::hypot(q[0] - outline[i][0], q[1] - outline[i][1]));
+                    }
+                    farthest = std::max(farthest, nearest);
+                }
+                EXPECT_LT(farthest, 1e-9) << "IH" << type.number << ", edge " << edge;
+            }
+        }
+}
+
+TEST(IsohedralTiles, NeighboursAreMutual)
+{
+    for (const IsohedralType& type : isohedral_types()) {
+        const IsohedralTile tile = tried_tile(type, 5);
+        for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
+            const TilePlace there = tile.neighbour({0, 3, -2}, edge);
+            bool is_back = false;
+            for (std::size_t other = 0; other < tile.corners().size(); ++other)
+                is_back |= tile.neighbour(there, other) == TilePlace{0, 3, -2};
+            EXPECT_TRUE(is_back) << "IH" << type.number << ", edge " << edge;
+        }
+    }
+}
+
+TEST(IsohedralTiles, ColouringsTellNeighboursApart)
+{
+    int perfect = 0;
+    for (const IsohedralType& type : isohedral_types()) {
+        const IsohedralTile tile(type, {});
+        const TileColoring coloring = proper_coloring(tile);
+        perfect += coloring.is_perfect;
+        std::map<std::uint32_t, std::uint32_t> image;
+        for (std::uint32_t aspect = 0; aspect < tile.aspects().size(); ++aspect)
+            for (int column = -2; column <= 2; ++column)
+                for (int row = -2; row <= 2; ++row) {
+                    const TilePlace place{aspect, column, row};
+                    for (std::size_t edge = 0; edge < tile.corners().size(); ++edge)
+                        EXPECT_NE(coloring.of(place), coloring.of(tile.neighbour(place, edge))) << "IH" << type.number;
+                    // The motion across the first edge permutes the colours of a perfect one.
+                    const std::uint32_t to = coloring.of(tile.image(place, 0));
+                    if (coloring.is_perfect)
+                        EXPECT_EQ(image.try_emplace(coloring.of(place), to).first->second, to) << "IH" << type.number;
+                }
+    }
+    EXPECT_EQ(perfect, 92);
+    // Hexagons that meet in threes need three colours, and squares two: regular tiles of IH20 and IH76.
+    EXPECT_EQ(proper_coloring(IsohedralTile(isohedral_types()[19], {})).colors, 3U);
+    EXPECT_EQ(proper_coloring(IsohedralTile(isohedral_types()[75], {})).colors, 2U);
+}
+
+TEST(IsohedralTiles, CurvesTakeTheShapeOfTheirEdges)
+{
+    const Curve curve{{0, 0}, {0.4, 0.2}, {1, 0}};
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::free), curve);
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::straight), (Curve{{0, 0}, {1, 0}}));
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::turned), (Curve{{0, 0}, {0.2, 0.1}, {0.5, 0}, {0.8, -0.1}, {1, 0}}));
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::mirrored), (Curve{{0, 0}, {0.2, 0.2}, {0.5, 0}, {0.8, 0.2}, {1, 0}}));
+}
+
+TEST(IsohedralTiles, RefusesWhatIsNoTile)
+{
+    const IsohedralType& type = isohedral_types()[0];
+    EXPECT_EQ(message_of([&] { IsohedralTile(type, {{1, 2}, {}}); }), "IH1 has 4 parameters, not 2");
+    EXPECT_EQ(message_of([&] { IsohedralTile(type, {{0, 0, 0, std::nan("")}, {}}); }), "a parameter is not a number");
+    const Curve loop{{0, 0}, {0.6, 3}, {0.4, -3}, {1, 0}};
+    EXPECT_EQ(message_of([&] {
+                  IsohedralTile(type, {{}, {loop}});
+              }),
+              "the outline of the tile crosses itself with these parameters and curves");
+    // One parameter of IH72 makes rectangles of any length: some value makes a side vanish.
+    const IsohedralType& rectangle = isohedral_types()[71];
+    const auto& moved = rectangle.shape.deformations[0];
+    const auto& base = rectangle.shape.base;
+    const double vanishing = -(base[1][0] - base[0][0]) / (moved[1][0] - moved[0][0]);
+    EXPECT_EQ(message_of([&] {
+                  IsohedralTile(rectangle, {{vanishing}, {}});
+              }),
+              "edge 0 of the tile has no length with these parameters");
+}
+
+}
+}

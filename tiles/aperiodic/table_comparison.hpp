@@ -1,0 +1,42 @@
+// The dissertation's tables 8.1 to 8.7 beside what the laboratory computes.
+#pragma once
+
+#include "tiles/aperiodic/cylinder_search.hpp"
+#include "tiles/aperiodic/printed_tables.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A column of a table, with the steps as they are here; none where the set is not available.
+struct ComparedColumn
+{
+    PrintedColumn printed;
+    std::optional<std::vector<PrintedStep>> here; ///< as many as are printed, or one where that is "failed"
+    std::size_t patterns = 0;                     ///< of the first step: of Wang tiles
+    std::size_t white = 0, black = 0;
+
+    /// True where all numbers are the same, and where "failed" is printed of an ambiguous step.
+    bool agrees() const;
+};
+
+/// All columns of tables 8.3 to 8.7, whose first steps are those of 8.1 and 8.2; takes a second or two. Calls `on_step`
+/// before each column. Throws Interrupted.
+std::vector<ComparedColumn> compare_tables(const std::function<void(const PrintedColumn&)>& on_step = {});
+
+/// What a search for periods found of the corner tiles of a construction.
+struct SearchedColumn
+{
+    std::string title; ///< of the set
+    CornerConstruction construction = CornerConstruction::diagonal;
+    CornerList corners;
+    PeriodSearch search;
+};
+
+/// Searches the corner tiles of all constructions of all sets for periods up to a width.
+std::vector<SearchedColumn> search_constructions(std::size_t width);
+
+}

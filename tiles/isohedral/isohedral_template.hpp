@@ -1,0 +1,63 @@
+// What all tilings of an isohedral type have in common: the directions in which the corners of a tile can be moved, how
+// it gets to its neighbours, and which of them make up a translational unit.
+//
+// Without printed tables: the Laves tile of the type has angles of 360 degrees over the degree of each vertex and a
+// circle that touches all edges. A motion across an edge then has a known linear part, which it keeps however the tile
+// is deformed. So the edges of a deformed tile obey linear equations: an edge is the image of the edge of the neighbour
+// that lies on it, symmetries of the tile map edges to edges, and the edges close. What solves them, up to the tile's
+// size and, where the tiling has no mirrors, its direction, are the parameters of the type. Kaplan, Introductory Tiling
+// Theory for Computer Graphics, 2009 (SIGGRAPH 2008 class notes, II, section 7), has the tables that this replaces.
+#pragma once
+
+#include "tiles/isohedral/plane_motion.hpp"
+#include "tiles/isohedral/tile_symbol.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace poissonlab {
+
+/// Edges to hop across, one after the other.
+using HopWord = std::vector<std::size_t>;
+
+/// How an edge has the curve that it shares with others: the curve goes from (0, 0) to (1, 0), with the inside of the
+/// tile on its left for y > 0. `is_reversed`: x becomes 1 - x; `is_turned_over`: y becomes -y.
+struct EdgeCurve
+{
+    std::size_t curve = 0;
+    bool is_reversed = false;
+    bool is_turned_over = false;
+};
+
+struct IsohedralTemplate
+{
+    TileSymbol symbol;
+    std::vector<PlanePoint> base; ///< the corners of the Laves tile, counterclockwise around (0, 0)
+    std::vector<std::vector<PlanePoint>> deformations; ///< of each parameter: where it moves the corners, of length 1
+    std::vector<PlaneMotion> hops;                     ///< linear parts of the motions across edges
+    std::vector<PlaneMotion> symmetries;               ///< of the tile; without translations
+    std::vector<HopWord> aspects; ///< the tiles of a translational unit; the first is the tile itself
+    std::array<std::array<HopWord, 2>, 2>
+        translations; ///< T1, T2: from the tile of the first word to that of the second
+    std::vector<EdgeCurve> edge_curves;
+    std::vector<EdgeShape> curve_shapes; ///< what each curve may be
+
+    std::size_t parameters() const { return deformations.size(); }
+};
+
+IsohedralTemplate isohedral_template(const TileSymbol& symbol);
+
+/// True where shapes cannot tell the type: some more symmetric type has as many parameters and the same curves, so that
+/// every tile has these symmetries as well. Its tiles need markings.
+bool needs_markings(const IsohedralTemplate& type);
+
+/// The motions across the edges of a tile with these corners.
+std::vector<PlaneMotion> hops_of(const IsohedralTemplate& type, const std::vector<PlanePoint>& corners);
+
+/// Where a word leads.
+PlaneMotion motion_of(const HopWord& word, const std::vector<PlaneMotion>& hops);
+
+/// The area inside of a polygon, counterclockwise.
+double area_of(const std::vector<PlanePoint>& polygon);
+
+}
