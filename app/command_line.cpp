@@ -92,6 +92,7 @@ std::vector<Command> all_commands(const std::string& typed)
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
                                       aperiodic_tile_command(), aperiodic_tables_command()};
     std::vector<Command> of_densities{distribute_warp_command()};
+    std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
@@ -103,6 +104,7 @@ std::vector<Command> all_commands(const std::string& typed)
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
             {"distribute", "Points and objects that follow densities", {}, "", {}, std::move(of_densities)},
             {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
+            {"texture", "Texture tile sets", {}, "", {}, std::move(of_textures)},
             devices_command(),
             samplers_command()};
 }

@@ -31,13 +31,22 @@ public:
 
     std::string read(const std::filesystem::path& path, PngPixels& pixels) const override
     {
-        const auto input = OIIO::ImageInput::open(path.string());
-        if (!input) return reason(OIIO::geterror());
-        const OIIO::ImageSpec& spec = input->spec();
-        pixels = {spec.width, spec.height, spec.nchannels, {}};
-        pixels.values.resize(pixels.at(0, pixels.height, 0));
-        const bool is_read = input->read_image(0, 0, 0, pixels.channels, OIIO::TypeDesc::UINT8, pixels.values.data());
-        return is_read ? "" : reason(input->geterror());
+        return read_channels(path, pixels, OIIO::TypeDesc::UINT8);
+    }
+
+    std::string write_deep(const std::filesystem::path& path, const DeepPixels& pixels) const override
+    {
+        const OIIO::ImageSpec spec(pixels.width, pixels.height, pixels.channels, OIIO::TypeDesc::UINT16);
+        const auto output = OIIO::ImageOutput::create("png");
+        if (!output) return OIIO::geterror();
+        const bool is_written = output->open(path.string(), spec) &&
+                                output->write_image(OIIO::TypeDesc::UINT16, pixels.values.data()) && output->close();
+        return is_written ? "" : reason(output->geterror());
+    }
+
+    std::string read_deep(const std::filesystem::path& path, DeepPixels& pixels) const override
+    {
+        return read_channels(path, pixels, OIIO::TypeDesc::UINT16);
     }
 
     std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const override
@@ -63,6 +72,21 @@ public:
 
 private:
     static constexpr int most_channels = 256;
+
+    template <class Pixels>
+    static std::string read_channels(const std::filesystem::path& path, Pixels& pixels, OIIO::TypeDesc type)
+    {
+        const auto input = OIIO::ImageInput::open(path.string());
+        if (!input) return reason(OIIO::geterror());
+        const OIIO::ImageSpec& spec = input->spec();
+        const auto values = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) *
+                            static_cast<std::uint64_t>(spec.nchannels);
+        if (values > most_png_values) return "it has too many pixels";
+        pixels = {spec.width, spec.height, spec.nchannels, {}};
+        pixels.values.resize(values);
+        const bool is_read = input->read_image(0, 0, 0, pixels.channels, type, pixels.values.data());
+        return is_read ? "" : reason(input->geterror());
+    }
 
     /// From sRGB, but for alpha: IEC 61966-2-1.
     static void make_linear(std::vector<float>& values, const OIIO::ImageSpec& spec)

@@ -18,6 +18,8 @@ public:
     virtual std::string write(const std::filesystem::path& path, const PngLayout& layout,
                               const PngRows& rows) const = 0;
     virtual std::string read(const std::filesystem::path& path, PngPixels& pixels) const = 0;
+    virtual std::string write_deep(const std::filesystem::path& path, const DeepPixels& pixels) const = 0;
+    virtual std::string read_deep(const std::filesystem::path& path, DeepPixels& pixels) const = 0;
     virtual std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const = 0;
 };
 

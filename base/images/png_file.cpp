@@ -12,11 +12,15 @@ namespace fs = std::filesystem;
 
 namespace poissonlab {
 
-void write_png(const fs::path& path, const PngLayout& layout, const PngRows& rows)
+namespace {
+
+/// Lets a function of the codec write; it returns what went wrong.
+template <class Write>
+void write_picture(const fs::path& path, const Write& write)
 {
     write_whole_file(path, [&](const fs::path& temporary) {
         errno = 0;
-        std::string problem = loaded_codec().write(temporary, layout, rows);
+        std::string problem = write(temporary);
         if (problem.empty()) return;
         // OpenImageIO says what failed, and not always why.
         if (errno != 0) problem += ": " + std::generic_category().message(errno);
@@ -24,10 +28,30 @@ void write_png(const fs::path& path, const PngLayout& layout, const PngRows& row
     });
 }
 
+}
+
+void write_png(const fs::path& path, const PngLayout& layout, const PngRows& rows)
+{
+    write_picture(path, [&](const fs::path& temporary) { return loaded_codec().write(temporary, layout, rows); });
+}
+
+void write_deep_png(const fs::path& path, const DeepPixels& pixels)
+{
+    write_picture(path, [&](const fs::path& temporary) { return loaded_codec().write_deep(temporary, pixels); });
+}
+
 PngPixels read_png(const fs::path& path)
 {
     PngPixels pixels;
     const std::string problem = loaded_codec().read(path, pixels);
+    if (!problem.empty()) throw StorageError(path.string() + ": cannot read the picture: " + problem);
+    return pixels;
+}
+
+DeepPixels read_deep_png(const fs::path& path)
+{
+    DeepPixels pixels;
+    const std::string problem = loaded_codec().read_deep(path, pixels);
     if (!problem.empty()) throw StorageError(path.string() + ": cannot read the picture: " + problem);
     return pixels;
 }

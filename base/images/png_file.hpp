@@ -1,4 +1,4 @@
-// PNG files of 8-bit channels.
+// PNG files of 8-bit and 16-bit channels.
 #pragma once
 
 #include <cstddef>
@@ -44,5 +44,23 @@ void write_png(const std::filesystem::path& path, const PngLayout& layout, const
 
 /// Reads a PNG as 8-bit channels. Throws StorageError.
 PngPixels read_png(const std::filesystem::path& path);
+
+/// The same with 16 bits a channel.
+struct DeepPixels
+{
+    int width = 0;
+    int height = 0;
+    int channels = 1;
+    std::vector<std::uint16_t> values;
+};
+
+/// Writes a PNG as write_png() does. Throws StorageError.
+void write_deep_png(const std::filesystem::path& path, const DeepPixels& pixels);
+
+/// Reads a PNG as 16-bit channels. Throws StorageError.
+DeepPixels read_deep_png(const std::filesystem::path& path);
+
+/// Pictures that are read may have this many values: more is a header that lies.
+inline constexpr std::size_t most_png_values = std::size_t{1} << 30;
 
 }

@@ -3,6 +3,8 @@
 #include "host/device/kernel_source.hpp"
 #include "kernels/common/dart_throwing.h"
 #include "kernels/common/gaussian_blue_noise.h"
+#include "kernels/common/gradient_domain.h"
+#include "kernels/common/masked_squares.h"
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
 #include "kernels/common/tile_filling.h"
@@ -47,6 +49,20 @@ TEST(Contract, OfDartThrowing)
     EXPECT_THAT(on_device("kernels/common/dart_throwing.h",
                           {"DART_WORDS", "POINT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
                 ElementsAreArray(constants));
+}
+
+TEST(Contract, OfGradientDomain)
+{
+    const std::size_t layout[] = {LAYOUT_OF(contract::gradient_domain::GradientDomainSizes, relaxation)};
+    EXPECT_THAT(on_device("kernels/common/gradient_domain.h", layout_of("GradientDomainSizes", "relaxation")),
+                ElementsAreArray(layout));
+}
+
+TEST(Contract, OfMaskedSquares)
+{
+    const std::size_t layout[] = {LAYOUT_OF(contract::masked_squares::MaskedSquaresSizes, rows)};
+    EXPECT_THAT(on_device("kernels/common/masked_squares.h", layout_of("MaskedSquaresSizes", "rows")),
+                ElementsAreArray(layout));
 }
 
 TEST(Contract, OfRelaxationDartThrowing)

@@ -1,0 +1,62 @@
+// poissonlab texture tile: the picture of a window of a tiling with texture tiles.
+#include "app/commands/command.hpp"
+#include "base/errors/errors.hpp"
+#include "tiles/texture/texture_tiling.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto texture_tile_notes =
+    R"(The window is in tiles, its lower left one first. Windows of complete sets may lie anywhere, and those with the
+same seed fit together; compact and omega tiles are laid in scanlines, and X and Y must be 0.
+  poissonlab texture tile gravel --window -4 -4 12 8 --out plain.png)";
+
+struct TextureTileOptions
+{
+    std::filesystem::path folder;
+    std::vector<std::int64_t> window; ///< X Y W H
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+};
+
+TileWindow checked_texture_window(const std::vector<std::int64_t>& numbers)
+{
+    if (numbers.size() != 4)
+        throw InputError(fmt::format("texture tile: --window {}: must be X Y W H", fmt::join(numbers, " ")));
+    if (numbers[2] < 1 || numbers[3] < 1)
+        throw InputError(fmt::format("texture tile: --window {}: sizes must be at least 1", fmt::join(numbers, " ")));
+    return {numbers[0], numbers[1], static_cast<std::uint64_t>(numbers[2]), static_cast<std::uint64_t>(numbers[3])};
+}
+
+void tile_texture(const TextureTileOptions& options)
+{
+    const TileWindow window = checked_texture_window(options.window);
+    if (options.out.extension() != ".png")
+        throw InputError(fmt::format("texture tile: --out {}: must be a .png", options.out.string()));
+    const TextureSet set = read_texture_set(options.folder);
+    try {
+        write_texture_window(options.out, set, texture_window(set, window, options.seed));
+    } catch (const InputError& error) {
+        throw error.moved_to({"texture tile"});
+    }
+}
+
+}
+
+Command texture_tile_command()
+{
+    const auto o = std::make_shared<TextureTileOptions>();
+    return {"tile",
+            "Draw a window of a tiling with texture tiles",
+            {{"DIR", &o->folder, "What texture build made"},
+             {"--window", &o->window, "The tiles to draw: lower left one, width and height", "X Y W H", required, 4},
+             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+             {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
+            texture_tile_notes,
+            action_on(o, tile_texture)};
+}
+
+}

@@ -1,0 +1,86 @@
+// poissonlab texture verify: proves from the files of a texture set that its tiles fit together.
+#include "app/commands/command.hpp"
+#include "base/errors/errors.hpp"
+#include "tiles/texture/seam_measures.hpp"
+#include "tiles/texture/texture_certificate.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto texture_verify_notes =
+    R"(Compares every pair of tiles that may lie side by side, pixel by pixel, through their places in the exemplar:
+each pixel continues its neighbour across the border, or has the joint that the shared colours have everywhere. The pixels of
+all rings with the same colours are the same, and all pixels those of their places. Exit status 2 if anything is not so.
+Wang tiles have exceptions beside their corners, which are counted.
+Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
+larger than their own; conspicuous steps are larger than 95 % of those of the exemplar.)";
+
+struct TextureVerifyOptions
+{
+    std::filesystem::path folder;
+    bool json = false;
+};
+
+TextureCertificate proof_of(const std::filesystem::path& folder, const TextureSet& set)
+{
+    try {
+        return certify_texture(set);
+    } catch (const InputError& error) {
+        throw error.moved_to({folder.string()});
+    }
+}
+
+void verify_texture(const TextureVerifyOptions& options)
+{
+    const TextureSet set = read_texture_set(options.folder);
+    const TextureCertificate proof = proof_of(options.folder, set);
+    const SeamMeasures seams = seam_measures(set);
+    if (options.json) {
+        const nlohmann::ordered_json json{{"folder", options.folder.string()},
+                                          {"kind", texture_kinds[set.kind]},
+                                          {"tiles", set.tiles.size()},
+                                          {"tile_size", set.size},
+                                          {"ring", set.ring},
+                                          {"tile_pairs", proof.tile_pairs},
+                                          {"pixel_pairs", proof.pixel_pairs},
+                                          {"joints", proof.joints},
+                                          {"exceptions", proof.exceptions},
+                                          {"seam_pairs_a_tile", seams.pairs_a_tile},
+                                          {"seam_mismatch", seams.mismatch},
+                                          {"seam_excess", seams.excess},
+                                          {"conspicuous_seams", seams.conspicuous},
+                                          {"conspicuous_exemplar", seams.natural},
+                                          {"longest_run", seams.longest_run},
+                                          {"coverage", seams.coverage}};
+        fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        return;
+    }
+    fmt::print("{}: {} {} tiles of {} x {} pixels, ring of {}\n", printable(options.folder.string()), set.tiles.size(),
+               texture_kinds[set.kind], set.size, set.size, set.ring);
+    fmt::print("{} pairs of tiles, {} pairs of pixels across their borders: {} are joints that the shared colours "
+               "predict, {} beside corners do not fit, all others are contiguous\n",
+               proof.tile_pairs, proof.pixel_pairs, proof.joints, proof.exceptions);
+    fmt::print(
+        "{:.0f} pairs of pixels a tile are seams{}: mismatch {:.2f} and excess {:.2f} of the exemplar's mean step; "
+        "{:.1f} % of them conspicuous, {:.1f} % of the exemplar's steps; longest straight run {}; {:.0f} % of the "
+        "exemplar is shown\n",
+        seams.pairs_a_tile, set.is_smoothed ? " before smoothing" : "", seams.mismatch, seams.excess,
+        100 * seams.conspicuous, 100 * seams.natural, seams.longest_run, 100 * seams.coverage);
+}
+
+}
+
+Command texture_verify_command()
+{
+    const auto o = std::make_shared<TextureVerifyOptions>();
+    return {"verify",
+            "Prove from its files that the tiles of a texture set fit together",
+            {{"DIR", &o->folder, "What texture build made"}, {"--json", &o->json, "Print JSON"}},
+            texture_verify_notes,
+            action_on(o, verify_texture)};
+}
+
+}

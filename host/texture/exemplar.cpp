@@ -1,0 +1,56 @@
+#include "host/texture/exemplar.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/images/linear_picture.hpp"
+#include "tiles/texture/texture_set.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// The sRGB byte of an amount of light (IEC 61966-2-1); the inverse of what reading made of a byte.
+std::uint8_t srgb_byte(float light)
+{
+    const double v = std::clamp(static_cast<double>(light), 0.0, 1.0);
+    return static_cast<std::uint8_t>(
+        std::lround(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055)));
+}
+
+/// The channels that are shown: three colours, or the first one alone.
+std::vector<std::size_t> shown_channels(const LinearPicture& picture)
+{
+    std::vector<std::size_t> channels;
+    for (std::size_t i = 0; i < picture.channels.size(); ++i)
+        if (i != picture.alpha) channels.push_back(i);
+    channels.resize(channels.size() >= 3 ? 3 : std::min<std::size_t>(1, channels.size()));
+    return channels;
+}
+
+}
+
+PngPixels read_exemplar(const std::filesystem::path& file)
+{
+    const LinearPicture picture = read_linear_picture(file);
+    const std::vector<std::size_t> channels = shown_channels(picture);
+    if (channels.empty()) throw InputError(fmt::format("{}: has no channel but alpha", file.string()));
+    if (picture.width > most_exemplar_pixels || picture.height > most_exemplar_pixels)
+        throw InputError(fmt::format("{}: {} x {} pixels: must have at most {} along a side", file.string(),
+                                     picture.width, picture.height, most_exemplar_pixels));
+    PngPixels exemplar{picture.width, picture.height, static_cast<int>(channels.size()), {}};
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column)
+            for (const std::size_t channel : channels) {
+                const float light = picture.at(column, row, channel);
+                if (!std::isfinite(light))
+                    throw InputError(fmt::format("{}: the pixel in column {}, row {} is not a finite number",
+                                                 file.string(), column, row));
+                exemplar.values.push_back(srgb_byte(light));
+            }
+    return exemplar;
+}
+
+}

@@ -1,0 +1,16 @@
+// Pictures that texture tiles are made of.
+#pragma once
+
+#include "base/images/png_file.hpp"
+
+#include <filesystem>
+
+namespace poissonlab {
+
+/// Reads a picture of any kind that OpenImageIO knows, upright, as 8-bit sRGB: one channel for grey ones, else three.
+/// Cuts and differences are taken of these values, as in the papers. Alpha is left out, colours being those beneath it.
+/// Floating-point numbers are taken for light from 0 to 1, and clamped. Throws InputError for what is no picture, has
+/// numbers that are not finite, or sides of more than most_exemplar_pixels.
+PngPixels read_exemplar(const std::filesystem::path& file);
+
+}

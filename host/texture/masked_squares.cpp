@@ -1,0 +1,199 @@
+#include "host/texture/masked_squares.hpp"
+
+#include "analysis/spectra/fftw_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace poissonlab {
+namespace {
+
+using Spectrum = std::vector<std::complex<double>>;
+
+/// Transforms of pictures of one size, both ways. Plans are shared; each call has arrays of its own.
+class PictureTransform
+{
+public:
+    PictureTransform(int width, int height)
+        : width_(width), height_(height), line_(static_cast<std::size_t>(width) / 2 + 1)
+    {
+        std::vector<double> values(pixels());
+        Spectrum spectrum(size());
+        forward_ = make_fftw_plan(fftw_plan_dft_r2c_2d, height, width, values.data(), fftw(spectrum.data()),
+                                  FFTW_ESTIMATE | FFTW_UNALIGNED);
+        backward_ = make_fftw_plan(fftw_plan_dft_c2r_2d, height, width, fftw(spectrum.data()), values.data(),
+                                   FFTW_ESTIMATE | FFTW_UNALIGNED);
+    }
+
+    std::size_t pixels() const { return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_); }
+    std::size_t size() const { return line_ * static_cast<std::size_t>(height_); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+
+    Spectrum forward(std::vector<double> values) const
+    {
+        Spectrum spectrum(size());
+        fftw_execute_dft_r2c(forward_.get(), values.data(), fftw(spectrum.data()));
+        return spectrum;
+    }
+
+    /// Times the number of pixels.
+    std::vector<double> backward(Spectrum spectrum) const
+    {
+        std::vector<double> values(pixels());
+        fftw_execute_dft_c2r(backward_.get(), fftw(spectrum.data()), values.data());
+        return values;
+    }
+
+private:
+    int width_, height_;
+    std::size_t line_;
+    FftwPlan forward_, backward_;
+};
+
+/// The nearest integer of a value that must be one but for rounding.
+std::int64_t exact_integer(double value)
+{
+    const double nearest = std::nearbyint(value);
+    if (!(std::abs(value - nearest) < 0.25)) throw std::logic_error("a correlation that is no integer");
+    return static_cast<std::int64_t>(nearest);
+}
+
+/// A value for each pixel of the exemplar: f(values of its channels).
+template <class Function>
+std::vector<double> per_pixel(const PngPixels& exemplar, const Function& f)
+{
+    std::vector<double> values;
+    values.reserve(exemplar.values.size() / static_cast<std::size_t>(exemplar.channels));
+    for (std::size_t i = 0; i < exemplar.values.size(); i += static_cast<std::size_t>(exemplar.channels))
+        values.push_back(f(&exemplar.values[i]));
+    return values;
+}
+
+void check_fit(const PngPixels& exemplar, const PieceMask& mask)
+{
+    if (mask.width > exemplar.width || mask.height > exemplar.height)
+        throw std::logic_error("a piece that is larger than its exemplar");
+}
+
+SquareSums empty_sums(const PngPixels& exemplar, const PieceMask& mask)
+{
+    check_fit(exemplar, mask);
+    SquareSums result{exemplar.width - mask.width + 1, exemplar.height - mask.height + 1, {}};
+    result.sums.resize(static_cast<std::size_t>(result.columns) * static_cast<std::size_t>(result.rows));
+    return result;
+}
+
+}
+
+struct MaskedSquares::Spectra
+{
+    Spectra(const PngPixels& exemplar, const PieceMask& its_mask)
+        : transform(exemplar.width, exemplar.height), mask(its_mask), empty(empty_sums(exemplar, its_mask)),
+          channels(exemplar.channels)
+    {
+        for (int c = 0; c < channels; ++c)
+            of_channels.push_back(transform.forward(per_pixel(exemplar, [c](const std::uint8_t* v) { return v[c]; })));
+        const Spectrum of_squares = transform.forward(per_pixel(exemplar, [this](const std::uint8_t* v) {
+            double sum = 0;
+            for (int c = 0; c < channels; ++c) sum += v[c] * v[c];
+            return sum;
+        }));
+        window_squares = correlated(of_squares, transform.forward(placed([](std::size_t) { return 1.0; })));
+    }
+
+    /// The mask times a value of each of its pixels, in the corner of a picture of the exemplar's size.
+    template <class Value>
+    std::vector<double> placed(const Value& value) const
+    {
+        std::vector<double> values(transform.pixels(), 0);
+        for (int y = 0; y < mask.height; ++y)
+            for (int x = 0; x < mask.width; ++x) {
+                const auto pixel =
+                    static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) + static_cast<std::size_t>(x);
+                if (mask.counts[pixel] == 0) continue;
+                values[static_cast<std::size_t>(y) * static_cast<std::size_t>(transform.width()) +
+                       static_cast<std::size_t>(x)] = value(pixel);
+            }
+        return values;
+    }
+
+    /// Sums of products at all places of the window that is inside; none of them wraps around.
+    std::vector<std::int64_t> correlated(Spectrum picture, const Spectrum& window) const
+    {
+        for (std::size_t i = 0; i < picture.size(); ++i) picture[i] *= std::conj(window[i]);
+        return integers(std::move(picture));
+    }
+
+    std::vector<std::int64_t> integers(Spectrum product) const
+    {
+        const std::vector<double> values = transform.backward(std::move(product));
+        const double scale = 1 / static_cast<double>(transform.pixels());
+        std::vector<std::int64_t> sums;
+        sums.reserve(empty.sums.size());
+        for (int y = 0; y < empty.rows; ++y)
+            for (int x = 0; x < empty.columns; ++x)
+                sums.push_back(exact_integer(
+                    scale * values[static_cast<std::size_t>(y) * static_cast<std::size_t>(transform.width()) +
+                                   static_cast<std::size_t>(x)]));
+        return sums;
+    }
+
+    PictureTransform transform;
+    PieceMask mask;
+    SquareSums empty;
+    int channels;
+    std::vector<Spectrum> of_channels;
+    std::vector<std::int64_t> window_squares; ///< sum of m S^2 for each window
+};
+
+MaskedSquares::MaskedSquares(const PngPixels& exemplar, const PieceMask& mask)
+    : spectra_(std::make_unique<Spectra>(exemplar, mask))
+{}
+
+MaskedSquares::~MaskedSquares() = default;
+
+SquareSums MaskedSquares::sums(const PngPixels& piece) const
+{
+    const Spectra& s = *spectra_;
+    const auto channels = static_cast<std::size_t>(s.channels);
+    Spectrum product(s.transform.size(), 0);
+    std::int64_t squares = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        const Spectrum window = s.transform.forward(s.placed([&](std::size_t pixel) {
+            const int value = piece.values[pixel * channels + c];
+            squares += value * value;
+            return static_cast<double>(value);
+        }));
+        for (std::size_t i = 0; i < product.size(); ++i) product[i] += s.of_channels[c][i] * std::conj(window[i]);
+    }
+    const std::vector<std::int64_t> products = s.integers(std::move(product));
+    SquareSums result = s.empty;
+    for (std::size_t i = 0; i < result.sums.size(); ++i)
+        result.sums[i] = static_cast<std::uint64_t>(squares - 2 * products[i] + s.window_squares[i]);
+    return result;
+}
+
+SquareSums reference_masked_squares(const PngPixels& exemplar, const PieceMask& mask, const PngPixels& piece)
+{
+    SquareSums result = empty_sums(exemplar, mask);
+    for (int oy = 0; oy < result.rows; ++oy)
+        for (int ox = 0; ox < result.columns; ++ox) {
+            std::uint64_t sum = 0;
+            for (int y = 0; y < mask.height; ++y)
+                for (int x = 0; x < mask.width; ++x) {
+                    if (mask.counts[static_cast<std::size_t>(y * mask.width + x)] == 0) continue;
+                    for (int c = 0; c < piece.channels; ++c) {
+                        const int difference =
+                            piece.values[piece.at(x, y, c)] - exemplar.values[exemplar.at(ox + x, oy + y, c)];
+                        sum += static_cast<std::uint64_t>(difference * difference);
+                    }
+                }
+            result.sums[static_cast<std::size_t>(oy) * static_cast<std::size_t>(result.columns) +
+                        static_cast<std::size_t>(ox)] = sum;
+        }
+    return result;
+}
+
+}

@@ -1,0 +1,48 @@
+// Pieces of texture: a new window of the exemplar, cut into what is there.
+//
+// Kwatra and others, Graphcut textures, 2003, section 4; Ng and others 2005, section 3.2.
+#pragma once
+
+#include "host/texture/texture_request.hpp"
+#include "host/texture/window_choice.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A square of pixels by their sources, row by row.
+struct SourceCanvas
+{
+    int size = 0;
+    std::vector<SourcePixel> sources;
+
+    SourcePixel& at(int x, int y) { return sources[static_cast<std::size_t>(y * size + x)]; }
+    const SourcePixel& at(int x, int y) const { return sources[static_cast<std::size_t>(y * size + x)]; }
+};
+
+/// The colours of a canvas.
+PngPixels canvas_pixels(const PngPixels& exemplar, const SourceCanvas& canvas);
+
+/// What came of cutting a window into a canvas.
+struct FittedPiece
+{
+    ExemplarWindow window;
+    SeamCut cut;
+};
+
+/// Puts the taken pixels of a piece into a canvas of its size.
+void put_piece(SourceCanvas& canvas, const FittedPiece& piece);
+
+/// Is told, and may throw, after each of `total` pieces of a stage.
+using PieceProgress = std::function<void(const std::string& stage, std::size_t done, std::size_t total)>;
+
+/// The minimum-cost piece for each canvas, one after another: of all free windows those with the smallest masked sums
+/// of squares are cut, and the cheapest is taken. Roles are the same for all canvases. Used windows grow by those
+/// chosen.
+std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector<SourceCanvas>& canvases,
+                                    const std::vector<PixelRole>& roles, const TextureRequest& request,
+                                    UsedWindows& used, const std::string& stage, const PieceProgress& progress);
+
+}

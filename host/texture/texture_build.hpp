@@ -1,0 +1,27 @@
+// Texture tile sets from an exemplar, whatever their kind.
+#pragma once
+
+#include "host/texture/gradient_domain.hpp"
+#include "host/texture/piece_fitting.hpp"
+#include "host/texture/texture_request.hpp"
+#include "tiles/texture/texture_set.hpp"
+
+namespace poissonlab {
+
+struct BuiltTexture
+{
+    TextureSet set;
+    std::int64_t cost = 0;               ///< of all cuts, by their own weight
+    std::vector<ExemplarWindow> windows; ///< that the set shows, patches or samples first
+};
+
+/// Makes the functions of a domain harmonic, on a device or not: the same bits.
+using HarmonicSolver = std::function<void(GradientDomain& domain)>;
+
+/// Makes the set. The same request and exemplar make the same bytes on any number of threads. Throws InputError as
+/// check() does, for exemplars that are smaller than a tile, and for a diversity that does not fit; Interrupted from
+/// `progress`.
+BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemplar, const PieceProgress& progress,
+                           const HarmonicSolver& solve = relax_reference);
+
+}

@@ -1,0 +1,154 @@
+#include "host/texture/texture_request.hpp"
+
+#include "base/errors/errors.hpp"
+#include "tiles/tilings/tile_set.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace poissonlab {
+namespace {
+
+// Ng and others 2005, figures 8a and 8b: corners top-left, bottom-left, top-right, bottom-right.
+constexpr std::array<std::string_view, 16> figure_8a{"BRYG", "BYRG", "BRRB", "BYYR", "RBGY", "RGBY", "RBBR", "RGGB",
+                                                     "YGRB", "YRGB", "YGGY", "YRRG", "GYBR", "GBYR", "GYYG", "GBBY"};
+constexpr std::array<std::string_view, 16> figure_8b{"BYRG", "BRYG", "BRRB", "BYYB", "GYRB", "GRYB", "GRRG", "GYYG",
+                                                     "RBBY", "RGBR", "RGGY", "RBGR", "YBGY", "YGBY", "YGGR", "YBBR"};
+
+// Figure 7 draws sets of 4 and 8 without listing them. These are the periodic pattern RG over BY, and rows of RG and BY
+// by turns, each beginning with either colour.
+constexpr std::array<std::string_view, 4> four_tiles{"RBGY", "GYRB", "BRYG", "YGBR"};
+constexpr std::array<std::string_view, 8> eight_tiles{"RBGY", "GYRB", "BRYG", "YGBR", "RYGB", "GBRY", "BGYR", "YRBG"};
+
+Color color_of_letter(char letter) { return static_cast<Color>(std::string_view("RGBY").find(letter)); }
+
+/// Tiles of one set, `variants` of each.
+std::vector<TextureTile> tiles_of_letters(std::span<const std::string_view> letters, std::uint32_t variants)
+{
+    std::vector<TextureTile> tiles;
+    for (const std::string_view corners : letters)
+        for (std::uint32_t variant = 0; variant < variants; ++variant)
+            tiles.push_back({corner_index({color_of_letter(corners[2]), color_of_letter(corners[3]),
+                                           color_of_letter(corners[1]), color_of_letter(corners[0])},
+                                          4),
+                             variant});
+    return tiles;
+}
+
+std::vector<TextureTile> omega_tiles(const std::string& name)
+{
+    if (name == "4") return tiles_of_letters(four_tiles, 1);
+    if (name == "8") return tiles_of_letters(eight_tiles, 1);
+    if (name == "16") return tiles_of_letters(figure_8a, 1);
+    if (name == "16b") return tiles_of_letters(figure_8b, 1);
+    return tiles_of_letters(figure_8a, 2);
+}
+
+/// Cohen's sets of 8, 12 and 18 tiles: two for each pair of northern and western colours (Cohen and others 2003,
+/// section 2, who leave open which). With two numbers of colours, the eastern and southern ones count on as for one
+/// number.
+std::vector<TextureTile> compact_tiles(WangColors colors)
+{
+    std::vector<TextureTile> tiles;
+    for (Color north = 0; north < colors.horizontal; ++north)
+        for (Color west = 0; west < colors.vertical; ++west)
+            for (Color k = 0; k < 2; ++k)
+                tiles.push_back(
+                    {wang_index({north, (north + k) % colors.vertical, (west + k) % colors.horizontal, west}, colors),
+                     0});
+    return tiles;
+}
+
+void refuse(const std::string& key, const std::string& value, const std::string& allowed)
+{
+    throw invalid_value({}, key, value, allowed);
+}
+
+void check_range(const std::string& key, int value, int lowest, int highest)
+{
+    if (value < lowest || value > highest)
+        refuse(key, std::to_string(value), fmt::format("must be an integer from {} to {}", lowest, highest));
+}
+
+void check_colors_of(const TextureRequest& r)
+{
+    const bool is_square = r.colors.horizontal == r.colors.vertical;
+    const Color most = r.kind == TextureKind::wang && r.tiles == "compact" ? 32 : 8;
+    for (const Color colors : {r.colors.horizontal, r.colors.vertical})
+        if (colors < 2 || colors > most)
+            refuse("colors", std::to_string(colors), fmt::format("must be an integer from 2 to {}", most));
+    if (r.kind == TextureKind::omega && (r.colors.horizontal != 4 || !is_square))
+        refuse("colors", std::to_string(r.colors.horizontal), "must be 4 for omega tiles");
+    if (!is_square && (r.kind != TextureKind::wang || r.tiles != "compact"))
+        refuse("vertical_colors", std::to_string(r.colors.vertical), "is for compact Wang tiles");
+}
+
+}
+
+const std::vector<std::string>& texture_tile_names(TextureKind kind)
+{
+    static const std::vector<std::string> corner{"complete"}, wang{"complete", "compact"},
+        omega{"16", "4", "8", "16b", "32"};
+    return kind == TextureKind::corner ? corner : kind == TextureKind::wang ? wang : omega;
+}
+
+void check(const TextureRequest& r)
+{
+    const std::vector<std::string>& names = texture_tile_names(r.kind);
+    if (!r.tiles.empty() && std::ranges::find(names, r.tiles) == names.end())
+        refuse("tiles", r.tiles, fmt::format("must be one of {}", fmt::join(names, ", ")));
+    check_colors_of(r);
+    if (r.size % 2 != 0) refuse("size", std::to_string(r.size), "must be even");
+    check_range("size", r.size, 16, most_tile_pixels);
+    // The disks around the middles of edges reach to 0.3 T, those around the middle up to the ring.
+    const int most_ring = std::max(1, r.size / 5 - 1);
+    check_range("ring", r.ring_pixels(), r.has_corners() && r.stages == 1 ? 0 : 1, most_ring);
+    if (r.stages != 1 && r.stages != 3) refuse("stages", std::to_string(r.stages), "must be 1 or 3");
+    check_range("candidates", r.candidates, 1, 256);
+    if (r.diversity) check_range("diversity", *r.diversity, 0, r.size);
+    check_range("attempts", r.attempts, 1, 100'000);
+    if (!(r.core_radius() >= 0 && r.core_radius() <= 0.4))
+        refuse("core", fmt::format("{}", r.core_radius()), "must be a number from 0 to 0.4");
+    if (r.smooth && !r.has_corners()) refuse("smooth", "true", "is not for Wang tiles, whose cuts reach the border");
+    if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
+    const std::size_t pixels =
+        requested_tiles(r).size() * static_cast<std::size_t>(r.size) * static_cast<std::size_t>(r.size);
+    if (pixels > most_atlas_pixels)
+        refuse("size", std::to_string(r.size),
+               fmt::format("all tiles have {} pixels: must be at most {}", pixels, most_atlas_pixels));
+}
+
+std::vector<TextureTile> requested_tiles(const TextureRequest& r)
+{
+    if (r.kind == TextureKind::omega) return omega_tiles(r.tiles.empty() ? "16" : r.tiles);
+    if (r.tiles == "compact") return compact_tiles(r.colors);
+    const TileSet all = TileSet::complete(r.kind == TextureKind::corner ? TileKind::corner : TileKind::wang, r.colors);
+    std::vector<TextureTile> tiles;
+    for (std::uint64_t i = 0; i < all.size(); ++i) tiles.push_back({all.index(i), 0});
+    return tiles;
+}
+
+std::map<std::string, std::string> parameters_of(const TextureRequest& r)
+{
+    std::map<std::string, std::string> parameters{
+        {"tiles", r.tiles.empty() ? texture_tile_names(r.kind).front() : r.tiles},
+        {"weight", seam_weights[r.weight]},
+        {"attempts", std::to_string(r.attempts)},
+        {"diversity", r.diversity ? std::to_string(*r.diversity) : "automatic"},
+        {"seed", std::to_string(r.seed)},
+    };
+    if (r.kind == TextureKind::wang) {
+        parameters["cut"] = quilting_cuts[r.cut];
+    } else {
+        parameters["stages"] = std::to_string(r.stages);
+        parameters["candidates"] = std::to_string(r.candidates);
+        parameters["core"] = fmt::format("{}", r.core_radius());
+    }
+    return parameters;
+}
+
+}

@@ -1,0 +1,61 @@
+// A texture tile set as users ask for it.
+#pragma once
+
+#include "base/word_table.hpp"
+#include "host/texture/seam_cut.hpp"
+#include "tiles/texture/texture_set.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace poissonlab {
+
+/// How the two samples of a quarter of a Wang tile are cut.
+enum class QuiltingCut
+{
+    minimum_cut, ///< any curve (Ng and others 2005, section 5)
+    path,        ///< a path with one place a row (Cohen and others 2003; Efros and Freeman 2001)
+};
+inline constexpr WordTable<QuiltingCut, 2> quilting_cuts{
+    {{{QuiltingCut::minimum_cut, "min-cut"}, {QuiltingCut::path, "path"}}}};
+
+struct TextureRequest
+{
+    TextureKind kind = TextureKind::corner;
+    WangColors colors;
+    std::string tiles;            ///< complete, compact (wang), 4, 8, 16, 32, 16b (omega); empty: the kind's first
+    int size = 64;                ///< T
+    std::optional<int> ring;      ///< w; T / 16 unless given
+    int stages = 3;               ///< corner and omega: 3, or 1 as Ng and others have it
+    int candidates = 8;           ///< windows that are cut for a piece
+    std::optional<int> diversity; ///< pixels between any two windows; T / 4 or what fits unless given
+    SeamWeight weight = SeamWeight::gradient;
+    QuiltingCut cut = QuiltingCut::minimum_cut; ///< wang
+    int attempts = 100; ///< sets of patches or samples that are drawn, of which the best is taken
+    /// Part of T: the radius of a disk that the middle of a tile covers in any case, and twice that of the disk
+    /// that a piece around the middle of an edge does. A minimum cut likes to be short, and would leave of a piece no
+    /// more than what hides the joint. Unless given 0.3 with three stages, 0 with one.
+    std::optional<double> core;
+    bool smooth = false; ///< corner and omega: the middles of tiles take on the colours around them
+    std::uint64_t seed = 1;
+
+    double core_radius() const { return core.value_or(stages == 3 ? 0.3 : 0); }
+    int ring_pixels() const { return ring.value_or(std::max(1, size / 16)); }
+    bool has_corners() const { return kind != TextureKind::wang; }
+};
+
+/// The names of the tile sets of a kind, the default first.
+const std::vector<std::string>& texture_tile_names(TextureKind kind);
+
+/// Checks everything that does not depend on the exemplar. Throws InputError that begins with the parameter's name.
+void check(const TextureRequest& request);
+
+/// The tiles of the set that is asked for.
+std::vector<TextureTile> requested_tiles(const TextureRequest& request);
+
+/// The parameters as texture.json has them.
+std::map<std::string, std::string> parameters_of(const TextureRequest& request);
+
+}

@@ -1,0 +1,16 @@
+// What gradient_domain.cl and its host code, host/texture/gradient_domain.cpp, agree on.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(gradient_domain)
+
+struct GradientDomainSizes
+{
+    int size;          ///< pixels along a side of a tile
+    int channels;      ///< of a pixel, each of which is a problem of its own
+    int sweeps;        ///< over all pixels
+    double relaxation; ///< factor of each step: 1 to 2
+};
+
+END_CONTRACT

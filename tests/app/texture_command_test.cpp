@@ -1,0 +1,101 @@
+// poissonlab texture: build, verify and tile from the command line, and what they say about wrong arguments.
+#include "base/images/png_file.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+class TextureCommand : public testing::Test
+{
+protected:
+    TextureCommand()
+    {
+        PngPixels noise{120, 110, 3, {}};
+        std::mt19937 random(3);
+        for (int i = 0; i < 120 * 110 * 3; ++i) noise.values.push_back(static_cast<std::uint8_t>(random()));
+        write_png(folder_.path() / "noise.png", {120, 110, 3},
+                  [&](int row, int) { return &noise.values[noise.at(0, row, 0)]; });
+    }
+
+    Outcome run(const std::string& arguments) const
+    {
+        std::istringstream stream("texture " + arguments);
+        return run_program(folder_.path(), {std::istream_iterator<std::string>(stream), {}});
+    }
+
+    std::string printed(const std::string& arguments) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return outcome.out;
+    }
+
+    void expect_error(const std::string& arguments, const std::string& message) const
+    {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(TextureCommand, BuildsVerifiesAndTiles)
+{
+    for (const std::string kind : {"corner --colors 2", "wang --colors 2", "omega --colors 4"}) {
+        const std::string name = kind.substr(0, kind.find(' '));
+        EXPECT_THAT(printed("build " + kind + " --exemplar noise.png --size 16 --attempts 3 --out " + name),
+                    HasSubstr(name + ": 16 tiles of 16 x 16 pixels from "));
+        EXPECT_THAT(printed("verify " + name), HasSubstr("all others are contiguous"));
+        EXPECT_THAT(printed("verify " + name + " --json"),
+                    AllOf(HasSubstr("\"tiles\": 16"), HasSubstr("\"seam_mismatch\": ")));
+        printed("tile " + name + " --window 0 0 5 3 --out " + name + ".png");
+        const PngPixels picture = read_png(folder_.path() / (name + ".png"));
+        EXPECT_EQ(picture.width, 5 * 16);
+        EXPECT_EQ(picture.height, 3 * 16);
+        EXPECT_EQ(picture.channels, 3);
+    }
+    printed("tile corner --window -7 1000000000000 2 2 --seed 5 --out far.png");
+    expect_error("tile omega --window 1 0 2 2 --out a.png",
+                 "texture tile: a window at 1 0: must be at 0 0, since these tiles are laid in scanlines");
+}
+
+TEST_F(TextureCommand, MakesTheSameFilesAgain)
+{
+    printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out a");
+    printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out b");
+    EXPECT_EQ(files_below(folder_.path() / "a"), files_below(folder_.path() / "b"));
+}
+
+TEST_F(TextureCommand, WrongArguments)
+{
+    const std::string corner = "build corner --exemplar noise.png --out o ";
+    expect_error("build triangle --colors 2 --exemplar noise.png --size 16 --out o",
+                 "texture build: kind \"triangle\": unknown (known: corner, wang, omega)");
+    expect_error(corner + "--colors 2 --size 17", "texture build: size = 17: must be even");
+    expect_error(corner + "--colors 9 --size 16", "texture build: colors = 9: must be an integer from 2 to 8");
+    expect_error(corner + "--colors 2 --size 112",
+                 "noise.png: size = 112: must be at most the exemplar's, 120 x 110 pixels");
+    expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: ring = 9: must be an integer from 1 to 2");
+    expect_error(corner + "--colors 2 --size 16 --weight gradeint",
+                 "texture build: --weight \"gradeint\": unknown; did you mean \"gradient\"? (known: gradient, plain)");
+    expect_error("build corner --colors 2 --size 16 --exemplar none.png --out o",
+                 "none.png: cannot read the picture: no such file");
+    expect_error("build corner --colors 2 --size 16 --exemplar noise.png --out noise.png",
+                 "texture build: --out noise.png: is no folder");
+    folder_.write("text.png", "no picture");
+    EXPECT_EQ(run("build corner --colors 2 --size 16 --exemplar text.png --out o").status, 2);
+    EXPECT_EQ(run("verify .").status, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "o"));
+}
+
+}
+}

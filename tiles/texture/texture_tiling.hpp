@@ -1,0 +1,36 @@
+// Which tile of a texture set lies where, and the picture of a window of a tiling.
+//
+// Complete sets are laid by a hash of place and seed, anywhere; other sets by scanlines from their north-west tile
+// (Cohen and others 2003, section 2; Ng and others 2005, section 4.2).
+#pragma once
+
+#include "tiles/texture/texture_set.hpp"
+#include "tiles/tilings/tiling.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace poissonlab {
+
+/// A rectangle of tiles by their numbers in the set, rows from north to south.
+struct TextureWindow
+{
+    std::size_t columns = 0;
+    std::size_t rows = 0;
+    std::vector<std::size_t> tiles;
+};
+
+/// The most tiles of a window, and the most pixels along one side of its picture.
+inline constexpr std::uint64_t most_window_tiles = std::uint64_t{1} << 24;
+inline constexpr std::uint64_t most_window_pixels = 65'500;
+
+/// The tiles of a window. Windows of complete sets with the same seed fit together; others must be at (0, 0). Throws
+/// InputError for that, for too many tiles, and for sets whose tiles come to a place where none fits.
+TextureWindow texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed);
+
+/// Writes the window's picture as PNG. Throws InputError for more than most_window_pixels along a side, StorageError,
+/// Interrupted.
+void write_texture_window(const std::filesystem::path& file, const TextureSet& set, const TextureWindow& window);
+
+}
