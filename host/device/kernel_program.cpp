@@ -11,10 +11,12 @@ const std::vector<KernelFile>& kernel_files()
     static const std::vector<KernelFile> files{
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
         {"joint_nulling.cl", {}},
+        {"objects.cl", {}},
         {"point_grid.cl", {dimension}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
         {"repulsion.cl", {dimension}},
+        {"self_similar.cl", {}},
         {"tile_darts.cl", {dimension}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},

@@ -63,8 +63,8 @@ PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder
 /// True if a series is in one of these tables.
 bool is_in_matrix(const ReportSeries& series);
 
-/// Matrices, series as cards, overlays, integration errors, tilings, constructions and distributions of a run: rendered, and with
-/// flags for what there is (has_cards, compared, ...) set in `page`.
+/// Matrices, series as cards, overlays, integration errors, tilings, constructions and distributions of a run:
+/// rendered, and with flags for what there is (has_cards, compared, ...) set in `page`.
 std::string render_run(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder,
                        PageData& page);
 

@@ -114,7 +114,8 @@ TEST_F(CommandLine, WrongConfigs)
                  "bad.toml:2: Error while parsing key-value pair: cannot redefine existing integer 'seed'");
     expect_error({"run", "c.toml", "--set", "sede=2"}, 2,
                  "--set sede=2: sede = 2: unknown key; did you mean \"seed\"? "
-                 "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, include");
+                 "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
+                 "distribution, include");
     expect_error({"run", "c.toml", "--set", "analysis.points=abc"}, 2,
                  "--set analysis.points=abc: points = \"abc\": must be an integer from 1 to 134217728");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));

@@ -130,7 +130,7 @@ protected:
     int seed_ = 1;
     double radius_ = 0.5;
     AnalysisOptions analysis_;
-    CodeVersions versions_{"1", "1", "1"};
+    CodeVersions versions_{"1", "1", "1", "1"};
     std::string machine_ = "here";
     bool is_complete_ = false;
 
