@@ -10,42 +10,51 @@
 #include "kernels/common/joint_nulling.h"
 
 /// exp(-2 pi i k.x)
-double2 wave(global const double2* circle, int2 frequency, int2 position)
+double2 wave(global const double2* circle, global const int* frequency, global const int* position)
 {
-    const uint phase = (uint)frequency.x * (uint)position.x + (uint)frequency.y * (uint)position.y;
+    uint phase = 0;
+    for (uint axis = 0; axis < DIMENSION; ++axis) phase += (uint)frequency[axis] * (uint)position[axis];
     return circle[phase & (TURN - 1)];
 }
 
 /// The transform of the mean tile: a work-item a frequency.
-kernel void transform_mean_tile(struct Nulling nulling, global const double2* circle, global const int2* positions,
-                                global const double* weights, global const int2* frequencies,
+kernel void transform_mean_tile(struct Nulling nulling, global const double2* circle, global const int* positions,
+                                global const double* weights, global const int* frequencies,
                                 global double2* transform)
 {
     const uint k = get_global_id(0);
     if (k >= nulling.frequencies) return;
-    const int2 frequency = frequencies[k];
     double2 sum = 0;
-    for (uint i = 0; i < nulling.points; ++i) sum += weights[i] * wave(circle, frequency, positions[i]);
+    for (uint i = 0; i < nulling.points; ++i)
+        sum += weights[i] * wave(circle, frequencies + DIMENSION * k, positions + DIMENSION * i);
     transform[k] = sum;
 }
 
 /// The movements of points: a work-item a point.
-kernel void descend(struct Nulling nulling, global const double2* circle, global const int2* positions,
-                    global const double* weights, global const int2* frequencies, global const double2* transform,
-                    global double2* displacements)
+kernel void descend(struct Nulling nulling, global const double2* circle, global const int* positions,
+                    global const double* weights, global const int* frequencies, global const double2* transform,
+                    global double* displacements)
 {
     const uint i = get_global_id(0);
     if (i >= nulling.points) return;
-    double2 sum = 0;
+    double movement[DIMENSION];
+    for (uint axis = 0; axis < DIMENSION; ++axis) movement[axis] = 0;
     for (uint k = 0; k < nulling.frequencies; ++k) {
-        const double2 e = wave(circle, frequencies[k], positions[i]);
+        global const int* frequency = frequencies + DIMENSION * k;
+        const double2 e = wave(circle, frequency, positions + DIMENSION * i);
         const double2 f = transform[k];
         const double slope = f.x * e.y - f.y * e.x; // imaginary part of conj(F) e
-        const double2 frequency = convert_double2(frequencies[k]);
-        sum += frequency * (slope / (frequency.x * frequency.x + frequency.y * frequency.y));
+        double squared = 0;
+        for (uint axis = 0; axis < DIMENSION; ++axis) squared += (double)frequency[axis] * (double)frequency[axis];
+        const double part = slope / squared;
+        for (uint axis = 0; axis < DIMENSION; ++axis) movement[axis] += frequency[axis] * part;
     }
-    double2 movement = sum * (-nulling.step * weights[i]);
-    const double length = sqrt(movement.x * movement.x + movement.y * movement.y);
-    if (length > nulling.longest) movement *= nulling.longest / length;
-    displacements[i] = movement;
+    double squared = 0;
+    for (uint axis = 0; axis < DIMENSION; ++axis) {
+        movement[axis] *= -nulling.step * weights[i];
+        squared += movement[axis] * movement[axis];
+    }
+    const double length = sqrt(squared);
+    const double scale = length > nulling.longest ? nulling.longest / length : 1;
+    for (uint axis = 0; axis < DIMENSION; ++axis) displacements[DIMENSION * i + axis] = movement[axis] * scale;
 }

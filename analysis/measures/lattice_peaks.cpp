@@ -1,6 +1,7 @@
 #include "analysis/measures/lattice_peaks.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,13 +92,8 @@ auto power_of(const Spectrum& spectrum)
     };
 }
 
-/// The shortest vectors of the reciprocal lattices of the hexagonal and of the face-centred cubic packing are
-/// sqrt(2 / sqrt 3) sqrt N and sqrt 3 cbrt(N / 4) long.
-double near_limit(std::size_t points, int dimension)
-{
-    const auto n = static_cast<double>(points);
-    return 1.05 * (dimension == 2 ? std::sqrt(2 / std::sqrt(3.0) * n) : std::sqrt(3.0) * std::cbrt(n / 4));
-}
+/// Peaks are near up to a little beyond the principal frequency, in parts of it.
+constexpr double near_end = 1.05;
 
 }
 
@@ -111,7 +107,7 @@ std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int
     if (tiles < 2) throw InputError("tiles = " + std::to_string(tiles) + ": must be at least 2");
     const auto power = power_of(spectrum);
     const Rings rings(spectrum.dimension, spectrum.size, spectrum.points, tiles, power);
-    const double limit = near_limit(spectrum.points, spectrum.dimension);
+    const double limit = near_end * principal_frequency(spectrum.points, spectrum.dimension);
     const auto reach = std::min(static_cast<int>(limit), spectrum.size / 2 - 1);
     const int slices = spectrum.dimension == 3 ? reach : 0;
     double ratios = 0, excess = 0, all = 0;

@@ -8,24 +8,16 @@
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace poissonlab {
 namespace {
 
 constexpr std::uint32_t tilings = 4;
 
-/// The frequency of the first peak of the densest packing of as many points: hexagonal, face-centred cubic.
-double principal_frequency(double points, int dimension)
-{
-    return dimension == 2 ? std::sqrt(2 / std::sqrt(3.0) * points) : std::sqrt(3.0) * std::cbrt(points / 4);
-}
-
-/// The mean power below half of that.
+/// The mean power below half of the principal frequency.
 double low_power(const Spectrum& spectrum)
 {
-    const double end = principal_frequency(static_cast<double>(spectrum.points), spectrum.dimension) / 2;
+    const double end = principal_frequency(spectrum.points, spectrum.dimension) / 2;
     double power = 0, samples = 0;
     for (const RadialBin& bin : radial_statistics(spectrum)) {
         if (bin.frequency >= end) continue;

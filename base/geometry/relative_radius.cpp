@@ -22,6 +22,12 @@ double min_distance_for(double relative_radius, std::size_t points, int dimensio
     return relative_radius * max_min_distance(points, dimension);
 }
 
+double principal_frequency(std::size_t points, int dimension)
+{
+    const auto n = static_cast<double>(points);
+    return dimension == 2 ? std::sqrt(2 / std::numbers::sqrt3 * n) : std::numbers::sqrt3 * std::cbrt(n / 4);
+}
+
 double covered_fraction(double min_distance, std::size_t points, int dimension)
 {
     const double r = 0.5 * min_distance;

@@ -19,6 +19,10 @@ double relative_radius(double min_distance, std::size_t points, int dimension);
 /// relative_radius * max_min_distance(points, dimension).
 double min_distance_for(double relative_radius, std::size_t points, int dimension);
 
+/// The frequency of the first peak of that packing's spectrum, cycles along an axis: its reciprocal lattice's shortest
+/// vectors are sqrt(2 / sqrt 3) sqrt N long in 2D and sqrt 3 cbrt(N / 4) in 3D.
+double principal_frequency(std::size_t points, int dimension);
+
 /// The fraction of the unit torus that disks (spheres) of diameter min_distance around the points cover.
 double covered_fraction(double min_distance, std::size_t points, int dimension);
 

@@ -10,7 +10,7 @@ const std::vector<KernelFile>& kernel_files()
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
-        {"joint_nulling.cl", {}},
+        {"joint_nulling.cl", {dimension}},
         {"point_grid.cl", {dimension}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},

@@ -55,8 +55,7 @@ LloydResult LloydRelaxation::relax(const PointSet& points, const Domain& domain,
 
 DeviceMemory LloydRelaxation::memory(int dimension, std::size_t points)
 {
-    return PointGrid::memory(dimension, points, VoronoiKernels::cells_per_axis(dimension, points)) +
-           VoronoiKernels::memory(dimension, points) + DomainBuffers::memory_of_torus() + PointSummary::memory(points);
+    return voronoi_memory(dimension, points) + DomainBuffers::memory_of_torus() + PointSummary::memory(points);
 }
 
 }

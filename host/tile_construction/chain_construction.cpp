@@ -17,14 +17,6 @@
 namespace poissonlab {
 namespace {
 
-/// The last joint iterations move insides alone: chains are final before tiles are mended.
-constexpr std::uint32_t last_iterations = 3;
-
-/// Fillings of a tile before one of its chains is made again. With a relative radius of 0.85 a third of fillings fail;
-/// a chain that is made again is one of 2 C^2 tiles, some of which fail then, so that another filling is what costs
-/// less.
-constexpr std::uint32_t fillings_of_a_tile = 48;
-
 /// Settings that ask for a little more than the minimum distance, which rounding then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)
 {
@@ -80,7 +72,7 @@ private:
             if (!has_room) hopeless.push_back(tile);
             return !has_room;
         });
-        for (std::uint32_t attempt = 0; attempt < fillings_of_a_tile && !open.empty(); ++attempt) {
+        for (std::uint32_t attempt = 0; attempt < patient_tile_attempts && !open.empty(); ++attempt) {
             std::vector<FillProblem> problems;
             for (const std::uint32_t tile : open) problems.push_back(problem_of(tile));
             open = fill(open, problems, stage_number, round * attempts_a_round + attempt);
@@ -200,7 +192,7 @@ private:
 
     void relax_tiles()
     {
-        const std::uint32_t last = std::min(p_.joint_iterations, last_iterations);
+        const std::uint32_t last = std::min(p_.joint_iterations, last_joint_iterations);
         const std::uint32_t first = p_.joint_iterations - last;
         const ChainPieces saved = pieces_;
         for (std::uint32_t iteration = 0; iteration < first; ++iteration) iterate(iteration, true);
@@ -265,9 +257,9 @@ FillSettings chain_torus_settings(const PoissonTileParameters& parameters) { ret
 
 FillSettings chain_interior_settings(const PoissonTileParameters& parameters)
 {
-    FillSettings settings = settings_with_margin(parameters);
-    settings.lloyd_iterations = 0;
-    return settings;
+    PoissonTileParameters p = parameters;
+    p.lloyd_iterations = 0;
+    return settings_with_margin(p);
 }
 
 ConstructedTileSet construct_chain_tiles(const PoissonTileParameters& parameters, const ChainEngines& engines,

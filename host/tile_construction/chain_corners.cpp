@@ -16,14 +16,14 @@ constexpr double reach = 0.7; ///< of offsets, in spacings
 constexpr double lowest = 0.6, highest = 1.3;
 
 /// One of each two opposite frequencies.
-std::vector<std::array<std::int32_t, 2>> ring_frequencies(double root)
+std::vector<TileFrequency> ring_frequencies(double root)
 {
-    std::vector<std::array<std::int32_t, 2>> frequencies;
+    std::vector<TileFrequency> frequencies;
     const auto most = static_cast<std::int32_t>(std::floor(highest * root));
     for (std::int32_t x = 0; x <= most; ++x)
         for (std::int32_t y = x == 0 ? 1 : -most; y <= most; ++y)
             if (const double length = std::hypot(x, y); length >= lowest * root && length <= highest * root)
-                frequencies.push_back({x, y});
+                frequencies.push_back({x, y, 0});
     return frequencies;
 }
 
@@ -38,13 +38,12 @@ UnitPosition offset_in_disk(const StreamKey& stream, std::uint32_t choice, std::
     }
 }
 
-double unevenness(const std::vector<UnitPosition>& offsets, const std::vector<std::array<std::int32_t, 2>>& ring)
+double unevenness(const std::vector<UnitPosition>& offsets, const std::vector<TileFrequency>& ring)
 {
     double sum = 0;
     for (const auto& frequency : ring) {
         std::complex<double> transform = 0;
-        for (const UnitPosition& offset : offsets)
-            transform += unit_circle()[phase_of(frequency, offset[0], offset[1])];
+        for (const UnitPosition& offset : offsets) transform += unit_circle()[phase_of(frequency, offset)];
         sum += std::norm(transform) * std::norm(transform);
     }
     return sum;

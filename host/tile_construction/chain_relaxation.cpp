@@ -2,7 +2,7 @@
 
 #include "host/tile_construction/chain_mending.hpp"
 #include "host/tile_construction/chain_paths.hpp"
-#include "host/tile_construction/joint_tiling.hpp"
+#include "host/tile_construction/stored_points.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 
 #include <algorithm>
@@ -11,22 +11,21 @@
 namespace poissonlab {
 namespace {
 
-/// An iteration shifts a chain by this part of what its balance lacks; neither this nor nulling moves a point farther
-/// than the longest move, in spacings.
+/// An iteration shifts a chain by this part of what its balance lacks.
 constexpr double shift_gain = 0.6;
-constexpr double longest_move = 0.05;
 
 class ChainRelaxation
 {
 public:
     ChainRelaxation(ChainPieces& pieces, const PoissonTileParameters& parameters)
-        : p_(parameters), pieces_(pieces), before_(pieces), stored_(pieces),
-          longest_(longest_move * tile_units / std::sqrt(parameters.points_per_tile))
+        : p_(parameters), pieces_(pieces), before_(pieces)
     {}
 
     void run(JointEngine& engine, std::uint32_t iteration, bool chains_move)
     {
-        find_displacements(engine, iteration, chains_move);
+        store_points(chains_move);
+        displacements_ = joint_displacements(
+            engine, stored_, [this](std::uint32_t tile) { return own_pieces(tile); }, p_, iteration);
         move_interiors();
         if (chains_move) move_chains();
         while (put_back_where_outside()) {
@@ -34,15 +33,27 @@ public:
     }
 
 private:
-    void find_displacements(JointEngine& engine, std::uint32_t iteration, bool chains_move)
+    /// Corner points by colour, chains by direction and number, the insides of tiles. Corner points are always held.
+    void store_points(bool chains_move)
     {
-        const JointTorus torus = stored_.torus(pieces_, joint_side(p_), joint_tiling(p_, iteration));
-        displacements_ = engine.mean_displacements(torus, stored_.count());
-        if (!p_.null_peaks) return;
-        const auto nulling =
-            engine.nulling_displacements(stored_.mean_tile(pieces_, chains_move), p_.points_per_tile, longest_);
-        for (std::size_t i = 0; i < displacements_.size(); ++i)
-            for (std::size_t k = 0; k < 2; ++k) displacements_[i][k] += nulling[i][k];
+        for (const UnitPosition& corner : pieces_.corners) stored_.add({&corner, 1}, 1.0 / pieces_.colors, false);
+        for (std::size_t direction = 0; direction < chain_directions; ++direction) {
+            const std::vector<Chain>& chains = pieces_.chains[direction];
+            for (const Chain& chain : chains)
+                chains_[direction].push_back(stored_.add(chain, 1.0 / static_cast<double>(chains.size()), chains_move));
+        }
+        for (const auto& interior : pieces_.interiors)
+            interiors_.push_back(stored_.add(interior, 1.0 / static_cast<double>(pieces_.interiors.size()), true));
+    }
+
+    std::vector<std::size_t> own_pieces(std::uint32_t tile) const
+    {
+        const auto around = chains_around(tile, pieces_.colors);
+        std::vector<std::size_t> own{around.front().lower};
+        for (const PlacedChain& chain : {around.front(), around.back()})
+            own.push_back(chains_[chain.direction][chain.number(pieces_.colors)]);
+        own.push_back(interiors_[tile]);
+        return own;
     }
 
     void move_interiors()
@@ -50,8 +61,8 @@ private:
         for (std::uint32_t tile = 0; tile < pieces_.interiors.size(); ++tile)
             for (std::size_t i = 0; i < pieces_.interiors[tile].size(); ++i)
                 for (std::size_t k = 0; k < 2; ++k)
-                    pieces_.interiors[tile][i][k] +=
-                        static_cast<std::int32_t>(std::nearbyint(displacements_[stored_.interior(tile) + i][k]));
+                    pieces_.interiors[tile][i][k] += static_cast<std::int32_t>(
+                        std::nearbyint(displacements_[stored_.first(interiors_[tile]) + i][k]));
     }
 
     void move_chains()
@@ -63,7 +74,7 @@ private:
                 Chain& chain = pieces_.chains[direction][number];
                 LooseChain loose{direction, chain_ends(before_, placed(direction, number)), {}};
                 for (std::size_t i = 0; i < chain.size(); ++i) {
-                    const Displacement& by = displacements_[stored_.chain(direction, number) + i];
+                    const Displacement& by = displacements_[stored_.first(chains_[direction][number]) + i];
                     loose.points.push_back({chain[i][0] + by[0], chain[i][1] + by[1]});
                     loose.points.back()[1 - direction] += shifts[number];
                 }
@@ -91,10 +102,11 @@ private:
             sum += balances.back();
         }
         const double mean = sum / static_cast<double>(balances.size());
+        const double longest = longest_joint_move(p_);
         std::vector<double> shifts;
         for (const double balance : balances)
             shifts.push_back(
-                std::clamp(-shift_gain * (balance - mean) / p_.points_per_tile * tile_units, -longest_, longest_));
+                std::clamp(-shift_gain * (balance - mean) / p_.points_per_tile * tile_units, -longest, longest));
         return shifts;
     }
 
@@ -126,8 +138,9 @@ private:
     const PoissonTileParameters& p_;
     ChainPieces& pieces_;
     const ChainPieces before_;
-    const StoredPoints stored_;
-    double longest_; ///< units
+    StoredPoints stored_;
+    std::array<std::vector<std::size_t>, chain_directions> chains_; ///< their numbers as stored pieces
+    std::vector<std::size_t> interiors_;
     std::vector<Displacement> displacements_;
 };
 

@@ -1,5 +1,5 @@
 // Foretells the sizes of the tori that the construction fills.
-#include "host/sampling/cells/voronoi_cells.hpp"
+#include "base/geometry/lattice.hpp"
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/chain_choice.hpp"
 #include "host/tile_construction/chain_construction.hpp"
@@ -46,15 +46,42 @@ FillShape interior_shape(const PoissonTileParameters& p, const TileRegions& regi
     return {tori, fullest(points), std::min<std::size_t>(p.points_per_tile, fullest(active))};
 }
 
-/// Tori of all pairs of colours, insides of all tiles, and the torus of all tiles that is relaxed.
+/// The fillings that bring back the distance after joint iterations: of pieces that tiles share, and of tiles.
+std::vector<FillShape> mending_shapes(const PoissonTileParameters& p, const TileRegions& regions)
+{
+    const auto shape = [&](std::uint8_t axes, const std::vector<PlacedPiece>& around) {
+        const double held = held_points(p, regions, around), active = p.points_per_tile * regions.volume(axes);
+        return FillShape{piece_count(p, axes), fullest(held + active), fullest(active)};
+    };
+    std::vector<FillShape> shapes{shape(all_axes(p.dimension), pieces_around(p, 0))};
+    if (p.kind == PoissonTileKind::frame) {
+        const std::size_t points = fullest(p.points_per_tile * (1 - regions.volume(all_axes(2))));
+        shapes.push_back({1, points, points, 4});
+        return shapes;
+    }
+    for (std::uint8_t axes = 0; axes < all_axes(p.dimension); ++axes)
+        shapes.push_back(shape(axes, earlier_neighbours(p, axes, 0)));
+    return shapes;
+}
+
+/// The torus of all tiles that is relaxed.
+DeviceMemory joint_memory_of(const PoissonTileParameters& p)
+{
+    if (p.joint_iterations == 0) return {};
+    const std::size_t copies = lattice_cells(joint_side(p), p.dimension) * p.points_per_tile;
+    return joint_memory(p.dimension, copies, std::size_t{p.tiles} * p.points_per_tile, p.points_per_tile);
+}
+
+/// Tori of all pairs of colours, insides of all tiles, and the torus of all tiles.
 DeviceMemory chain_memory(const PoissonTileParameters& p, const DeviceInfo& device)
 {
     const std::size_t points = p.points_per_tile;
     // Borders have some sqrt N points a side; 2 is generous.
     const auto border = static_cast<std::size_t>(8 * std::sqrt(points));
-    const std::vector<FillShape> shapes{{chain_tori(p), 4 * points, 4 * points}, {p.tiles, border + points, points}};
-    const std::size_t all = std::size_t{joint_side(p)} * joint_side(p) * points;
-    return either(filling_memory(chain_torus_settings(p), shapes, device), VoronoiKernels::memory(2, all));
+    const std::vector<FillShape> tori{{chain_tori(p), 4 * points, 4 * points}};
+    const std::vector<FillShape> insides{{p.tiles, border + points, points}};
+    return filling_memory(chain_torus_settings(p), tori, device) +
+           filling_memory(chain_interior_settings(p), insides, device) + joint_memory_of(p);
 }
 
 }
@@ -71,7 +98,10 @@ DeviceMemory construction_memory(const PoissonTileParameters& parameters, const 
         for (const BoundaryStage& stage : boundary_stages(parameters))
             shapes.push_back(boundary_shape(parameters, regions, stage));
     }
-    return filling_memory(fill_settings(parameters), shapes, device);
+    const DeviceMemory pieces = filling_memory(fill_settings(parameters), shapes, device);
+    if (parameters.joint_iterations == 0) return pieces;
+    return pieces + filling_memory(mending_settings(parameters), mending_shapes(parameters, regions), device) +
+           joint_memory_of(parameters);
 }
 
 }

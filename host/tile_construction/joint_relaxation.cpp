@@ -2,7 +2,6 @@
 
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
-#include "host/tile_construction/unit_circle.hpp"
 #include "kernels/common/joint_nulling.h"
 
 #include <algorithm>
@@ -15,18 +14,35 @@ namespace {
 /// The gain is the part of a step down the gradient that is made: less takes longer, more overshoots.
 constexpr double nulling_gain = 0.3;
 
-/// Nulling reaches frequencies up to this many square roots of the points a tile: with less, power beyond them grows.
+/// Nulling reaches frequencies up to this many roots of the points a tile: with less, power beyond them grows.
 constexpr double nulling_reach = 2;
 
 constexpr std::size_t default_work_group_size = 16;
 
+struct JointBuffers
+{
+    Buffer<double> circle, weights, transform, displacements;
+    Buffer<std::int32_t> positions, frequencies;
+
+    NeededBuffers needed(std::size_t axes, std::size_t points, std::size_t frequency_count)
+    {
+        return {{circle, 2 * std::size_t{tile_units}},
+                {weights, points},
+                {positions, axes * points},
+                {displacements, axes * points},
+                {frequencies, axes * frequency_count},
+                {transform, 2 * frequency_count}};
+    }
+};
+
 class DeviceJointEngine final : public JointEngine
 {
 public:
-    DeviceJointEngine(Device device, std::size_t work_group_size)
-        : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+    DeviceJointEngine(int dimension, Device device, std::size_t work_group_size)
+        : dimension_(dimension), device_(std::move(device)),
+          work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
     {
-        const KernelProgram program = kernel_program("joint_nulling.cl", {});
+        const KernelProgram program = kernel_program("joint_nulling.cl", {{"DIMENSION", dimension}});
         transform_ = device_.kernel(program, "transform_mean_tile");
         descend_ = device_.kernel(program, "descend");
     }
@@ -39,49 +55,35 @@ public:
     std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
                                                     std::uint32_t points_per_tile, double longest) override
     {
-        const auto frequencies = nulled_frequencies(points_per_tile);
+        const auto frequencies = nulled_frequencies(points_per_tile, dimension_);
         upload(points, frequencies);
         const contract::joint_nulling::Nulling nulling{static_cast<std::uint32_t>(points.size()),
                                                        static_cast<std::uint32_t>(frequencies.size()),
                                                        nulling_step(points), longest};
-        Buffers& b = buffers_;
+        JointBuffers& b = buffers_;
         transform_.run(padded(frequencies.size()), work_group_size_, nulling, b.circle, b.positions, b.weights,
                        b.frequencies, b.transform);
         descend_.run(padded(points.size()), work_group_size_, nulling, b.circle, b.positions, b.weights, b.frequencies,
                      b.transform, b.displacements);
-        const std::vector<double> numbers = b.displacements.read(0, 2 * points.size());
+        const std::vector<double> numbers = b.displacements.read(0, axes() * points.size());
         std::vector<Displacement> displacements(points.size());
         for (std::size_t i = 0; i < points.size(); ++i)
-            if (points[i].moves) displacements[i] = {numbers[2 * i], numbers[2 * i + 1]};
+            if (points[i].moves) std::copy_n(&numbers[axes() * i], axes(), displacements[i].begin());
         return displacements;
     }
 
 private:
-    struct Buffers
-    {
-        Buffer<double> circle, weights, transform, displacements;
-        Buffer<std::int32_t> positions, frequencies;
-
-        NeededBuffers needed(std::size_t points, std::size_t frequency_count)
-        {
-            return {{circle, 2 * std::size_t{tile_units}},
-                    {weights, points},
-                    {positions, 2 * points},
-                    {displacements, 2 * points},
-                    {frequencies, 2 * frequency_count},
-                    {transform, 2 * frequency_count}};
-        }
-    };
+    std::size_t axes() const { return static_cast<std::size_t>(dimension_); }
 
     std::size_t padded(std::size_t items) const
     {
         return (items + work_group_size_ - 1) / work_group_size_ * work_group_size_;
     }
 
-    void upload(std::span<const WeightedPoint> points, const std::vector<std::array<std::int32_t, 2>>& frequencies)
+    void upload(std::span<const WeightedPoint> points, const std::vector<TileFrequency>& frequencies)
     {
         const bool is_first = buffers_.circle.size() == 0;
-        reserve(device_, buffers_.needed(points.size(), frequencies.size()));
+        reserve(device_, buffers_.needed(axes(), points.size(), frequencies.size()));
         if (is_first) {
             std::vector<double> circle;
             for (const std::complex<double>& number : unit_circle()) {
@@ -92,19 +94,23 @@ private:
         }
         std::vector<std::int32_t> positions, flat;
         std::vector<double> weights;
+        const auto append = [this](std::vector<std::int32_t>& all, const std::array<std::int32_t, 3>& one) {
+            all.insert(all.end(), one.begin(), one.begin() + dimension_);
+        };
         for (const WeightedPoint& point : points) {
-            positions.insert(positions.end(), {point.position[0], point.position[1]});
+            append(positions, point.position);
             weights.push_back(point.weight);
         }
-        for (const auto& frequency : frequencies) flat.insert(flat.end(), frequency.begin(), frequency.end());
+        for (const TileFrequency& frequency : frequencies) append(flat, frequency);
         buffers_.positions.write(positions);
         buffers_.weights.write(weights);
         buffers_.frequencies.write(flat);
     }
 
+    int dimension_;
     Device device_;
     std::size_t work_group_size_;
-    Buffers buffers_;
+    JointBuffers buffers_;
     Kernel transform_, descend_;
 };
 
@@ -112,16 +118,17 @@ private:
 
 std::vector<Displacement> JointEngine::mean_displacements(const JointTorus& torus, std::size_t stored)
 {
-    PointSet points{2, {}};
+    const auto axes = static_cast<std::size_t>(torus.dimension);
+    PointSet points{torus.dimension, {}};
     const double size = static_cast<double>(torus.side) * tile_units;
     for (const PointCopy& copy : torus.copies)
-        for (const std::int32_t x : copy.position) points.coordinates.push_back(x / size);
+        for (std::size_t k = 0; k < axes; ++k) points.coordinates.push_back(copy.position[k] / size);
     const std::vector<double> each = centroid_displacements(points);
     std::vector<Displacement> sums(stored);
     std::vector<std::uint32_t> counts(stored);
     for (std::size_t i = 0; i < torus.copies.size(); ++i) {
         const std::uint32_t number = torus.copies[i].stored;
-        for (std::size_t k = 0; k < 2; ++k) sums[number][k] += each[2 * i + k] * size;
+        for (std::size_t k = 0; k < axes; ++k) sums[number][k] += each[axes * i + k] * size;
         ++counts[number];
     }
     for (std::size_t i = 0; i < stored; ++i)
@@ -129,14 +136,17 @@ std::vector<Displacement> JointEngine::mean_displacements(const JointTorus& toru
     return sums;
 }
 
-std::vector<std::array<std::int32_t, 2>> nulled_frequencies(std::uint32_t points_per_tile)
+std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension)
 {
-    const double reach = nulling_reach * std::sqrt(points_per_tile);
-    const auto most = static_cast<std::int32_t>(std::floor(reach));
-    std::vector<std::array<std::int32_t, 2>> frequencies;
+    const double squared_root = dimension == 2 ? points_per_tile : std::pow(std::cbrt(points_per_tile), 2);
+    const double squared_reach = nulling_reach * nulling_reach * squared_root;
+    const auto most = static_cast<std::int32_t>(std::floor(std::sqrt(squared_reach)));
+    const std::int32_t above = dimension == 2 ? 0 : most;
+    std::vector<TileFrequency> frequencies;
     for (std::int32_t x = 0; x <= most; ++x)
-        for (std::int32_t y = x == 0 ? 1 : -most; y <= most; ++y)
-            if (std::hypot(x, y) <= reach) frequencies.push_back({x, y});
+        for (std::int32_t y = x == 0 ? 0 : -most; y <= most; ++y)
+            for (std::int32_t z = x == 0 && y == 0 ? 1 : -above; z <= above; ++z)
+                if (x * x + y * y + z * z <= squared_reach) frequencies.push_back({x, y, z});
     return frequencies;
 }
 
@@ -148,9 +158,16 @@ double nulling_step(std::span<const WeightedPoint> points)
     return nulling_gain * tile_units / (std::numbers::pi * squared);
 }
 
-std::unique_ptr<JointEngine> make_joint_engine(Device device, std::size_t work_group_size)
+DeviceMemory joint_memory(int dimension, std::size_t copies, std::size_t stored, std::uint32_t points_per_tile)
 {
-    return std::make_unique<DeviceJointEngine>(std::move(device), work_group_size);
+    const std::size_t frequencies = nulled_frequencies(points_per_tile, dimension).size();
+    return voronoi_memory(dimension, copies) +
+           memory_of(JointBuffers{}.needed(static_cast<std::size_t>(dimension), stored, frequencies));
+}
+
+std::unique_ptr<JointEngine> make_joint_engine(int dimension, Device device, std::size_t work_group_size)
+{
+    return std::make_unique<DeviceJointEngine>(dimension, std::move(device), work_group_size);
 }
 
 }

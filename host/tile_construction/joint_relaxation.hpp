@@ -7,6 +7,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/device.hpp"
+#include "host/tile_construction/unit_circle.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <array>
@@ -18,19 +19,20 @@
 
 namespace poissonlab {
 
-/// A movement in units.
-using Displacement = std::array<double, 2>;
+/// A movement in units; 2D: z is 0.
+using Displacement = std::array<double, 3>;
 
 /// A copy of a stored point on a torus of tiles.
 struct PointCopy
 {
     std::uint32_t stored = 0;
-    std::array<std::int32_t, 2> position{}; ///< units, from 0 to the torus' side
+    UnitPosition position{}; ///< from 0 to the torus' side
 };
 
 /// All copies on a torus of `side` tiles a side.
 struct JointTorus
 {
+    int dimension = 2;
     std::uint32_t side = 0;
     std::vector<PointCopy> copies;
 };
@@ -62,17 +64,20 @@ public:
                                                             std::uint32_t points_per_tile, double longest) = 0;
 };
 
-/// Frequencies below twice the square root of the points a tile, one of each two opposite ones.
-std::vector<std::array<std::int32_t, 2>> nulled_frequencies(std::uint32_t points_per_tile);
+/// The memory that the engine takes on a device, with so many copies on its tori and so many stored points.
+DeviceMemory joint_memory(int dimension, std::size_t copies, std::size_t stored, std::uint32_t points_per_tile);
+
+/// Frequencies below twice the square (cube) root of the points a tile, one of each two opposite ones.
+std::vector<TileFrequency> nulled_frequencies(std::uint32_t points_per_tile, int dimension);
 
 /// The step of nulling, over pi times the sum of squared weights of what moves.
 double nulling_step(std::span<const WeightedPoint> points);
 
 namespace reference {
-std::unique_ptr<JointEngine> make_joint_engine();
+std::unique_ptr<JointEngine> make_joint_engine(int dimension);
 }
 
-/// By kernels/voronoi_2d.cl and joint_nulling.cl.
-std::unique_ptr<JointEngine> make_joint_engine(Device device, std::size_t work_group_size = 0);
+/// By the Voronoi kernels and joint_nulling.cl.
+std::unique_ptr<JointEngine> make_joint_engine(int dimension, Device device, std::size_t work_group_size = 0);
 
 }

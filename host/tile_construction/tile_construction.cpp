@@ -5,6 +5,7 @@
 #include "host/tile_construction/fill_stages.hpp"
 #include "host/tile_construction/piece_choice.hpp"
 #include "host/tile_construction/piece_store.hpp"
+#include "host/tile_construction/strip_relaxation.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 
 namespace poissonlab {
 namespace {
@@ -25,11 +27,12 @@ class Construction
 {
 public:
     Construction(const PoissonTileParameters& parameters, TileFiller& filler, const ConstructionOptions& options)
-        : p_(parameters), filler_(filler), options_(options), regions_(regions_of(parameters)), pieces_(parameters),
-          interiors_(parameters.tiles), wanted_(asked_squared_distance(parameters))
+        : p_(parameters), filler_(filler), options_(options),
+          regions_(regions_of(parameters)), made_{PieceStore(parameters), std::vector<PiecePoints>(parameters.tiles)},
+          wanted_(asked_squared_distance(parameters))
     {}
 
-    ConstructedTileSet run()
+    ConstructedTileSet run(const JointEngines* together)
     {
         make_boundaries();
         std::vector<std::uint32_t> open;
@@ -41,6 +44,7 @@ public:
             if (round + 1 == max_rounds) give_up_tile(failed);
             open = remake_boundaries(failed, round + 1);
         }
+        if (p_.joint_iterations > 0) relax_together(made_, p_, *together, options_, report_);
         return {assembled(), report_};
     }
 
@@ -301,8 +305,9 @@ private:
     TileFiller& filler_;
     const ConstructionOptions& options_;
     TileRegions regions_;
-    PieceStore pieces_;
-    std::vector<PiecePoints> interiors_;
+    StripPieces made_;
+    PieceStore& pieces_ = made_.borders;
+    std::vector<PiecePoints>& interiors_ = made_.interiors;
     std::vector<BoundaryStage> stages_;
     std::pair<FillProblem, FilledTorus> master_;
     std::set<std::uint32_t> too_many_held_;
@@ -313,11 +318,20 @@ private:
 
 }
 
+FillSettings mending_settings(const PoissonTileParameters& parameters)
+{
+    PoissonTileParameters p = parameters;
+    p.repulsion = true;
+    p.lloyd_iterations = 0;
+    return fill_settings(p);
+}
+
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
-                                      const ConstructionOptions& options)
+                                      const ConstructionOptions& options, const JointEngines* together)
 {
     check(parameters);
-    return Construction(parameters, filler, options).run();
+    if (parameters.joint_iterations > 0 && !together) throw std::logic_error("joint iterations need their engines");
+    return Construction(parameters, filler, options).run(together);
 }
 
 }

@@ -10,10 +10,13 @@
 // pushed apart, sliding along the borders of their regions, and while they are, what surrounds them is held; without
 // that, the last iterate is taken that has the wanted distance; of four masters of template tiles the one is taken
 // whose strips come nearest to the number of points that they should have; and in space what surrounds an interior is
-// filled three radii wide and held while the interior relaxes, where it is a whole torus that moves in the plane.
+// filled three radii wide and held while the interior relaxes, where it is a whole torus that moves in the plane. Joint
+// iterations, in which all tiles are relaxed together afterwards, are not of the dissertation; none are made unless
+// asked for.
 #pragma once
 
 #include "host/tile_construction/filling/tile_filling.hpp"
+#include "host/tile_construction/joint_relaxation.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
@@ -70,10 +73,20 @@ struct ConstructedTileSet
     ConstructionReport report;
 };
 
-/// Throws InputError for parameters that check() refuses, and where a piece or a tile does not reach the
-/// wanted distance: which one, and what relative radius was reached.
+/// By whom all tiles are relaxed together.
+struct JointEngines
+{
+    TileFiller& mender; ///< pushes apart what the iterations leave too close: see mending_settings()
+    JointEngine& joint;
+};
+
+/// Points are thrown and pushed apart, not relaxed one tile at a time.
+FillSettings mending_settings(const PoissonTileParameters& parameters);
+
+/// `together` is needed where there are joint iterations. Throws InputError for parameters that check() refuses, and
+/// where a piece or a tile does not reach the wanted distance: which one, and what relative radius was reached.
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
-                                      const ConstructionOptions& options = {});
+                                      const ConstructionOptions& options = {}, const JointEngines* together = nullptr);
 
 /// The memory that the construction takes on such a device, nearly: chance decides how many points lie in a region.
 DeviceMemory construction_memory(const PoissonTileParameters& parameters, const DeviceInfo& device);

@@ -39,14 +39,13 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
     p.lloyd_iterations = integer("lloyd_iterations");
     p.repulsion = given.flag("repulsion");
     p.ranked = given.flag("ranked");
-    if (knows_chains(family)) {
-        std::optional<std::uint32_t> iterations;
-        std::optional<bool> nulling;
-        if (given.is_given("joint_iterations")) iterations = integer("joint_iterations");
-        if (given.is_given("null_peaks")) nulling = given.flag("null_peaks");
-        set_border(p, *tile_borders.find(given.text("border")), iterations, nulling);
-        if (given.is_given("repulsion")) p.repulsion = given.flag("repulsion");
-    }
+    std::optional<std::uint32_t> iterations;
+    std::optional<bool> nulling;
+    if (given.is_given("joint_iterations")) iterations = integer("joint_iterations");
+    if (given.is_given("null_peaks")) nulling = given.flag("null_peaks");
+    const bool has_strips = !knows_chains(family);
+    set_border(p, has_strips ? TileBorder::strip : *tile_borders.find(given.text("border")), iterations, nulling);
+    if (given.is_given("repulsion")) p.repulsion = given.flag("repulsion");
     p.seed = seed;
     return p;
 }
@@ -166,18 +165,18 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
                      .exclusive_minimum = true,
                      .symbol = "density",
                      .otherwise = 1.0});
-    if (!knows_chains(family)) return specs;
-    specs.push_back({.key = "border",
-                     .kind = Kind::choice,
-                     .help = "what tiles share: strips of points, or chains, which leave no seam",
-                     .choices = tile_borders.all(),
-                     .otherwise = tile_borders[TileBorder::strip]});
+    if (knows_chains(family))
+        specs.push_back({.key = "border",
+                         .kind = Kind::choice,
+                         .help = "what tiles share: strips of points, or chains, which leave no seam",
+                         .choices = tile_borders.all(),
+                         .otherwise = tile_borders[TileBorder::strip]});
     specs.push_back({.key = "joint_iterations",
                      .kind = Kind::integer,
-                     .help = "relaxations of all tiles together; only with chains",
+                     .help = "relaxations of all tiles together",
                      .maximum = 100'000,
                      .symbol = "joint",
-                     .unless_given = "20 with chains, 0 with strips"});
+                     .unless_given = knows_chains(family) ? "20 with chains, 0 with strips" : "0"});
     specs.push_back({.key = "null_peaks",
                      .kind = Kind::boolean,
                      .help = "in these, make the mean tile even, so that tilings show less of their lattice",

@@ -125,12 +125,21 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
     const auto filler = [&](const FillSettings& settings) {
         return engine == Engine::opencl ? make_tile_filler(settings, device()) : reference::make_tile_filler(settings);
     };
+    const auto joint_engine = [&] {
+        return engine == Engine::opencl ? make_joint_engine(parameters.dimension, device())
+                                        : reference::make_joint_engine(parameters.dimension);
+    };
     ConstructedTileSet built;
     if (parameters.border == TileBorder::chain) {
         const auto tori = filler(chain_torus_settings(parameters));
         const auto interiors = filler(chain_interior_settings(parameters));
-        const auto joint = engine == Engine::opencl ? make_joint_engine(device()) : reference::make_joint_engine();
+        const auto joint = joint_engine();
         built = construct_chain_tiles(parameters, {*tori, *interiors, *joint}, options);
+    } else if (parameters.joint_iterations > 0) {
+        const auto pieces = filler(fill_settings(parameters)), mender = filler(mending_settings(parameters));
+        const auto joint = joint_engine();
+        const JointEngines together{*mender, *joint};
+        built = construct_tile_set(parameters, *pieces, options, &together);
     } else {
         built = construct_tile_set(parameters, *filler(fill_settings(parameters)), options);
     }

@@ -33,7 +33,7 @@ struct Tori
     uint capacity;   ///< entries of a torus for each axis
     uint copies;     ///< images of each point: 1, or 2^DIMENSION for the torus of one tile
     uint in_polygon; ///< else in cells: points lie inside of the polygon whose corners are the held points, in order
-    uint unused;
+    uint keep_tiles; ///< points do not leave the tile that they are in
 };
 
 /// What throw_tile_darts is told.

@@ -32,10 +32,11 @@ bool has_chains(const ReportSeries& series)
     return std::ranges::find(given, std::pair<std::string, std::string>("border", "chain")) != given.end();
 }
 
-/// Neither chains nor tilings that points were left out of are of the papers.
+/// Neither chains, nor tiles that are relaxed together, nor tilings that points were left out of are of the papers.
 bool is_of_the_papers(const ReportSeries& series)
 {
-    return !has_chains(series) && number_parameter(series, "density").value_or(1) == 1;
+    return !has_chains(series) && number_parameter(series, "joint_iterations").value_or(0) == 0 &&
+           number_parameter(series, "density").value_or(1) == 1;
 }
 
 /// Spectra of tilings with their lattice peaks.

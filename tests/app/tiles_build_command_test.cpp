@@ -65,6 +65,17 @@ TEST_F(TilesBuildCommand, OptionsSayOtherwise)
     EXPECT_EQ(run("verify a.json").status, 0);
 }
 
+TEST_F(TilesBuildCommand, StripsAreRelaxedTogetherWhereAsked)
+{
+    ASSERT_EQ(run("build corner --colors 2 --points 32 --repulsion --joint-iterations 5 --out a.ptiles --quiet").status,
+              0);
+    const PoissonTileParameters p = read_tile_set(folder_.path() / "a.ptiles").parameters;
+    EXPECT_EQ(p.border, TileBorder::strip);
+    EXPECT_EQ(p.joint_iterations, 5u);
+    EXPECT_TRUE(p.null_peaks);
+    EXPECT_EQ(run("verify a.ptiles").status, 0);
+}
+
 TEST_F(TilesBuildCommand, RanksAreStoredAndJudged)
 {
     ASSERT_EQ(run("build corner --colors 2 --points 32 --ranked --out a.ptiles --quiet").status, 0);
@@ -87,8 +98,8 @@ TEST_F(TilesBuildCommand, SaysWhatIsAllowed)
                 HasSubstr("--null-peaks \"yes\": unknown"));
     EXPECT_THAT(refusal("edge --colors 1 --points 32 --border chain"),
                 HasSubstr("tiles build: border = chain: must be \"strip\" for edge tiles"));
-    EXPECT_THAT(refusal("corner --colors 2 --points 32 --joint-iterations 3"),
-                HasSubstr("joint_iterations = 3: must be 0 for tiles with strips"));
+    EXPECT_THAT(refusal("corner --colors 2 --points 32 --null-peaks on"),
+                HasSubstr("null_peaks = true: must be false without joint iterations"));
     EXPECT_THAT(refusal("corner --colors 2 --points 32 --border chain --joint-iterations 0 --null-peaks on"),
                 HasSubstr("null_peaks = true: must be false without joint iterations"));
 }

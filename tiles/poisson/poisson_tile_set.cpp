@@ -49,8 +49,6 @@ void check_border(const PoissonTileParameters& p)
     if (has_chains && (p.dimension != 2 || p.kind == PoissonTileKind::edge))
         throw refused("border", tile_borders[p.border], fmt::format("must be \"strip\" for {} tiles", kind_name(p)));
     if (has_chains && !p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with chains");
-    if (!has_chains && p.joint_iterations > 0)
-        throw refused("joint_iterations", p.joint_iterations, "must be 0 for tiles with strips");
     if (p.null_peaks && p.joint_iterations == 0)
         throw refused("null_peaks", p.null_peaks, "must be false without joint iterations, which do it");
 }

@@ -51,6 +51,12 @@ void VoronoiKernels::find_cells(PointGrid& grid)
                    b.displacements, b.energies, b.squared_near);
 }
 
+DeviceMemory voronoi_memory(int dimension, std::size_t points)
+{
+    return PointGrid::memory(dimension, points, VoronoiKernels::cells_per_axis(dimension, points)) +
+           VoronoiKernels::memory(dimension, points);
+}
+
 VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size)
 {
     const std::size_t n = points.size();

@@ -68,6 +68,9 @@ private:
     Kernel forget_slow_, find_fast_, find_slow_;
 };
 
+/// The memory that the following takes.
+DeviceMemory voronoi_memory(int dimension, std::size_t points);
+
 /// Everything at once, in the order of the points.
 VoronoiCells voronoi_cells(Device device, const PointSet& points, std::size_t work_group_size = 64);
 

@@ -217,7 +217,7 @@ private:
                 static_cast<std::uint32_t>(capacity_),
                 static_cast<std::uint32_t>(copies_),
                 stage.in_polygon,
-                0};
+                stage.keep_tiles};
     }
 
     void throw_darts(const FillStage& stage, const DartZone& zone, std::uint32_t attempt, std::uint32_t zone_number,

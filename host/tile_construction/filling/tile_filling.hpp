@@ -38,6 +38,8 @@ struct FillStage
 
     /// Active points lie inside of the polygon whose corners are the held points, in their order, instead of in cells.
     bool in_polygon = false;
+
+    bool keep_tiles = false; ///< movements end in the tile that they start in
 };
 
 struct FillProblem

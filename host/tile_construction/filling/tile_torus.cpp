@@ -147,17 +147,22 @@ TilePosition allowed_end(const Zone& zone, const TilePosition& start, const Tile
         for (int k = 0; k < zone.regions.dimension; ++k) end[k] = wrapped(start[k] + (movement[k] * part >> 12));
         return end;
     };
+    const auto is_end = [&](const TilePosition& position) {
+        for (int k = 0; k < zone.regions.dimension && zone.keeps_tiles; ++k)
+            if ((start[k] ^ position[k]) >> tile_bits) return false;
+        return is_allowed(zone, position);
+    };
     TilePosition end = moved(4096);
-    if (is_allowed(zone, end)) return end;
+    if (is_end(end)) return end;
     if (slides && zone.polygon.empty()) {
         for (int i = 0; i < 3; ++i) {
             end = pushed_out(zone.regions, end);
-            if (is_allowed(zone, end)) return end;
+            if (is_end(end)) return end;
         }
     }
     std::int32_t part = 0;
     for (std::int32_t step = 2048; step > 0; step >>= 1) {
-        if (is_allowed(zone, moved(part + step))) part += step;
+        if (is_end(moved(part + step))) part += step;
     }
     return moved(part);
 }

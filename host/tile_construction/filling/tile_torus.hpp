@@ -44,6 +44,7 @@ struct Zone
     TileRegions regions;
     CellSet cells = 0;
     std::span<const TilePosition> polygon = {};
+    bool keeps_tiles = false; ///< a movement does not leave the tile that it starts in
 };
 
 bool is_allowed(const Zone& zone, const TilePosition& position);

@@ -2,7 +2,6 @@
 #include "host/tile_construction/joint_relaxation.hpp"
 
 #include "host/sampling/cells/voronoi_cells.hpp"
-#include "host/tile_construction/unit_circle.hpp"
 
 #include <cmath>
 
@@ -12,6 +11,8 @@ namespace {
 class ReferenceJointEngine final : public JointEngine
 {
 public:
+    explicit ReferenceJointEngine(int dimension) : dimension_(dimension) {}
+
     std::vector<double> centroid_displacements(const PointSet& points) override
     {
         return voronoi_cells(points).displacements;
@@ -20,15 +21,11 @@ public:
     std::vector<Displacement> nulling_displacements(std::span<const WeightedPoint> points,
                                                     std::uint32_t points_per_tile, double longest) override
     {
-        const auto frequencies = nulled_frequencies(points_per_tile);
-        std::vector<Displacement> transform;
-        for (const auto& frequency : frequencies) {
-            Displacement sum{};
-            for (const WeightedPoint& point : points) {
-                const std::complex<double> e = wave(frequency, point);
-                sum[0] += point.weight * e.real();
-                sum[1] += point.weight * e.imag();
-            }
+        const auto frequencies = nulled_frequencies(points_per_tile, dimension_);
+        std::vector<std::complex<double>> transform;
+        for (const TileFrequency& frequency : frequencies) {
+            std::complex<double> sum;
+            for (const WeightedPoint& point : points) sum += point.weight * wave(frequency, point);
             transform.push_back(sum);
         }
         const double step = nulling_step(points);
@@ -38,11 +35,9 @@ public:
             Displacement sum{};
             for (std::size_t k = 0; k < frequencies.size(); ++k) {
                 const std::complex<double> e = wave(frequencies[k], points[i]);
-                const double slope = transform[k][0] * e.imag() - transform[k][1] * e.real();
-                const double x = frequencies[k][0], y = frequencies[k][1];
-                const double part = slope / (x * x + y * y);
-                sum[0] += x * part;
-                sum[1] += y * part;
+                const double slope = transform[k].real() * e.imag() - transform[k].imag() * e.real();
+                const double part = slope / squared_length(frequencies[k]);
+                for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += frequencies[k][axis] * part;
             }
             displacements[i] = limited(sum, -step * points[i].weight, longest);
         }
@@ -50,23 +45,37 @@ public:
     }
 
 private:
-    static std::complex<double> wave(const std::array<std::int32_t, 2>& frequency, const WeightedPoint& point)
+    static std::complex<double> wave(const TileFrequency& frequency, const WeightedPoint& point)
     {
-        return unit_circle()[phase_of(frequency, point.position[0], point.position[1])];
+        return unit_circle()[phase_of(frequency, point.position)];
+    }
+
+    template <class Number>
+    static double squared_length(const std::array<Number, 3>& vector)
+    {
+        double squared = 0;
+        for (const Number x : vector) squared += static_cast<double>(x) * x;
+        return squared;
     }
 
     static Displacement limited(const Displacement& sum, double factor, double longest)
     {
-        Displacement movement{sum[0] * factor, sum[1] * factor};
-        const double length = std::sqrt(movement[0] * movement[0] + movement[1] * movement[1]);
-        if (length > longest)
-            for (double& x : movement) x *= longest / length;
+        Displacement movement = sum;
+        for (double& x : movement) x *= factor;
+        const double length = std::sqrt(squared_length(movement));
+        const double scale = length > longest ? longest / length : 1;
+        for (double& x : movement) x *= scale;
         return movement;
     }
+
+    int dimension_;
 };
 
 }
 
-std::unique_ptr<JointEngine> make_joint_engine() { return std::make_unique<ReferenceJointEngine>(); }
+std::unique_ptr<JointEngine> make_joint_engine(int dimension)
+{
+    return std::make_unique<ReferenceJointEngine>(dimension);
+}
 
 }

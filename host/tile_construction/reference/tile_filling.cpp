@@ -117,7 +117,7 @@ public:
 private:
     std::size_t dimension() const { return static_cast<std::size_t>(settings_.dimension); }
     std::size_t moving_end() const { return stage_.surroundings_move ? points_.size() : active_end_; }
-    Zone zone_of(CellSet cells) const { return {stage_.regions, cells, polygon_}; }
+    Zone zone_of(CellSet cells) const { return {stage_.regions, cells, polygon_, stage_.keep_tiles}; }
     std::size_t image_count() const { return stage_.is_one_tile ? std::size_t{1} << settings_.dimension : 1; }
 
     TilePosition dart_at(const DartZone& zone, const std::array<std::uint32_t, 4>& counter) const

@@ -40,6 +40,17 @@ TEST(RelativeRadius, OneCoversWhatTheDensestPackingCovers)
     }
 }
 
+/// The planes of the densest packings that are farthest apart: rows of disks, and layers of spheres.
+TEST(RelativeRadius, ThePrincipalFrequencyIsThatOfRowsAndLayers)
+{
+    for (const std::size_t n : {1, 100, 16384}) {
+        const double between_rows = max_min_distance(n, 2) * std::sqrt(3.0) / 2;
+        EXPECT_NEAR(principal_frequency(n, 2) * between_rows, 1, rounding);
+        const double between_layers = max_min_distance(n, 3) * std::sqrt(2.0 / 3);
+        EXPECT_NEAR(principal_frequency(n, 3) * between_layers, 1, rounding);
+    }
+}
+
 TEST(RelativeRadius, GoesBothWays)
 {
     for (const int dimension : {2, 3}) {

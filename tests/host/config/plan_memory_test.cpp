@@ -59,6 +59,29 @@ points_per_tile = [32, 128]
 lloyd_iterations = 2
 relative_radius = 0.4
 [[method]]
+sampler = "corner-tiles"
+colors = [2, 4]
+points_per_tile = 32
+lloyd_iterations = 2
+repulsion = true
+joint_iterations = 4
+border = ["strip", "chain"]
+[[method]]
+sampler = "template-tiles"
+tiles = 100
+lloyd_iterations = 2
+relative_radius = 0.7
+repulsion = true
+joint_iterations = 4
+border = ["strip", "chain"]
+[[method]]
+sampler = "edge-tiles"
+colors = [1, 2]
+points_per_tile = 16
+lloyd_iterations = 2
+joint_iterations = 4
+relative_radius = 0.4
+[[method]]
 sampler = "edge-tiles"
 colors = [1, 2]
 points_per_tile = 16
@@ -122,6 +145,13 @@ colors = [1, 2]
 points_per_tile = 32
 lloyd_iterations = 1
 relative_radius = 0.3
+[[method]]
+sampler = "sphere-tiles"
+colors = 2
+points_per_tile = 32
+lloyd_iterations = 1
+relative_radius = 0.3
+joint_iterations = 3
 )";
 
 class SamplerMemory : public ::testing::TestWithParam<int>

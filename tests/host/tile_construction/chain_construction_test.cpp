@@ -3,9 +3,9 @@
 #include "host/tile_construction/chain_construction.hpp"
 
 #include "host/tile_construction/chain_paths.hpp"
-#include "host/tile_construction/joint_tiling.hpp"
 #include "tests/support/cgal_distance.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/mean_tile.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/tiles/poisson/made_up_tilings.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
@@ -16,9 +16,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <complex>
-#include <map>
-#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -47,7 +44,7 @@ PoissonTileSet chains_by_device(const PoissonTileParameters& p, std::size_t work
     const Device device = Device::open({}, threads);
     const auto tori = make_tile_filler(chain_torus_settings(p), device, work_group_size);
     const auto interiors = make_tile_filler(chain_interior_settings(p), device, work_group_size);
-    const auto joint = make_joint_engine(device, work_group_size);
+    const auto joint = make_joint_engine(2, device, work_group_size);
     return construct_chain_tiles(p, {*tori, *interiors, *joint}).set;
 }
 
@@ -55,7 +52,7 @@ PoissonTileSet chains_by_reference(const PoissonTileParameters& p)
 {
     const auto tori = reference::make_tile_filler(chain_torus_settings(p));
     const auto interiors = reference::make_tile_filler(chain_interior_settings(p));
-    const auto joint = reference::make_joint_engine();
+    const auto joint = reference::make_joint_engine(2);
     return construct_chain_tiles(p, {*tori, *interiors, *joint}).set;
 }
 
@@ -232,29 +229,6 @@ TEST(ChainCertificate, SaysWhatDistanceThereIs)
 
 // What it is good for.
 
-/// The mean over a ring of frequencies of the power of the mean tile, in points: directly.
-double power_of_mean_tile(const PoissonTileSet& set)
-{
-    const PoissonTileParameters& p = set.parameters;
-    const double root = std::sqrt(p.points_per_tile);
-    double sum = 0;
-    int count = 0;
-    for (int x = -20; x <= 20; ++x)
-        for (int y = -20; y <= 20; ++y) {
-            if (std::hypot(x, y) < 0.5 || std::hypot(x, y) > 1.13 * root) continue;
-            std::complex<double> transform = 0;
-            for (std::uint32_t tile = 0; tile < p.tiles; ++tile)
-                for (std::uint32_t i = 0; i < p.points_per_tile; ++i) {
-                    const UnitPosition at = set.position(tile, i);
-                    const double turns = (double{1} * x * at[0] + double{1} * y * at[1]) / tile_units;
-                    transform += std::polar(1.0, -2 * std::numbers::pi * turns);
-                }
-            sum += std::norm(transform / static_cast<double>(p.tiles)) / p.points_per_tile;
-            ++count;
-        }
-    return sum / count;
-}
-
 TEST(JointRelaxation, NullingTakesThePowerOutOfTheMeanTile)
 {
     // A prototype had 0.055 of what strips have, and 0.63 without relaxation: with chains 0.0029 to 0.004.
@@ -262,49 +236,6 @@ TEST(JointRelaxation, NullingTakesThePowerOutOfTheMeanTile)
     const double with = power_of_mean_tile(chains_by_device(chain_parameters(3, 32, 0.75, 20)));
     EXPECT_LT(with, 0.01);
     EXPECT_LT(with, 0.2 * without);
-}
-
-TEST(JointRelaxation, TheToriShowEveryTile)
-{
-    for (const PoissonTileParameters& p :
-         {chain_parameters(2, 32, 0.75), chain_parameters(4, 32, 0.75), template_chain_parameters(50)}) {
-        std::map<std::uint32_t, int> counts;
-        for (const std::uint32_t tile : joint_tiling(p, 3)) ++counts[tile];
-        EXPECT_EQ(counts.size(), p.tiles);
-        EXPECT_NE(joint_tiling(p, 3), joint_tiling(p, 4));
-    }
-}
-
-TEST(JointRelaxation, TilesOfATorusFitTogether)
-{
-    const PoissonTileParameters p = chain_parameters(3, 32, 0.75);
-    const std::uint32_t side = joint_side(p);
-    const auto tiles = joint_tiling(p, 0);
-    for (std::uint32_t y = 0; y < side; ++y)
-        for (std::uint32_t x = 0; x < side; ++x) {
-            const auto here = corner_colors_of(tiles[y * side + x], 2, 3);
-            const auto right = corner_colors_of(tiles[y * side + (x + 1) % side], 2, 3);
-            const auto above = corner_colors_of(tiles[(y + 1) % side * side + x], 2, 3);
-            EXPECT_EQ(here[1], right[0]);
-            EXPECT_EQ(here[3], right[2]);
-            EXPECT_EQ(here[2], above[0]);
-            EXPECT_EQ(here[3], above[1]);
-        }
-}
-
-TEST(JointRelaxation, KernelAndTwinNullAlike)
-{
-    std::mt19937 random(4);
-    std::vector<WeightedPoint> points;
-    for (int i = 0; i < 300; ++i)
-        points.push_back({{static_cast<std::int32_t>(random() % 98304) - 16384,
-                           static_cast<std::int32_t>(random() % 98304) - 16384, 0},
-                          i < 10 ? 0.25 : 0.01,
-                          i >= 10});
-    const auto by_kernel = make_joint_engine(Device::open(), 7)->nulling_displacements(points, 32, 200);
-    EXPECT_EQ(by_kernel, reference::make_joint_engine()->nulling_displacements(points, 32, 200));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        EXPECT_LE(std::hypot(by_kernel[i][0], by_kernel[i][1]), i < 10 ? 0 : 200.0001);
 }
 
 /// The area of a tile is its share and what its four chains leave it.

@@ -141,6 +141,28 @@ TEST_P(TileTorus, MovementsEndWhereTheyAreAllowed)
     EXPECT_GT(stopped, 500);
 }
 
+TEST_P(TileTorus, MovementsMayBeKeptInTheirTile)
+{
+    std::mt19937 random(5);
+    int stopped = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const TilePosition start = random_position(random, dimension_);
+        // All cells of this kind are allowed, on all sides of the lattice.
+        CellSet cells = 0;
+        for (unsigned base = 0; base < 1u << dimension_; ++base)
+            cells |= CellSet{1} << cell_number(cell_at(regions_, start) & all_axes(dimension_), base, dimension_);
+        TilePosition movement{};
+        for (int k = 0; k < dimension_; ++k) movement[k] = static_cast<std::int32_t>(random() % (2 * width)) - width;
+        for (const bool slides : {false, true}) {
+            const TilePosition end = allowed_end({regions_, cells, {}, true}, start, movement, slides);
+            EXPECT_TRUE(is_allowed({regions_, cells}, end));
+            for (int k = 0; k < dimension_; ++k) EXPECT_EQ(end[k] / tile_units, start[k] / tile_units);
+            stopped += end != allowed_end({regions_, cells}, start, movement, slides);
+        }
+    }
+    EXPECT_GT(stopped, 500);
+}
+
 INSTANTIATE_TEST_SUITE_P(Dimensions, TileTorus, testing::Values(2, 3));
 
 }

@@ -176,8 +176,9 @@ TEST_F(TileSamplers, ChainsBringWhatTheyNeedButOverruleNothing)
     EXPECT_EQ(refusal("corner-tiles", {colors, chains}), "accepted");
     EXPECT_THAT(refusal("corner-tiles", {colors, chains, {"repulsion", false}}),
                 HasSubstr("repulsion = false: must be true for tiles with chains"));
-    EXPECT_THAT(refusal("corner-tiles", {colors, {"joint_iterations", whole(3)}}),
-                HasSubstr("joint_iterations = 3: must be 0 for tiles with strips"));
+    EXPECT_EQ(refusal("corner-tiles", {colors, {"joint_iterations", whole(3)}}), "accepted");
+    EXPECT_THAT(refusal("corner-tiles", {colors, {"null_peaks", true}}),
+                HasSubstr("null_peaks = true: must be false without joint iterations"));
 }
 
 TEST_F(TileSamplers, RefuseWhatCannotBe)

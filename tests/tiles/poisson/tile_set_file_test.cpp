@@ -172,7 +172,6 @@ TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
     };
     EXPECT_EQ(error(8, 1u), "a.ptiles: reserved bytes 88 to 119: must be 0");
     EXPECT_EQ(error(88, 2u), "a.ptiles: border = 2: must be at most 1");
-    EXPECT_THAT(error(88, 0u), HasSubstr("joint_iterations = 123: must be 0 for tiles with strips"));
     EXPECT_THAT(error(92, 100'001u), HasSubstr("joint_iterations = 100001: must be an integer from 0 to 100000"));
     EXPECT_EQ(error(92, 0u), "accepted");
     EXPECT_EQ(error(96, 2u), "a.ptiles: null_peaks = 2: must be at most 1");

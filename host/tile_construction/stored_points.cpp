@@ -1,0 +1,56 @@
+#include "host/tile_construction/stored_points.hpp"
+
+#include "host/tile_construction/joint_tiling.hpp"
+
+#include <cmath>
+
+namespace poissonlab {
+
+std::size_t StoredPoints::add(std::span<const UnitPosition> points, double weight, bool moves)
+{
+    for (const UnitPosition& point : points) mean_tile_.push_back({point, weight, moves});
+    first_.push_back(mean_tile_.size());
+    return first_.size() - 2;
+}
+
+JointTorus StoredPoints::torus(int dimension, std::uint32_t side, std::span<const std::uint32_t> tiles,
+                               const OwnPieces& own_pieces) const
+{
+    JointTorus result{dimension, side, {}};
+    const auto size = static_cast<std::int32_t>(side) * tile_units;
+    for (std::uint32_t place = 0; place < tiles.size(); ++place) {
+        const std::array<std::uint32_t, 3> at{place % side, place / side % side, place / side / side};
+        for (const std::size_t piece : own_pieces(tiles[place])) {
+            for (std::size_t i = first_[piece]; i < first_[piece + 1]; ++i) {
+                PointCopy copy{static_cast<std::uint32_t>(i), mean_tile_[i].position};
+                for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+                    const std::int32_t x = copy.position[k] + static_cast<std::int32_t>(at[k]) * tile_units;
+                    copy.position[k] = (x % size + size) % size;
+                }
+                result.copies.push_back(copy);
+            }
+        }
+    }
+    return result;
+}
+
+double longest_joint_move(const PoissonTileParameters& p)
+{
+    constexpr double longest_in_spacings = 0.05;
+    return longest_in_spacings * tile_units / std::pow(p.points_per_tile, 1.0 / p.dimension);
+}
+
+std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
+                                              const OwnPieces& own_pieces, const PoissonTileParameters& p,
+                                              std::uint32_t iteration)
+{
+    const JointTorus torus = points.torus(p.dimension, joint_side(p), joint_tiling(p, iteration), own_pieces);
+    std::vector<Displacement> displacements = engine.mean_displacements(torus, points.count());
+    if (!p.null_peaks) return displacements;
+    const auto nulling = engine.nulling_displacements(points.mean_tile(), p.points_per_tile, longest_joint_move(p));
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
+    return displacements;
+}
+
+}

@@ -1,0 +1,51 @@
+// The points of a tile set as they are stored, each once, however many tiles have it.
+#pragma once
+
+#include "host/tile_construction/joint_relaxation.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// The numbers of the pieces that a tiling takes from a tile, not from its neighbours.
+using OwnPieces = std::function<std::vector<std::size_t>(std::uint32_t tile)>;
+
+/// Pieces that tiles share, and the insides of tiles, with all their points in one list.
+class StoredPoints
+{
+public:
+    /// Adds a piece, whose points are relative to the lowest corner of the tiles that have it as their own. `weight`:
+    /// the share of tiles that do. Returns its number.
+    std::size_t add(std::span<const UnitPosition> points, double weight, bool moves);
+
+    std::size_t count() const { return mean_tile_.size(); }
+
+    /// The number of a piece's first point.
+    std::size_t first(std::size_t piece) const { return first_[piece]; }
+
+    /// All points, as the mean of all tiles has them.
+    const std::vector<WeightedPoint>& mean_tile() const { return mean_tile_; }
+
+    /// All copies on a torus. `tiles`: row after row from below, and layer after layer.
+    JointTorus torus(int dimension, std::uint32_t side, std::span<const std::uint32_t> tiles,
+                     const OwnPieces& own_pieces) const;
+
+private:
+    std::vector<std::size_t> first_{0}; ///< one more than there are pieces
+    std::vector<WeightedPoint> mean_tile_;
+};
+
+/// The longest movement of nulling and of other corrections in a joint iteration, units.
+double longest_joint_move(const PoissonTileParameters& parameters);
+
+/// The movements of all stored points in a joint iteration: the mean of what Lloyd relaxation does to their copies on
+/// that iteration's torus and, if asked for, nulling.
+std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
+                                              const OwnPieces& own_pieces, const PoissonTileParameters& parameters,
+                                              std::uint32_t iteration);
+
+}
