@@ -160,6 +160,10 @@ std::vector<Measure> sizes_and_distances()
                 "rows. Dart throwing of many points cannot pass 0.777 in 2D and 0.804 in 3D. The mean over the K "
                 "sets, and from the smallest to the largest.",
                 [](const Series& series) { return value_of(series.relative_radius); })),
+        detail(number("proven_relative_radius", "proven relative radius", of_largest_distance, Better::higher,
+                      MeasureKind::size, significant(4),
+                      "What is known without measuring: no set of the method has a smaller relative radius, by a proof "
+                      "over all neighbourhoods that tiles can have.")),
         row("min_distance", "minimum distance", "of the torus' side", Better::higher, MeasureKind::per_set,
             significant(4),
             "The same distance as it is: twice the radius of the {disks|spheres}. It compares between sets of the "

@@ -32,6 +32,8 @@ enum class Purpose : std::uint32_t
     wang_surroundings = 25,
     wang_tilings = 26,
     sector_darts = 27,
+    polyomino_division = 30,
+    polyomino_seed = 31,
     recursive_tile_darts = 32,
     recursive_tile_words = 33,
     recursive_tilings = 34,

@@ -18,6 +18,7 @@ const std::vector<KernelFile>& kernel_files()
         {"masked_squares.cl", {}},
         {"objects.cl", {}},
         {"point_grid.cl", {dimension}},
+        {"polyominoes.cl", {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", {}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},

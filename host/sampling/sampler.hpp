@@ -65,6 +65,9 @@ public:
     /// The tile set of methods that tile.
     virtual std::optional<TileSetRecord> tile_set() const { return {}; }
 
+    /// The relative radius that the last sample() is proven to have at least, where that is known without looking at it.
+    virtual std::optional<double> proven_relative_radius() const { return {}; }
+
     /// The number of tiles along each axis of which the sets are made; 0: they are not made of tiles.
     virtual std::uint32_t tiles_along_axis() const { return 0; }
 };

@@ -37,6 +37,7 @@ Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, cons
     record.tiles_along_axis = sampler_->tiles_along_axis();
     record.iterations = sampler_->iterations();
     record.tile_set = sampler_->tile_set();
+    record.proven_relative_radius = sampler_->proven_relative_radius();
     record.build_seconds = built - build_seconds_;
     record.preparation_seconds = prepared - preparation_seconds_;
     build_seconds_ = built;

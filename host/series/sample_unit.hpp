@@ -25,14 +25,15 @@ struct SampleRecord
     std::uint32_t tiles_along_axis = 0;
     std::vector<IterationRecord> iterations;
     std::optional<TileSetRecord> tile_set;
-    double build_seconds = 0;       ///< spent on building kernels since the realization before
-    double preparation_seconds = 0; ///< since the realization before
+    std::optional<double> proven_relative_radius; ///< Sampler::proven_relative_radius()
+    double build_seconds = 0;                     ///< spent on building kernels since the realization before
+    double preparation_seconds = 0;               ///< since the realization before
 
     template <class Archive>
     void serialize(Archive& archive)
     {
         archive(points, seconds, conditions, on_device, sizes_vary, tiles_along_axis, iterations, tile_set,
-                build_seconds, preparation_seconds);
+                proven_relative_radius, build_seconds, preparation_seconds);
     }
 };
 

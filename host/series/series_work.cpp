@@ -278,14 +278,17 @@ Series SeriesWork::result() const
 {
     Series result = finished_analysis().result;
     IterationRecords iterations;
+    std::optional<double> proven;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
         const SampleRecord sample = record(k);
+        if (k == 0 || (proven && sample.proven_relative_radius < proven)) proven = sample.proven_relative_radius;
         iterations.push_back(sample.iterations);
         result.build_seconds += sample.build_seconds;
         result.preparation_seconds += sample.preparation_seconds;
         if (k == 0) result.tile_set = sample.tile_set;
         if (has_points_to_keep(k)) result.point_files.push_back(file_names::realization(k));
     }
+    if (proven) result.measures.numbers["proven_relative_radius"] = {*proven, {}};
     result.iterations = iterations_of(iterations);
     if (result.iterations) result.iterations->file = file_names::iterations;
     if (task_.is_timed) result.sample_seconds = seconds_so_far();

@@ -1,5 +1,5 @@
 // Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts and of
-// Jones', averaged tiles of 63 points after 30 iterations, and recursive Wang tiles.
+// Jones', averaged tiles of 63 points after 30 iterations, recursive Wang tiles, and polyominoes with their tables.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007: 0.137 s, 7.911 s and 7.002 s (section 6.13), 3.403 s (section
 // 6.12, at 0.75) on an Athlon 64 4000+; section 6.14: 1.005 s. Targets on two cores for recursive tiles: built in 10 s,
@@ -9,6 +9,7 @@
 #include "host/config/sampler_registry.hpp"
 #include "host/device/device.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 #include "tests/bench/ratio_reporter.hpp"
@@ -80,6 +81,27 @@ BENCHMARK_CAPTURE(recursive_points, density, 1'000'000, density_of_formula("gaus
     ->Repetitions(9)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+/// From built tables: the sampler is made before. Asked: less than 15 ms.
+void polyomino_sets(benchmark::State& state, const char* variant)
+{
+    const SamplerSpec& spec = *find_sampler("polyominoes");
+    Parameters parameters(spec.parameters);
+    parameters.set("variant", std::string(variant), {});
+    const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, {});
+    std::uint32_t realization = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
+}
+
+/// From nothing. Asked: less than 60 s.
+void polyomino_table(benchmark::State& state, Polyomino shape)
+{
+    for (auto _ : state) benchmark::DoNotOptimize(cached_polyomino_table(shape, {}));
+}
+
+BENCHMARK_CAPTURE(polyomino_sets, P, "P")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(polyomino_sets, G, "G")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(polyomino_table, P, Polyomino::P)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
+BENCHMARK_CAPTURE(polyomino_table, G, Polyomino::G)->Iterations(1)->Unit(benchmark::kSecond)->UseRealTime();
 BENCHMARK_CAPTURE(sector_darts, boundary, "boundary")->Repetitions(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sector_darts, linear, "linear")->Iterations(1)->Repetitions(5)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sector_darts, logarithmic, "logarithmic")

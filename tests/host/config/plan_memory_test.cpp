@@ -140,6 +140,11 @@ iterations = 1
 [[method]]
 sampler = "recursive-wang-tiles"
 points_per_tile = 128
+[[method]]
+sampler = "polyominoes"
+[[method]]
+sampler = "polyominoes"
+density = "x + 1"
 )";
 
 constexpr const char* methods_3d = R"(

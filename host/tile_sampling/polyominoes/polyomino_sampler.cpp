@@ -1,0 +1,132 @@
+#include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/density_parameters.hpp"
+#include "host/sampling/device_sampler.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_kernel.hpp"
+#include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
+#include "tiles/polyominoes/polyomino_points.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* variant_key = "variant";
+constexpr const char* side_key = "seed_side";
+
+Polyomino shape_of(const Parameters& given) { return *polyominoes.find(given.text(variant_key)); }
+
+/// Fewer points than these are in rows of the table that are proven after more divisions, with a side of 10.
+constexpr std::size_t fewest_points_for_ten = 6401;
+
+/// The side of the torus before its tiles are divided, in cells.
+std::uint32_t side_of(const Parameters& given, std::size_t points)
+{
+    if (given.is_given(side_key)) return static_cast<std::uint32_t>(given.integer(side_key));
+    if (shape_of(given) == Polyomino::G) return 12;
+    return points < fewest_points_for_ten ? 5 : 10;
+}
+
+class PolyominoSampler final : public DeviceSampler
+{
+public:
+    PolyominoSampler(const Parameters& given, const SampleRequest& request, Engine engine, const DeviceProvider& device)
+        : DeviceSampler(engine, device), points_(request.points), seed_(request.seed),
+          side_(side_of(given, request.points)), density_(given_density(given))
+    {
+        const auto begin = std::chrono::steady_clock::now();
+        CachedPolyominoTable cached = cached_polyomino_table(shape_of(given), tile_cache_folder(), request.on_step);
+        table_ = std::move(cached.table);
+        if (device_) generator_.emplace(*device_, shape_of(given));
+        const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
+        preparation_seconds_ = all.count() - build_seconds() - cached.waiting_seconds;
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const PolyominoTorus torus(table_, side_, seed_, realization);
+        if (const auto distance = proven_distance(torus, points_); distance && !density_)
+            proven_ = relative_radius(*distance, points_, 2);
+        if (density_) return polyomino_points(torus, points_, *density_);
+        return generator_ ? generator_->points(torus, points_) : polyomino_points(torus, points_);
+    }
+
+    bool sizes_vary() const override { return density_.has_value(); }
+    std::optional<double> proven_relative_radius() const override { return proven_; }
+    double preparation_seconds() const override { return preparation_seconds_; }
+
+private:
+    std::size_t points_;
+    std::uint64_t seed_;
+    std::uint32_t side_;
+    std::optional<Density> density_;
+    PolyominoTable table_;
+    std::optional<PolyominoGenerator> generator_;
+    std::optional<double> proven_;
+    double preparation_seconds_ = 0;
+};
+
+void check_polyominoes(const Parameters& given, const SampleRequest& request, const SourceLocation&)
+{
+    const std::uint32_t side = side_of(given, request.points);
+    const auto cells = static_cast<std::uint32_t>(cells_of(shape_of(given)).size());
+    if (side % cells != 0)
+        throw given.error(side_key, fmt::format("must be a multiple of {}, the number of cells of a {} polyomino",
+                                                cells, given.text(variant_key)));
+    if (const auto density = given_density(given))
+        if (const double values = polyomino_values(request.points, *density); values > most_polyomino_values)
+            throw given.error("density",
+                              fmt::format("has a densest place of {:.0f} points per unit area: must be at most {:.0f}",
+                                          values, most_polyomino_values));
+}
+
+}
+
+SamplerSpec polyomino_sampler()
+{
+    using Kind = ParameterSpec::Kind;
+    std::vector<ParameterSpec> parameters{
+        {.key = variant_key,
+         .kind = Kind::choice,
+         .help = "the polyomino: a pentomino that is divided into 4, or a hexomino that is divided into 81",
+         .choices = polyominoes.all(),
+         .otherwise = std::string(polyominoes[Polyomino::P])},
+        {.key = side_key,
+         .kind = Kind::integer,
+         .help = "the torus' side before divisions, in cells: a multiple of 5 (P) or 6 (G)",
+         .minimum = 5,
+         .maximum = 24,
+         .symbol = "S",
+         .unless_given = "10 (P; 5 for 6,400 points and less) or 12 (G)"}};
+    for (ParameterSpec& spec : density_parameters()) parameters.push_back(std::move(spec));
+    SamplerSpec spec =
+        plain_spec("polyominoes", "Polyominoes",
+                   "a tiling with polyominoes whose points are moved by a table, at a distance that is proven", {2},
+                   std::move(parameters));
+    spec.check = check_polyominoes;
+    spec.outside_input = density_hash;
+    // Values that have a point are counted as the density says, but for where tiles straddle its changes.
+    spec.most_points = [](const Parameters& given, const SampleRequest& request) -> std::size_t {
+        return given.is_given("density") ? request.points + request.points / 4 + 64 : request.points;
+    };
+    spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
+        if (given.is_given("density")) return DeviceMemory{};
+        return PolyominoGenerator::memory(shape_of(given), side_of(given, request.points), request.points);
+    };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) {
+        // Densities are followed on the host: values without points are most of the work there.
+        const Engine used = given.is_given("density") ? Engine::reference : engine;
+        return std::make_unique<PolyominoSampler>(given, request, used, device);
+    };
+    return spec;
+}
+
+}

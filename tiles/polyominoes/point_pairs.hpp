@@ -1,0 +1,105 @@
+// Pairs of points that tilings with polyominoes can have near each other: all of them, by the automaton of
+// neighbourhoods.
+#pragma once
+
+#include "tiles/polyominoes/neighbourhoods.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// The tiles that keep their points, and the entries of the table that say where these are: a tile's number among the
+/// divisions of its `depth`-th ancestor, and that ancestor's class.
+///
+/// Children are in the order in which they get points. The number's digits in base k^2 are those of the children on the
+/// way from the ancestor, the last one being the most significant: tiles with numbers below `kept` have points.
+struct KeptTiles
+{
+    const Neighbourhoods& neighbourhoods;
+    std::uint32_t depth = 1;
+    std::uint32_t kept = 1;
+
+    std::uint64_t numbers() const ///< k^2 to the power of depth
+    {
+        std::uint64_t count = 1;
+        for (std::uint32_t i = 0; i < depth; ++i) count *= neighbourhoods.rule.children.size();
+        return count;
+    }
+};
+
+/// A tile with a point; `entry` is class * numbers + number.
+struct TableTile
+{
+    Pose pose;
+    std::uint32_t entry = 0;
+};
+
+/// Visits pairs of different tiles with points, each once from either side for each group of ancestors that has it.
+class PairSearch
+{
+public:
+    /// Tiles have an ancestor `levels` divisions ago that is the same one, or these ancestors are near; `levels` is at
+    /// least the depth. `reach`: the distance of their middles up to which pairs are surely visited, in cells.
+    PairSearch(const KeptTiles& tiles, std::uint32_t levels, double reach);
+
+    /// Calls `action(TableTile, TableTile, origin)` with where they come from: the ancestors' class if they are the
+    /// same tile, else the number of classes plus that of the pair.
+    template <class Action>
+    void run(const Action& action) const
+    {
+        const Neighbourhoods& all = tiles_.neighbourhoods;
+        for (std::uint32_t i = 0; i < all.collars.size(); ++i)
+            descend(start(i, Pose{}), start(i, Pose{}), levels_, i, action);
+        for (std::size_t i = 0; i < all.pairs.size(); ++i)
+            descend(start(all.pairs[i].first, Pose{}), start(all.pairs[i].second, all.pairs[i].pose), levels_,
+                    all.collars.size() + i, action);
+    }
+
+private:
+    /// A tile on the way to its descendants.
+    struct Ancestor
+    {
+        Pose pose;
+        std::uint32_t tile_class = 0;
+        std::uint32_t entry_class = 0; ///< of the ancestor that the table is about, once it was passed
+        std::uint64_t number = 0;      ///< below that one
+    };
+
+    Ancestor start(std::uint32_t tile_class, const Pose& pose) const { return {pose, tile_class, tile_class, 0}; }
+
+    /// Children of which some descendants have points; `left`: divisions from the parent on.
+    std::vector<Ancestor> children(const Ancestor& parent, std::uint32_t left) const;
+
+    bool are_far(const Ancestor& a, const Ancestor& b, std::uint32_t left) const;
+
+    TableTile table_tile(const Ancestor& tile) const
+    {
+        return {tile.pose, static_cast<std::uint32_t>(tile.entry_class * numbers_ + tile.number)};
+    }
+
+    template <class Action>
+    void descend(const Ancestor& a, const Ancestor& b, std::uint32_t left, std::size_t origin,
+                 const Action& action) const
+    {
+        if (are_far(a, b, left)) return;
+        if (left == 0) {
+            if (a.pose != b.pose) action(table_tile(a), table_tile(b), origin);
+            return;
+        }
+        const std::vector<Ancestor> firsts = children(a, left), seconds = children(b, left);
+        for (const Ancestor& first : firsts)
+            for (const Ancestor& second : seconds) descend(first, second, left - 1, origin, action);
+    }
+
+    KeptTiles tiles_;
+    std::uint64_t numbers_;
+    std::uint32_t levels_;
+    LatticePlace centroid_; ///< in parts of a cell: over `parts_`
+    double parts_;
+    std::vector<double> reach_;         ///< of tiles with so many divisions to come, in their own cells
+    std::vector<std::uint64_t> weight_; ///< of the digit of a child with so many divisions to come
+};
+
+}

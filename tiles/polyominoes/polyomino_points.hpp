@@ -1,0 +1,106 @@
+// Point sets of a torus that is tiled with polyominoes: any number of points, or any density.
+//
+// The torus is tiled at random, which is what realizations differ in, and divided. A tile's value is its code times the
+// number of tiles in the beginning, plus its first ancestor's place in a random order; the tiles of the lowest values
+// have points. Code: the sum of digit i times (k^2)^i, where digit i is the number of the child of division i. So a
+// value says on which way to find its tile, and points are made independently of each other, in the order of their
+// values.
+#pragma once
+
+#include "base/densities/density.hpp"
+#include "base/geometry/point_set.hpp"
+#include "tiles/polyominoes/polyomino_table.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// How many tiles a torus has, and which row of the table is for so many points.
+struct PolyominoCounts
+{
+    PolyominoCounts(Polyomino shape, std::uint32_t side);
+
+    /// Tiles at a level.
+    std::uint64_t tiles(std::uint32_t level) const;
+
+    /// The least level with at least so many tiles of which the table knows the neighbourhoods.
+    std::uint32_t level_of(double points) const;
+
+    /// The row of the table for so many points at a level, at least 1.
+    std::uint32_t row_of(double points, std::uint32_t level) const;
+
+    std::uint64_t roots = 0;    ///< tiles before divisions
+    std::uint64_t children = 1; ///< of a tile
+    std::uint32_t least_level = 0;
+    std::uint32_t last_row = 1;
+};
+
+/// A tile at some level, which is a number of divisions.
+struct LevelTile
+{
+    Pose pose;                    ///< in the torus of side * k^level cells; the shift may be outside
+    std::uint32_t tile_class = 0; ///< of the ancestor that the table is about
+    std::uint64_t number = 0;     ///< below that
+};
+
+class PolyominoTorus
+{
+public:
+    /// `table` must outlive this. Throws InputError where no tiling of `side` x `side` cells was found.
+    PolyominoTorus(const PolyominoTable& table, std::uint32_t side, std::uint64_t seed, std::uint32_t realization);
+
+    const PolyominoCounts& counts() const { return counts_; }
+
+    /// The tile of a value below counts().tiles(level). `level` is at least counts().least_level.
+    LevelTile tile(std::uint64_t value, std::uint32_t level) const;
+
+    /// The place of a tile's point with the corrections of this row, 0 <= x, y < 1.
+    std::array<double, 2> point(const LevelTile& tile, std::uint32_t level, std::uint32_t row) const;
+
+    /// The place in a tile that its correction starts from, 0 <= x, y < 1.
+    std::array<double, 2> middle(const LevelTile& tile, std::uint32_t level) const;
+
+    const PolyominoTable& table() const { return table_; }
+
+    /// The side at a level, in units of cells.
+    std::int64_t side_units(std::uint32_t level) const;
+
+    // The places of the roots in their order; tiles at the table's first level, those of a root one after the other;
+    // and the classes of these.
+    const std::vector<std::uint32_t>& order() const { return order_; }
+    const std::vector<Pose>& first_tiles() const { return tiles_; }
+    const std::vector<std::uint32_t>& first_classes() const { return classes_; }
+
+private:
+    std::array<double, 2> on_torus(const LatticePlace& units, std::uint32_t level) const;
+
+    const PolyominoTable& table_;
+    std::uint32_t side_;
+    PolyominoCounts counts_;
+    LatticePlace anchor_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Pose> tiles_;
+    std::vector<std::uint32_t> classes_;
+};
+
+/// Exactly `points` points, evenly: a part of those of a row of the table.
+PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points);
+
+/// The distance on the unit torus that the table proves of these; nothing for so few points that the tiles' ancestors
+/// are those that the torus began with.
+std::optional<double> proven_distance(const PolyominoTorus& torus, std::size_t points);
+
+/// About `points` points that follow a density over the torus. A value has a point where the density at its tile
+/// exceeds it, at the coarsest level that has tiles enough there.
+PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points, const Density& density);
+
+/// The largest number of values that is looked through for a density.
+inline constexpr double most_polyomino_values = 1 << 26;
+
+/// The number of values that are looked through for so many points of a density: those of its densest place.
+double polyomino_values(std::size_t points, const Density& density);
+
+}

@@ -1,0 +1,111 @@
+#include "tiles/polyominoes/polyomino_table.hpp"
+
+#include "base/geometry/relative_radius.hpp"
+#include "tiles/polyominoes/child_order.hpp"
+#include "tiles/polyominoes/frequencies.hpp"
+#include "tiles/polyominoes/point_pairs.hpp"
+#include "tiles/polyominoes/table_relaxation.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+
+namespace poissonlab {
+namespace {
+
+/// The largest distance of a point from the anchor in its tile, rounded up, in units.
+std::int64_t largest_correction(const std::vector<Correction>& row)
+{
+    std::int64_t largest = 0;
+    for (const auto& [x, y] : row) largest = std::max<std::int64_t>(largest, std::int64_t{x} * x + std::int64_t{y} * y);
+    return static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(largest)))) + 1;
+}
+
+/// The least squared distance of pairs that PairSearch visits.
+std::uint64_t least_visited(const PolyominoTable& table, std::uint32_t row, std::uint32_t levels, double reach)
+{
+    const std::vector<Correction>& corrections = table.rows[row - 1];
+    const KeptTiles tiles{table.neighbourhoods, table.depth, row};
+    const LatticePlace anchor = anchor_of(table.neighbourhoods.rule.shape);
+    const std::uint64_t numbers = tiles.numbers();
+    const auto point = [&](const TableTile& tile) {
+        return point_of(tile.pose, anchor, corrections[tile.entry / numbers * row + tile.entry % numbers]);
+    };
+    auto least = std::numeric_limits<std::int64_t>::max();
+    PairSearch(tiles, levels, reach).run([&](const TableTile& a, const TableTile& b, std::size_t) {
+        const LatticePlace d = point(b) - point(a);
+        least = std::min(least, d.x * d.x + d.y * d.y);
+    });
+    return static_cast<std::uint64_t>(least);
+}
+
+/// The density of a row in points per cell.
+double row_density(const PolyominoTable& table, std::uint32_t row)
+{
+    const auto cells = static_cast<double>(cells_of(table.neighbourhoods.rule.shape).size());
+    return row / (cells * table.last_row());
+}
+
+}
+
+LatticePlace anchor_of(Polyomino shape)
+{
+    const auto parts = static_cast<std::int64_t>(2 * cells_of(shape).size());
+    const LatticePlace sum = centroid_sum(shape);
+    return {(cell_units * sum.x + parts / 2) / parts, (cell_units * sum.y + parts / 2) / parts};
+}
+
+RowProof proof_of_row(const PolyominoTable& table, std::uint32_t row)
+{
+    const std::int64_t correction = largest_correction(table.rows[row - 1]);
+    const double spacing = max_min_distance(1, 2) / std::sqrt(row_density(table, row)); // in cells
+    // Points that are nearer than the spacing of the densest packing have middles of tiles that are within this.
+    const double reach = spacing + 2.0 * static_cast<double>(correction + 1) / cell_units;
+    std::int64_t gap = 2 * cell_units;
+    for (std::uint32_t level = 0; level < table.depth; ++level) gap *= table.neighbourhoods.rule.factor;
+    for (std::uint32_t levels = table.depth;; ++levels, gap *= table.neighbourhoods.rule.factor) {
+        // Tiles whose ancestors are not near are two cells of these apart at least, and points leave tiles by their
+        // corrections only.
+        const std::int64_t apart = gap - 2 * correction;
+        if (static_cast<double>(apart) < spacing * cell_units) continue;
+        return {least_visited(table, row, levels, reach), table.neighbourhoods.first_level + levels};
+    }
+}
+
+double proven_relative_radius(const PolyominoTable& table, std::uint32_t row)
+{
+    const double distance = std::sqrt(static_cast<double>(table.proofs[row - 1].squared_distance)) / cell_units;
+    return distance * std::sqrt(row_density(table, row)) / max_min_distance(1, 2);
+}
+
+PolyominoTable build_polyomino_table(Polyomino shape, const PolyominoProgress& progress)
+{
+    std::mutex reporting;
+    const auto report = [&](const std::string& what, std::size_t done, std::size_t total) {
+        const std::lock_guard lock(reporting);
+        if (progress) progress(what, done, total);
+    };
+    const PolyominoRule rule = division_rule(shape, [&](std::uint32_t search) { report("division", search, 0); });
+    report("neighbourhoods", 0, 1);
+    PolyominoTable table;
+    const Neighbourhoods unordered = neighbourhoods_of(rule);
+    table.neighbourhoods = with_children_in_order(unordered, farthest_children(unordered));
+    table.depth = table_depth_of(shape);
+    const auto rows = static_cast<std::uint32_t>(KeptTiles{table.neighbourhoods, table.depth, 1}.numbers());
+    table.rows.resize(rows);
+    table.proofs.resize(rows);
+    std::atomic<std::size_t> done = 0;
+    const std::vector<double> frequencies = frequencies_of(table.neighbourhoods);
+    tbb::parallel_for(std::uint32_t{1}, rows + 1, [&](std::uint32_t row) {
+        table.rows[row - 1] = relaxed_row({table.neighbourhoods, table.depth, row}, frequencies);
+        table.proofs[row - 1] = proof_of_row(table, row);
+        report("corrections", ++done, rows);
+    });
+    return table;
+}
+
+}

@@ -1,0 +1,105 @@
+#include "tiles/polyominoes/polyomino_table_file.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/files/xxh64_bytes.hpp"
+
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/vector.hpp>
+
+#include <array>
+#include <bit>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+namespace poissonlab {
+
+template <class Archive>
+void serialize(Archive& archive, LatticePlace& place)
+{
+    archive(place.x, place.y);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Pose& pose)
+{
+    archive(pose.shift, pose.turn);
+}
+
+template <class Archive>
+void serialize(Archive& archive, NearTiles& tiles)
+{
+    archive(tiles.first, tiles.second, tiles.pose);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PolyominoRule& rule)
+{
+    archive(rule.shape, rule.factor, rule.children);
+}
+
+template <class Archive>
+void serialize(Archive& archive, Neighbourhoods& all)
+{
+    archive(all.rule, all.first_level, all.collars, all.next, all.pairs);
+}
+
+template <class Archive>
+void serialize(Archive& archive, RowProof& proof)
+{
+    archive(proof.squared_distance, proof.divisions);
+}
+
+template <class Archive>
+void serialize(Archive& archive, PolyominoTable& table)
+{
+    archive(table.neighbourhoods, table.depth, table.rows, table.proofs);
+}
+
+namespace {
+
+constexpr std::size_t checksum_size = sizeof(std::uint64_t);
+
+/// The checksum of a table's bytes, as bytes.
+std::string checksum_of(std::string_view bytes)
+{
+    const auto raw = std::bit_cast<std::array<char, checksum_size>>(xxh64_bytes(bytes));
+    return {raw.data(), raw.size()};
+}
+
+}
+
+void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table)
+{
+    std::ostringstream stream;
+    cereal::BinaryOutputArchive archive(stream);
+    archive(table);
+    const std::string bytes = std::move(stream).str();
+    write_whole_file(file, bytes + checksum_of(bytes));
+}
+
+std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& file)
+{
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    try {
+        std::string bytes = read_whole_file(file);
+        if (bytes.size() < checksum_size) return std::nullopt;
+        const std::string checksum = bytes.substr(bytes.size() - checksum_size);
+        bytes.resize(bytes.size() - checksum_size);
+        if (checksum != checksum_of(bytes)) return std::nullopt;
+        std::istringstream stream(bytes);
+        cereal::BinaryInputArchive archive(stream);
+        PolyominoTable table;
+        archive(table);
+        return table;
+    } catch (const InputError&) {
+        return std::nullopt;
+    } catch (const cereal::Exception&) {
+        return std::nullopt;
+    }
+}
+
+}
