@@ -13,6 +13,7 @@ const std::vector<KernelFile>& kernel_files()
         {"farthest_point.cl", {}},
         {"gaussian_blue_noise.cl", {dimension}},
         {"joint_nulling.cl", {dimension}},
+        {"penrose.cl", {}},
         {"point_grid.cl", {dimension}},
         {"power_cells.cl", {}},
         {"relaxation.cl", {dimension}},

@@ -140,6 +140,12 @@ iterations = 1
 [[method]]
 sampler = "recursive-wang-tiles"
 points_per_tile = 128
+[[method]]
+sampler = "penrose"
+points = [1000, 100000]
+[[method]]
+sampler = "penrose"
+density = "x > 0 ? 1 : 0.1"
 )";
 
 constexpr const char* methods_3d = R"(
