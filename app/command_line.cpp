@@ -97,6 +97,7 @@ std::vector<Command> all_commands(const std::string& typed)
             merge_command(),
             analyze_command(typed),
             report_command(),
+            export_command(),
             diff_command(),
             tiling_command(),
             packing_command(),

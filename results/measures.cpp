@@ -30,6 +30,12 @@ Value sample_time(const Series& series)
     return MeasuredValue{median(seconds), {}, seconds, {{shortest, longest}}};
 }
 
+Value device_memory(const Series& series)
+{
+    if (series.device_bytes == 0) return std::nullopt;
+    return MeasuredValue{static_cast<double>(series.device_bytes) / (1 << 20)};
+}
+
 Value points_per_second(const Series& series)
 {
     const Value time = sample_time(series);
@@ -265,6 +271,11 @@ std::vector<Measure> zone_plate_errors_and_times()
                    MeasureKind::per_set, significant(4),
                    "Most of the plate is finer than any set can follow, so that all sets have much the same error.",
                    [](const Series& s) { return s.zone_plate ? value_of(s.zone_plate->rms_error) : std::nullopt; })),
+        detail(
+            row("device_memory", "device memory", "MiB", Better::lower, MeasureKind::size, significant(3),
+                "The most that generating takes of an OpenCL device, as it is foretold before a run, with building the "
+                "tile set. Methods that work on the host alone have none.",
+                device_memory)),
         row("build_time", "time to build the tile set", "s", Better::lower, MeasureKind::time, {Form::seconds},
             "What the tile set takes to build, once for all tilings. “Earlier”: it was built by an earlier run, and "
             "that time was kept.",

@@ -76,6 +76,7 @@ struct Series
     NamedTexts defaults;
     std::optional<GridPlace> place; ///< in the grid of its method; none: not of a method of a config
     bool deterministic = false;
+    bool is_window = false;               ///< sets are windows of the plane, not tori, and were measured as such
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
     std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
     int realizations = 0;
@@ -95,6 +96,7 @@ struct Series
     std::vector<std::string> point_files;
     std::optional<TileSetRecord> tile_set; ///< of methods that tile
     std::vector<double> sample_seconds;    ///< of timed runs; at least one a realization, but for imported sets
+    std::size_t device_bytes = 0;          ///< the most that sampling takes of a device; 0: it needs none
     double build_seconds = 0;              ///< of kernels
     double preparation_seconds = 0;        ///< of what all realizations share
     double analysis_seconds = 0;

@@ -139,6 +139,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.json("defaults", series.defaults_json);
     if (m.is_there("method", series.place.has_value())) members(m, made(series.place));
     m.member("deterministic", series.deterministic);
+    if (m.is_there("window", series.is_window)) m.member("window", series.is_window);
     m.member("points", series.points, 1);
     m.if_any("points_each", series.points_each);
     m.member("realizations", series.realizations, 1);
@@ -166,6 +167,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.object("zone_plate", series.zone_plate);
     m.file_names("point_files", series.point_files);
     m.object("tile_set", series.tile_set);
+    m.if_any("device_bytes", series.device_bytes);
     m.group_if(true, "timing", [&](JsonMembers& timing) {
         timing.or_none("sample_seconds", series.sample_seconds);
         timing.or_none("build_seconds", series.build_seconds);

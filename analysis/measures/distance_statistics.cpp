@@ -10,6 +10,7 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
+#include "base/geometry/window.hpp"
 
 #include <algorithm>
 #include <array>
@@ -186,5 +187,7 @@ double min_toroidal_distance(const PointSet& points)
     if (points.size() < 2) return std::numeric_limits<double>::infinity();
     return points.dimension == 2 ? min_distance<2>(points) : min_distance<3>(points);
 }
+
+double min_distance_in_window(const PointSet& points) { return 2 * min_toroidal_distance(halved(points)); }
 
 }

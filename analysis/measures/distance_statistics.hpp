@@ -1,4 +1,4 @@
-// Nearest-neighbour distances of a point set on the unit torus.
+// Nearest-neighbour distances of a point set on the unit torus, or of one that is a window.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -13,5 +13,9 @@ namespace poissonlab {
 /// distances above 1e-150). Coordinates must lie in [0, 1). A set of fewer than two points has no distance:
 /// infinity. Time is O(N) for well-spread points, O(N log(1 / distance)) for any others.
 double min_toroidal_distance(const PointSet& points);
+
+/// The same of a window of the plane (of space): distances do not go across its borders. Differences and squares are
+/// rounded in double.
+double min_distance_in_window(const PointSet& points);
 
 }

@@ -2,6 +2,7 @@
 
 #include "analysis/measures/torus_ball.hpp"
 #include "base/errors/errors.hpp"
+#include "base/geometry/window.hpp"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
@@ -167,8 +168,8 @@ Counts count_pairs(const PointSet& points, double max_distance, std::size_t bins
 
 }
 
-PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins)
-    : dimension_(dimension), max_distance_(max_distance), bins_(bins), pairs_(bins)
+PairCorrelationEstimate::PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window)
+    : dimension_(dimension), max_distance_(max_distance), bins_(bins), is_window_(is_window), pairs_(bins)
 {
     if (dimension != 2 && dimension != 3) throw InputError("pair correlation: the dimension must be 2 or 3");
     if (bins == 0) throw InputError("pair correlation: the number of bins must be at least 1");
@@ -182,14 +183,17 @@ void PairCorrelationEstimate::add(const PointSet& points)
 {
     if (points.dimension != dimension_) throw InputError("pair correlation: sets differ in their dimension");
     if (points.size() < 2) throw InputError("pair correlation: a set must have at least two points");
-    const Counts counts = count_pairs(points, max_distance_, bins_);
+    const Counts counts =
+        is_window_ ? count_pairs(halved(points), max_distance_ / 2, bins_) : count_pairs(points, max_distance_, bins_);
     const auto n = static_cast<double>(points.size());
     const double width = max_distance_ / static_cast<double>(bins_);
 
     std::vector<double> values(bins_);
     double inner = 0;
     for (std::size_t k = 0; k < bins_; ++k) {
-        const double outer = torus_ball_volume(static_cast<double>(k + 1) * width, dimension_);
+        const double radius = static_cast<double>(k + 1) * width;
+        const double outer =
+            is_window_ ? window_pair_volume(radius, dimension_) : torus_ball_volume(radius, dimension_);
         const auto pairs = static_cast<double>(counts[k]);
         const double shell = outer - inner;
         values[k] = shell > least_shell ? 2 * pairs / (n * (n - 1) * shell) : 0;

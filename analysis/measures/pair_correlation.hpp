@@ -11,6 +11,10 @@
 // V is the exact volume of a ball on the torus (torus_ball.hpp), so there is no edge correction to choose,
 // and no largest distance but that of the torus itself, sqrt(2) / 2 and sqrt(3) / 2. With N (N - 1), not N^2,
 // the estimate for N independent uniform points is without bias.
+//
+// For sets that are windows, V is the distribution function of the distance of two independent uniform points
+// of the square or cube, up to distance 1 (window_pair_volume): the expected share of pairs, so that the
+// estimate has no bias either.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -37,9 +41,10 @@ struct PairCorrelationBin
 class PairCorrelationEstimate
 {
 public:
-    /// `bins` of equal width from distance 0 to max_distance in unit lengths. Throws InputError unless
-    /// 0 < max_distance <= largest_toroidal_distance(dimension), bins > 0 and dimension 2 or 3.
-    PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins);
+    /// `bins` of equal width from distance 0 to max_distance in unit lengths; `is_window`: sets are windows, not tori.
+    /// Throws InputError unless 0 < max_distance <= largest_toroidal_distance(dimension), bins > 0 and dimension 2 or
+    /// 3.
+    PairCorrelationEstimate(int dimension, double max_distance, std::size_t bins, bool is_window = false);
 
     /// Adds one set. Throws InputError for another dimension or fewer than two points. Coordinates must lie
     /// in [0, 1).
@@ -62,6 +67,7 @@ private:
     int dimension_;
     double max_distance_;
     std::size_t bins_;
+    bool is_window_;
     std::vector<std::vector<double>> values_; ///< one list of g a set
     std::vector<double> pairs_;               ///< sums over the sets
 };

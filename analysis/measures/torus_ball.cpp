@@ -57,4 +57,11 @@ double torus_ball_volume(double radius, int dimension)
     return dimension == 2 ? disk_in_square(radius) : ball_in_cube(radius);
 }
 
+double window_pair_volume(double distance, int dimension)
+{
+    const double r = distance;
+    if (dimension == 2) return r * r * (pi + r * (-8.0 / 3 + r / 2));
+    return r * r * r * (4 * pi / 3 + r * (-1.5 * pi + r * (1.6 - r / 6)));
+}
+
 }

@@ -25,4 +25,9 @@ double largest_toroidal_distance(int dimension);
 /// two independent uniform points.
 double torus_ball_volume(double radius, int dimension);
 
+/// The distribution function of the distance of two independent uniform points of the unit square or cube, for
+/// distances up to 1: pi r^2 - 8/3 r^3 + r^4/2, and 4/3 pi r^3 - 3/2 pi r^4 + 8/5 r^5 - r^6/6. From the volume that
+/// the square and its shifted copy have in common, the product of 1 - |x_k|, averaged over directions.
+double window_pair_volume(double distance, int dimension);
+
 }

@@ -11,11 +11,12 @@ namespace {
 
 constexpr auto analyze_notes =
     R"(Each FILE has one realization, or several: text (one point a line, coordinates in [0,1) separated by blanks;
-a line with # alone separates realizations), PLY or NumPy .npy. All realizations must have as many points.
+a line with # alone separates realizations), CSV, PLY, NumPy .npy or UTK .bin. All realizations must have as many points.
 Other ranges of coordinates: --domain, or a comment before the points, `# domain 0:512` (PLY: `comment domain 0:512`).
   poissonlab analyze set-*.dat --label "My method" --out mine
 --set takes the keys of a config's [analysis] that are about the analysis:
   --set analysis.zone_plate=true      sample the zone plate (2D; made for 262,144 points)
+  --set analysis.window=true          the sets are windows, not tori: no distance goes across their borders
   --set analysis.tiles=8              the sets are made of 8 x 8 tiles: report their lattice peaks
   --set analysis.spectrum_size=2048   frequencies along each axis; also spectrum=exact, volume=true (3D))";
 

@@ -67,6 +67,7 @@ Command run_command(const std::string& typed);
 Command merge_command();
 Command analyze_command(const std::string& typed);
 Command report_command();
+Command export_command();
 Command diff_command();
 Command tiling_command();
 Command packing_command();

@@ -18,9 +18,9 @@ namespace {
 constexpr auto tiles_points_notes =
     R"help(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
 from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
-The format follows the extension: .npy, .ply (ascii), or text; the latter two say `domain 0:N`, the longest side of the
-window, so that poissonlab analyze takes the points of a square one; for .npy, --domain N. Edges of the window are not
-those of a torus.
+The format follows the extension: .npy, .csv, .usda, .ply (ascii), or text; the latter two say `domain 0:N`, the longest
+side of the window, so that poissonlab analyze takes the points of a square one; for .npy and .csv, --domain N. Edges of
+the window are not those of a torus: --set analysis.window=true.
 With --density, points are left out: those of the highest ranks (tiles build --ranked), of sets without ranks any. No
 point moves. A number is the part that is left; a picture or a formula in x and y, laid over the window, says it for each
 place, in parts of its largest value.

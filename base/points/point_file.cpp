@@ -83,8 +83,10 @@ std::vector<PointSet> read_points(const std::filesystem::path& path, std::option
     const std::string content = read_whole_file(path);
     PointFileContent file{path.string(), content};
     const bool is_npy = file.bytes.starts_with(npy_magic);
-    file.range = range ? *range : is_npy ? CoordinateRange{} : declared_range(file);
+    const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
+    file.range = range ? *range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);
     if (is_npy) return read_npy_points(file);
+    if (is_utk) return read_utk_points(file);
     LineReader lines(file.bytes);
     if (lines.next() && trimmed(lines.line()) == ply_magic) return read_ply_points(file);
     return read_text_points(file);
@@ -95,7 +97,7 @@ void append_coordinate(const PointFileContent& file, int line, std::string_view 
     double value = 0;
     if (!parse_number(word, value)) {
         if (!std::ranges::all_of(word, is_printable)) {
-            fail_in_point_file(file, line, word, "not text; a point file is text, PLY or NumPy (.npy)");
+            fail_in_point_file(file, line, word, "not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
         }
         fail_in_point_file(file, line, word.empty() ? "nothing beside a comma" : word,
                            allowed_coordinate(0.5 * file.range.low + 0.5 * file.range.high, file.range) +

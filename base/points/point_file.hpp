@@ -1,4 +1,4 @@
-// Point sets as files: text, PLY and NumPy, told apart by their first bytes, not by their names.
+// Point sets as files: text, PLY, NumPy and those of UTK, told apart by their first bytes, not by their names.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -31,17 +31,19 @@ std::optional<CoordinateRange> parse_range(std::string_view text);
 ///
 /// Text: one point a line, 2 or 3 coordinates separated by blanks or a comma; a line with `#` alone separates
 /// realizations (as UTK writes them); `# words` is a comment; blank lines are ignored. A first line may hold
-/// the number of points alone (as for psa), which must be right then.
+/// the number of points alone (as for psa), which must be right then, or the names x,y or x,y,z of CSV files.
 /// PLY: ascii and binary (either byte order), vertex properties x, y and, where not all zero, z.
 /// NPY: float32 or float64 (either byte order), shape (N, 2), (N, 3), (K, N, 2) or (K, N, 3), C or Fortran
 /// order.
+/// UTK (.bin): a header of 20 bytes, then int32, int64, uint32, uint64, float or double, all sets of one size.
 ///
 /// Throws InputError with file and line (or the byte offset): no points, a coordinate that is not a finite
 /// number in its range, lines of unequal length, truncated files.
 std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
 
 /// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
-/// dimension), anything else text with 17 significant digits, so that reading back gives the same doubles.
+/// dimension), .csv (columns x, y and, in 3D, z), .usda (a point instancer of USD, whose positions are floats: it is
+/// not read back); anything else text with 17 significant digits, so that reading back gives the same doubles.
 /// `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws StorageError.
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment = {});
 

@@ -23,9 +23,18 @@ struct PointFileContent
 std::vector<PointSet> read_text_points(const PointFileContent& file);
 std::vector<PointSet> read_ply_points(const PointFileContent& file);
 std::vector<PointSet> read_npy_points(const PointFileContent& file);
+std::vector<PointSet> read_utk_points(const PointFileContent& file);
+
+/// write_points_in_pieces() for .usda.
+void write_usd_points(const std::filesystem::path& path, int dimension, std::size_t points, const std::string& comment,
+                      const std::function<void(const PointSink& sink)>& write);
 
 inline constexpr std::string_view ply_magic = "ply";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
+inline constexpr std::string_view utk_magic = "UTK!", swapped_utk_magic = "!KTU"; ///< 0x214B5455 of either byte order
+
+/// The first line of comma-separated values in 2D and 3D.
+inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";
 
 /// False for NaN as well.
 inline bool is_coordinate(double value, const CoordinateRange& range)

@@ -1,4 +1,4 @@
-// Reads point sets from text: one point a line, realizations separated by a line with `#` alone.
+// Reads point sets from text: one point a line, realizations separated by a line with `#` alone, or CSV.
 #include "base/files/text_lines.hpp"
 #include "base/points/point_file_formats.hpp"
 
@@ -20,7 +20,7 @@ public:
         if (text.empty()) return;
         if (text == "#") {
             end_realization(number);
-        } else if (text.front() != '#') {
+        } else if (text.front() != '#' && !is_header(text)) {
             add_point(text, number);
         }
     }
@@ -58,6 +58,12 @@ private:
             fail_in_point_file(file_, line, fmt::format("{} coordinates", count),
                                fmt::format("must be {}, as on the lines before", dimension_));
         }
+    }
+
+    /// The names of columns, before all points.
+    bool is_header(std::string_view text) const
+    {
+        return current_.empty() && sets_.empty() && (text == csv_header_2d || text == csv_header_3d);
     }
 
     /// The number of points alone, before all of them.

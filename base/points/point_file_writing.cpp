@@ -1,4 +1,4 @@
-// Writes point sets as text, PLY or NumPy.
+// Writes point sets as text, CSV, PLY, NumPy or USD.
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
@@ -26,21 +26,28 @@ void append_comment(fmt::memory_buffer& out, std::string_view prefix, std::strin
     }
 }
 
-/// One point a line, `line_end` after each. 17 significant digits tell every double from its neighbours.
+/// The marks between numbers and after each point.
+struct LineMarks
+{
+    std::string_view between = " ";
+    std::string_view end = "\n";
+};
+
+/// One point a line. 17 significant digits tell every double from its neighbours.
 void append_points(fmt::memory_buffer& out, std::span<const double> coordinates, std::size_t dimension,
-                   std::string_view line_end)
+                   const LineMarks& marks)
 {
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         std::array<char, 32> text{};
         const char* const end =
             std::to_chars(text.data(), text.data() + text.size(), coordinates[i], std::chars_format::general, 17).ptr;
         out.append(text.data(), end);
-        out.append((i + 1) % dimension == 0 ? line_end : " ");
+        out.append((i + 1) % dimension == 0 ? marks.end : marks.between);
     }
 }
 
 /// Points as lines, in pieces: text takes more room than numbers.
-void write_lines(const FileSink& file, std::span<const double> coordinates, int dimension, std::string_view line_end)
+void write_lines(const FileSink& file, std::span<const double> coordinates, int dimension, const LineMarks& marks)
 {
     constexpr std::size_t points_per_piece = 4096;
     const std::size_t axes = static_cast<std::size_t>(dimension);
@@ -49,7 +56,7 @@ void write_lines(const FileSink& file, std::span<const double> coordinates, int 
         const auto piece = coordinates.first(std::min(coordinates.size(), points_per_piece * axes));
         coordinates = coordinates.subspan(piece.size());
         out.clear();
-        append_points(out, piece, axes, line_end);
+        append_points(out, piece, axes, marks);
         file({out.data(), out.size()});
     }
 }
@@ -93,19 +100,21 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write)
 {
-    const bool is_ply = path.extension() == ".ply";
-    const bool is_npy = path.extension() == ".npy";
+    const auto extension = path.extension();
+    if (extension == ".usda") return write_usd_points(path, dimension, points, comment, write);
+    const bool is_ply = extension == ".ply", is_npy = extension == ".npy", is_csv = extension == ".csv";
     fmt::memory_buffer header;
     if (is_ply) append_ply_header(header, points, comment);
     if (is_npy) append_npy_header(header, points, dimension);
-    if (!is_ply && !is_npy) append_comment(header, "#", comment);
+    if (is_csv) fmt::format_to(std::back_inserter(header), "{}\n", dimension == 2 ? csv_header_2d : csv_header_3d);
+    if (!is_ply && !is_npy && !is_csv) append_comment(header, "#", comment);
 
-    const std::string_view line_end = is_ply && dimension == 2 ? " 0\n" : "\n";
+    const LineMarks marks{is_csv ? "," : " ", is_ply && dimension == 2 ? " 0\n" : "\n"};
     write_whole_file_in_pieces(path, [&](const FileSink& file) {
         file({header.data(), header.size()});
         write([&](std::span<const double> coordinates) {
             if (is_npy) file({reinterpret_cast<const char*>(coordinates.data()), coordinates.size_bytes()});
-            if (!is_npy) write_lines(file, coordinates, dimension, line_end);
+            if (!is_npy) write_lines(file, coordinates, dimension, marks);
         });
     });
 }

@@ -51,8 +51,8 @@ bool read_flag_for(const ConfigTable& table, const std::string& key, int dimensi
 
 const std::vector<std::string>& analysis_option_keys()
 {
-    static const std::vector<std::string> keys = {"spectrum",   "spectrum_size", "bin_width", "volume",
-                                                  "zone_plate", "tiles",         "measures",  "point_files"};
+    static const std::vector<std::string> keys = {"spectrum", "spectrum_size", "bin_width", "volume",     "zone_plate",
+                                                  "tiles",    "window",        "measures",  "point_files"};
     return keys;
 }
 
@@ -66,6 +66,7 @@ AnalysisOptions read_analysis_options(const ConfigTable& analysis, int dimension
     options.zone_plate =
         read_flag_for(analysis, "zone_plate", dimension, 2, "the zone plate is a function of the plane");
     options.tiles = static_cast<int>(read_integer(analysis, "tiles", 2, most_tiles, 0));
+    options.window = read_flag(analysis, "window", false);
     options.distances_only = read_word(analysis, "measures", {"all", "distances"}) == 1;
     options.first_points_only = read_word(analysis, "point_files", {"all", "first"}) == 1;
     return options;

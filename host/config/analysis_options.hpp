@@ -18,6 +18,7 @@ struct AnalysisOptions
     bool volume = false;            ///< whether the whole spectrum is stored; 3D only
     bool zone_plate = false;        ///< whether sets sample the zone plate; 2D only
     int tiles = 0;                  ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled
+    bool window = false;            ///< sets are windows of the plane, not tori: see SeriesAnalysis
     bool distances_only = false;    ///< no measures that are slow for large sets: see SeriesAnalysis
     bool first_points_only = false; ///< of all realizations, only the points of the first are stored
 };

@@ -144,10 +144,43 @@ std::string default_label(const ConstructionConfig& config)
     return fmt::format("{}, {} Poisson {} tiles", stages.at(config.show), kind, space ? "sphere" : "disk");
 }
 
+/// The kind that has no tiles, and the methods that can be shown of it.
+constexpr const char* set_kind = "set";
+
+const std::vector<std::string>& set_shows()
+{
+    static const std::vector<std::string> shows{"dart-throwing", "relaxation-dart-throwing", "lloyd"};
+    return shows;
+}
+
+ConstructionConfig read_set(const ConfigTable& table, ConstructionConfig config, std::uint64_t seed)
+{
+    static const std::vector<std::string> titles{"Dart throwing", "Relaxation dart throwing", "Lloyd relaxation"};
+    constexpr std::int64_t most_points_of_a_set = 500; // all of them are in every step
+    const std::size_t method = read_word(table, "show", set_shows());
+    config.show = set_shows()[method];
+    check_keys(table, {"kind", "show", "points", "seed", "label",
+                       config.show == "dart-throwing" ? "relative_radius"
+                       : config.show == "lloyd"       ? "iterations"
+                                                      : "factor"});
+    PoissonTileParameters& p = config.parameters;
+    p.colors = p.tiles = 1; // the torus, as one tile
+    p.points_per_tile = static_cast<std::uint32_t>(read_integer(table, "points", 2, most_points_of_a_set, 200));
+    p.relative_radius = read_number(table, "relative_radius", 0.01, 1, 0.7);
+    p.lloyd_iterations = static_cast<std::uint32_t>(read_integer(table, "iterations", 0, 200, 30));
+    p.factor = read_number(table, "factor", 0.1, 0.999, 0.97);
+    p.seed = static_cast<std::uint64_t>(read_integer(table, "seed", 0, any_integer, static_cast<std::int64_t>(seed)));
+    config.label = read_text(table, "label", titles[method] + ", step by step");
+    return config;
+}
+
 ConstructionConfig read_table(const ConfigTable& table, const SourceLocation& where, std::uint64_t seed)
 {
     ConstructionConfig config;
     config.where = where;
+    std::vector<std::string> kinds = poisson_tile_families.all();
+    kinds.emplace_back(set_kind);
+    if (read_word(table, "kind", kinds) + 1 == kinds.size()) return read_set(table, std::move(config), seed);
     const PoissonTileFamily family = read_word(table, "kind", poisson_tile_families, {});
     const auto& shows = construction_shows(poisson_tile_families[family]);
     config.show = shows[read_word(table, "show", shows)];
@@ -169,6 +202,10 @@ bool ConstructionConfig::is_list() const
 {
     return show == "corners" || show == "edges" || show == "faces" || show == "tiles";
 }
+
+bool ConstructionConfig::is_set() const { return std::ranges::find(set_shows(), show) != set_shows().end(); }
+
+std::string ConstructionConfig::kind() const { return is_set() ? set_kind : kind_name(parameters); }
 
 const std::vector<std::string>& construction_shows(const std::string& kind)
 {

@@ -1,4 +1,4 @@
-// The table [[construction]] of a config: pictures of how Poisson tile sets come into being.
+// The table [[construction]] of a config: pictures of how Poisson tile sets, and point sets, come into being.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.
 #pragma once
@@ -33,6 +33,12 @@ struct ConstructionConfig
 
     /// "tiling" or "points".
     bool is_tiling() const { return show == "tiling" || show == "points"; }
+
+    /// No tiles: how a method makes a point set. Its points are those `per tile`.
+    bool is_set() const;
+
+    /// "set", or kind_name() of the tiles.
+    std::string kind() const;
 };
 
 /// The pictures that can be shown of tiles of a kind (kind_name()), the default first.

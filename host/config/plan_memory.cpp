@@ -45,8 +45,9 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
 void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device)
 {
     for (const ConstructionConfig& config : constructions)
-        check_fits(to_string(config.where) + ": " + config.label, construction_memory(config.parameters, device),
-                   device);
+        if (!config.is_set()) // which the host makes
+            check_fits(to_string(config.where) + ": " + config.label, construction_memory(config.parameters, device),
+                       device);
 }
 
 DeviceInfo share_of(DeviceInfo device, int processes)

@@ -15,6 +15,7 @@
 #include "host/sampling/optimized/sample_elimination.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "host/sampling/voronoi_darts.hpp"
+#include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
@@ -51,6 +52,7 @@ const SamplerRegistry& sampler_registry()
         sphere_tile_sampler(),
         shade_tile_sampler(),
         averaged_tile_sampler(),
+        penrose_sampler(),
         recursive_wang_tile_sampler(),
         polyomino_sampler(),
         file_sampler(),

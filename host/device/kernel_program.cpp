@@ -17,6 +17,7 @@ const std::vector<KernelFile>& kernel_files()
         {"joint_nulling.cl", {dimension}},
         {"masked_squares.cl", {}},
         {"objects.cl", {}},
+        {"penrose.cl", {}},
         {"point_grid.cl", {dimension}},
         {"polyominoes.cl", {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", {}},

@@ -48,7 +48,7 @@ void SeriesAnalysis::start()
     if (has_spectrum()) start_spectrum();
     if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
     if (options_.distances_only) return;
-    integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
+    if (!options_.window) integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
     if (has_pairs_) start_pairs();
 }
 
@@ -56,7 +56,7 @@ void SeriesAnalysis::start_pairs()
 {
     const double step = max_min_distance(begin_.points, dimension_) / bins_per_distance;
     const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
-    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)));
+    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)), options_.window);
 }
 
 void SeriesAnalysis::start_spectrum()
@@ -79,11 +79,11 @@ void SeriesAnalysis::add(const PointSet& points)
         dimension_ = points.dimension;
         if (begin_.points == 0) begin_.points = n;
         has_pairs_ = n > 1 && begin_.points > 1 && !options_.distances_only;
-        if (begin_.realization == 0 && !options_.distances_only) first_ = points;
+        if (begin_.realization == 0 && !options_.distances_only && !options_.window) first_ = points;
         start();
     }
     SetMeasures set{n};
-    set.min_distance = min_toroidal_distance(points);
+    set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
     set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
     set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
     if (estimate_) {
@@ -141,6 +141,7 @@ Series SeriesAnalysis::result() const
     if (seams_)
         if (const auto deviation = seams_->largest_deviation())
             series.measures.numbers["seam_density"] = {*deviation, {}};
+    series.is_window = options_.window;
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
     series.analysis_seconds = seconds_;

@@ -23,6 +23,10 @@ namespace poissonlab {
 ///
 /// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
 /// the largest empty circle and Voronoi cells.
+///
+/// With options.window sets are windows of the plane, not tori: no distance goes across a border, pairs are counted as
+/// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
+/// largest empty circle, Voronoi cells. The spectrum is that of the window: its border adds a cross on the axes.
 class SeriesAnalysis
 {
 public:

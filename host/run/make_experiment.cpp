@@ -128,19 +128,26 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
     return task;
 }
 
-/// Checks that the device has memory for the plan. A missing device is no error here, as everything may be stored
+/// The device that a plan will work on, if it needs one. A missing device is no error here, as everything may be stored
 /// already.
-void check_memory_of_device(const std::vector<SeriesPlan>& plan, const Config& config, const std::string& selector)
+std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, const Config& config,
+                                         const std::string& selector)
 {
     const bool needs_device = std::ranges::any_of(
         plan, [](const SeriesPlan& series) { return static_cast<bool>(series.sampler->device_memory); });
-    if (!needs_device && config.constructions.empty()) return;
+    if (config.engine != Engine::opencl || (!needs_device && config.constructions.empty())) return std::nullopt;
     const std::vector<DeviceInfo> devices = list_devices();
-    if (devices.empty()) return;
-    const DeviceInfo device = share_of(devices[choose_device(devices, selector)], crew_processes_here());
-    if (!device.unusable.empty()) return;
-    check_device_memory(plan, device);
-    check_device_memory(config.constructions, device);
+    if (devices.empty()) return std::nullopt;
+    const DeviceInfo& device = devices[choose_device(devices, selector)];
+    return device.unusable.empty() ? std::optional(device) : std::nullopt;
+}
+
+/// Checks that the device has memory for the plan.
+void check_memory_of_device(const DeviceInfo& device, const std::vector<SeriesPlan>& plan, const Config& config)
+{
+    const DeviceInfo share = share_of(device, crew_processes_here());
+    check_device_memory(plan, share);
+    check_device_memory(config.constructions, share);
 }
 
 /// The name of a folder that no other has.
@@ -167,8 +174,7 @@ std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<
 {
     std::vector<ConstructionTask> tasks;
     for (const ConstructionConfig& construction : config.constructions) {
-        const std::string base =
-            fmt::format("construction-{}-{}", kind_name(construction.parameters), construction.show);
+        const std::string base = fmt::format("construction-{}-{}", construction.kind(), construction.show);
         tasks.push_back({unused_name(base, names), construction});
     }
     return tasks;
@@ -202,9 +208,14 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
     const std::vector<SeriesPlan> plan = make_plan(config);
-    if (config.engine == Engine::opencl) check_memory_of_device(plan, config, device);
-    for (const SeriesPlan& series : plan)
+    const std::optional<DeviceInfo> info = device_of_plan(plan, config, device);
+    if (info) check_memory_of_device(*info, plan, config);
+    for (const SeriesPlan& series : plan) {
         experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
+        if (info && series.sampler->device_memory)
+            experiment.series.back().device_bytes =
+                series.sampler->device_memory(series.parameters, series.request, *info).total;
+    }
     std::set<std::string> names; // folders of the series come first
     for (const SeriesTask& task : experiment.series) names.insert(task.name);
     experiment.tilings = tiling_tasks(config, names);

@@ -66,6 +66,7 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
         series.defaults_json = text_of(defaults);
     series.place = task.place;
     series.deterministic = task.deterministic;
+    series.device_bytes = task.device_bytes;
     if (series.spectrum_size > 0) {
         series.is_estimate = series.realizations > 1 && !task.deterministic;
         series.spectrum_file = folder + file_names::spectrum;
@@ -131,7 +132,7 @@ ConstructionResult construction_of(const ConstructionTask& task, const SceneSumm
     ConstructionResult result;
     result.name = task.name;
     result.label = task.config.label;
-    result.kind = kind_name(p);
+    result.kind = task.config.kind();
     result.show = task.config.show;
     result.colors = p.colors;
     result.tiles = p.tiles;

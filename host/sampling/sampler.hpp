@@ -53,6 +53,9 @@ public:
     /// mistake.
     virtual bool sizes_vary() const { return false; }
 
+    /// True where sets are windows of the plane: what lies beside the right border is not what lies at the left one.
+    virtual bool is_window() const { return false; }
+
     /// The iterations of the last sample(); empty for methods without any.
     virtual std::vector<IterationRecord> iterations() const { return {}; }
 

@@ -2,6 +2,7 @@
 #include "host/scenes/construction_parts.hpp"
 
 #include "host/scenes/construction_tiling.hpp"
+#include "host/scenes/set_scenes.hpp"
 #include "host/tile_construction/piece_store.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 
@@ -147,6 +148,7 @@ std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config)
 
 Scene make_scene(const ConstructionConfig& config, const MadeTiles& made)
 {
+    if (config.is_set()) return set_scene(config);
     if (config.show == "regions" || config.show == "kinds") return region_scene(config, made);
     if (config.is_stage()) return stage_scene(config, made);
     return TileScene(config, made).make();

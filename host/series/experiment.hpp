@@ -31,6 +31,7 @@ struct SeriesTask
     bool deterministic = false;
     std::uint32_t realizations = 0;
     std::size_t points = 0;         ///< as asked of each set, 0: not known
+    std::size_t device_bytes = 0;   ///< the most that sampling takes of the device
     bool is_timed = true;           ///< false: sets that are there already; reading a file is not sampling
     std::optional<GridPlace> place; ///< none: not of a method of a config
     /// Everything that decides which sets the sampler makes: part of the keys of its stored work. Asked when work

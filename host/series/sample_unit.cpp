@@ -34,6 +34,7 @@ Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, cons
     record.conditions = workplace.conditions();
     record.on_device = workplace.is_device_open && workplace.is_device_open();
     record.sizes_vary = sampler_->sizes_vary();
+    record.is_window = sampler_->is_window();
     record.tiles_along_axis = sampler_->tiles_along_axis();
     record.iterations = sampler_->iterations();
     record.tile_set = sampler_->tile_set();

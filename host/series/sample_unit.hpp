@@ -22,6 +22,7 @@ struct SampleRecord
     std::string conditions; ///< Workplace::conditions() then
     bool on_device = false; ///< whether a device was open
     bool sizes_vary = false;
+    bool is_window = false;
     std::uint32_t tiles_along_axis = 0;
     std::vector<IterationRecord> iterations;
     std::optional<TileSetRecord> tile_set;
@@ -32,7 +33,7 @@ struct SampleRecord
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(points, seconds, conditions, on_device, sizes_vary, tiles_along_axis, iterations, tile_set,
+        archive(points, seconds, conditions, on_device, sizes_vary, is_window, tiles_along_axis, iterations, tile_set,
                 proven_relative_radius, build_seconds, preparation_seconds);
     }
 };

@@ -28,6 +28,7 @@ std::string parameters_text(const Parameters& parameters)
 AnalysisOptions analysis_of(const SampleRecord& record, AnalysisOptions options)
 {
     if (options.tiles == 0 && record.tiles_along_axis > 1) options.tiles = static_cast<int>(record.tiles_along_axis);
+    options.window = options.window || record.is_window;
     return options;
 }
 

@@ -55,7 +55,11 @@ std::vector<PaperClaim> claims_about_untiled_sets();
 std::vector<PaperClaim> claims_about_accelerated_darts();
 std::vector<PaperClaim> claims_about_early_tiles();
 std::vector<PaperClaim> claims_about_recursive_tiles();
+std::vector<PaperClaim> claims_about_penrose_tilings();
 std::vector<PaperClaim> claims_about_tiles();
+
+/// What section 6.16 recommends.
+std::vector<PaperClaim> recommendations();
 
 /// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
 class Tally

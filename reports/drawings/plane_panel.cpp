@@ -83,7 +83,7 @@ public:
     /// points count.
     void add_points()
     {
-        const double radius = scene_.radius * scale_;
+        const double radius = (panel_.radius > 0 ? panel_.radius : scene_.radius) * scale_;
         const bool has_disks = !panel_.pieces.empty() || !panel_.tiles.empty();
         if (has_disks)
             for (const auto& points : panel_.points)

@@ -17,7 +17,7 @@ namespace poissonlab {
 namespace {
 
 constexpr auto style_sheet = "report.css";
-constexpr std::array assets = {style_sheet, "report.js", "ranking.js", "matrix.js", "compare.js"};
+constexpr std::array assets = {style_sheet, "report.js", "ranking.js", "matrix.js", "compare.js", "steps.js"};
 
 std::string title_of(const std::vector<Run>& runs)
 {

@@ -23,6 +23,9 @@ std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>&
 /// A run of several.
 std::string render_run_page(const Site& site, std::size_t index);
 
+/// The steps of a construction that has_steps(), one at a time.
+std::string render_steps_page(const Site& site, const ReportRun& run, const ReportConstruction& construction);
+
 /// All about one series: number `index` of the run.
 std::string render_series_page(const Site& site, const ReportRun& run, std::size_t index);
 

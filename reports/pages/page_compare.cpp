@@ -80,14 +80,6 @@ private:
     std::map<std::string, std::size_t> numbers_;
 };
 
-/// A JSON text that may stand in HTML.
-std::string quoted(const std::string& text)
-{
-    std::string result;
-    for (const char c : Json(text).dump()) result += c == '<' ? "\\u003c" : std::string(1, c);
-    return result;
-}
-
 /// A plot that the reader chooses, with the curves of all series over unit lengths or cycles per unit length.
 struct ChosenPlot
 {
@@ -118,7 +110,7 @@ std::string plots_json(const std::vector<ChosenPlot>& plots)
         const bool has_reference = plot.key != "anisotropy"; // whose line differs from series to series
         parts.push_back(fmt::format("\"{}\":{{\"abscissa\":\"{}\",\"label\":{},\"reference\":{},\"most\":{},"
                                     "\"floor\":{}}}",
-                                    plot.key, abscissa, quoted(plot.y.label), has_reference ? "1" : "null",
+                                    plot.key, abscissa, script_text(plot.y.label), has_reference ? "1" : "null",
                                     short_number(plot.y.most), short_number(plot.y.floor)));
     }
     return fmt::format("{{{}}}", fmt::join(parts, ","));
@@ -128,15 +120,16 @@ template <class Words>
 std::string axis_json(const Words& words)
 {
     return fmt::format(
-        R"({{"absolute":{},"spacing":{},"principal":{}}})", quoted(plain_words(words(LengthUnit::absolute))),
-        quoted(plain_words(words(LengthUnit::spacing))), quoted(plain_words(words(LengthUnit::principal))));
+        R"({{"absolute":{},"spacing":{},"principal":{}}})", script_text(plain_words(words(LengthUnit::absolute))),
+        script_text(plain_words(words(LengthUnit::spacing))), script_text(plain_words(words(LengthUnit::principal))));
 }
 
 std::string series_json(const Site& site, const ReportSeries& series, std::size_t run)
 {
     const Curve& curve = series.curve;
-    auto text = fmt::format("\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", quoted(series.label),
-                            run, curve.dimension, curve.points, quoted(relative_link(site.out, page_of(series))));
+    auto text =
+        fmt::format("\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", script_text(series.label),
+                    run, curve.dimension, curve.points, script_text(relative_link(site.out, page_of(series))));
     if (curve.principal_frequency) text += ",\"principal\":" + short_number(*curve.principal_frequency);
     return text;
 }
@@ -147,7 +140,7 @@ std::string site_json(const Site& site, const std::vector<ChosenPlot>& plots)
     std::vector<std::string> series;
     std::vector<std::string> runs;
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
-        runs.push_back(quoted(site.runs[i].stored->title));
+        runs.push_back(script_text(site.runs[i].stored->title));
         for (const auto& entry : site.runs[i].series) series.push_back(series_json(site, entry, i));
     }
     for (const auto& chosen : plots)

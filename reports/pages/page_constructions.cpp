@@ -18,18 +18,26 @@ const std::array<const char*, stored_point_classes.size()> class_meanings{
     "points around the tile, which are held while others move", "points elsewhere on the torus",
     "points that are there already", "points of what is made here"};
 
+const std::array<const char*, stored_point_classes.size()> set_class_meanings{
+    "", "a dart that is refused", "points that are there already", "points that this step is about"};
+
+}
+
 /// "Black: points that are there already. Red: ...", what there is.
-std::string legend(const ReportConstruction& construction)
+std::string construction_legend(const ReportConstruction& construction)
 {
+    const auto& meanings = is_set(construction) ? set_class_meanings : class_meanings;
     std::string text;
     for (std::size_t kind = construction.stored->scene.points.size(); kind-- > 0;) {
         if (construction.stored->scene.points[kind] == 0) continue;
         std::string color = point_color(kind).name;
         color[0] = static_cast<char>(color[0] - 'a' + 'A');
-        text += fmt::format(" {}: {}.", color, class_meanings[kind]);
+        text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", color, meanings[kind]);
     }
     return text;
 }
+
+namespace {
 
 bool shows_disks(const Scene& scene)
 {
@@ -40,7 +48,7 @@ bool shows_disks(const Scene& scene)
 
 std::string caption_of(const ReportConstruction& construction)
 {
-    const Scene& scene = construction.scene;
+    const Scene scene = pictured_scene(construction);
     std::string text;
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {
         if (scene.panels[i].caption.empty()) continue;
@@ -49,16 +57,23 @@ std::string caption_of(const ReportConstruction& construction)
     }
     if (text.empty() && scene.panels.size() > 1) text = fmt::format("{} of them.", scene.panels.size());
     if (construction.stored->show == "points" || construction.stored->show == "tiling") return text;
-    text += legend(construction);
+    text += (text.empty() ? "" : " ") + construction_legend(construction);
     if (shows_disks(scene))
         text += scene.dimension == 2 ? " Circles have the Poisson disk radius."
                                      : " Spheres are drawn smaller than they are, and paler farther away.";
     return text;
 }
 
-PageData facts_of(const ConstructionResult& stored)
+}
+
+PageData construction_facts(const ConstructionResult& stored)
 {
     PageData facts{PageData::type::list};
+    if (stored.kind == "set") {
+        facts << PageData(stored.show);
+        facts << PageData(fmt::format("{} points", format_count(stored.points_per_tile)));
+        return facts;
+    }
     const bool is_template = stored.kind == "template";
     facts << PageData(stored.kind == "edge"     ? "edge-based Poisson disk tiles"
                       : stored.kind == "sphere" ? "corner-based Poisson sphere tiles"
@@ -74,8 +89,6 @@ PageData facts_of(const ConstructionResult& stored)
     return facts;
 }
 
-}
-
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
                               const std::filesystem::path& page_folder)
 {
@@ -84,11 +97,13 @@ PageData construction_section(const ReportConstruction& construction, std::size_
     PageData data;
     data.set("label", stored.label);
     data.set("anchor", fmt::format("construction-{}", index + 1));
-    data.set("facts", facts_of(stored));
+    data.set("facts", construction_facts(stored));
     // Small pictures stay small.
     DrawingPoint size{};
-    panel_places(construction.scene, size);
+    panel_places(pictured_scene(construction), size);
     data.set("width", fmt::format("{:.0f}", size[0]));
+    data.set("steps", has_steps(construction) ? PageData(relative_link(page_folder, steps_page_of(construction)))
+                                              : PageData(false));
     data.set("caption", caption);
     data.set("alt", fmt::format("{}. {}", stored.label, caption));
     data.set("source", relative_link(page_folder, construction.pictures / "construction.svg"));

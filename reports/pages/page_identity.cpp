@@ -39,6 +39,7 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     data.set("sampler", series.stored->sampler);
     data.set("parameters", optional_text(parameters_text(series.stored->parameters)));
     data.set("points", format_count(series.stored->points));
+    data.set("is_window", series.stored->is_window);
     data.set("points_range", optional_text(points_range(*series.stored)));
     data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
     return data;

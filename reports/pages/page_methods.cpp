@@ -107,6 +107,13 @@ std::string preparation_of(const ReportSeries& series)
     return seconds > 1e-3 ? format_seconds(seconds) : std::string();
 }
 
+/// Device memory, where the method needs a device.
+std::string memory_of(const ReportSeries& series)
+{
+    const auto memory = value_of("device_memory", series);
+    return memory ? format_significant(memory->value, 3) : std::string();
+}
+
 /// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 6.16, in short.
 std::string verdict_of_the_paper(const std::string& sampler)
 {
@@ -118,7 +125,10 @@ std::string verdict_of_the_paper(const std::string& sampler)
         {"lloyd", "not for interactive use, nor for many points"},
         {"shade-tiles", "major shortcomings: should not be used"},
         {"averaged-tiles", "not recommended: a small radius, a rather bad spectrum"},
-        {"recursive-wang-tiles", "not for constant density: a surprisingly low radius, a rather bad spectrum"},
+        {"voronoi-darts", "interactive, but slow beside tiles"},
+        {"sector-darts", "interactive, but slow beside tiles"},
+        {"penrose", "not for a constant density: a spectrum below average"},
+        {"recursive-wang-tiles", "not for a constant density: a low radius, a spectrum below average"},
         {"edge-tiles", "better than earlier tiles in radius and spectrum"},
         {"template-tiles", "of theoretical interest: too many artifacts in the spectrum"},
         {"corner-tiles", "seem to be the best of those that tile"},
@@ -166,6 +176,7 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions)
     const ReportSeries& best = best_of(method);
     PageData row;
     row.set("name", method.sampler + (has_dimensions ? fmt::format(", {}D", method.dimension) : ""));
+    row.set("is_window", best.stored->is_window);
     row.set("best", best.label);
     row.set("link", relative_link(site.out, page_of(best)));
     const std::size_t count = method.series.size();
@@ -187,7 +198,7 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions)
          {radius ? format_fixed(radius->min, 3) : "", radius ? format_fixed(radius->mean, 3) : "",
           shown("peak_anisotropy", best), shown("off_lattice_anisotropy", best),
           plates ? shown("zone_plate_error", *plates) : "", time_for(method, timed_sizes[0]),
-          time_for(method, timed_sizes[1]), preparation_of(best)}) {
+          time_for(method, timed_sizes[1]), preparation_of(best), memory_of(best)}) {
         PageData cell;
         cell.set("shown", optional_text(text));
         cells << cell;

@@ -17,6 +17,9 @@ using PageData = kainjow::mustache::data;
 /// A text, or false (the section is left out) where it is empty.
 PageData optional_text(const std::string& text);
 
+/// A JSON text that may stand in HTML, with its quotes.
+std::string script_text(const std::string& text);
+
 /// "OpenCL" for "opencl".
 std::string engine_words(const std::string& engine);
 
@@ -48,6 +51,10 @@ PageData overlays(const std::vector<Panel>& panels, const SeriesList& series, co
 
 /// One tile set or tiling: facts, pictures, how random its colours are.
 PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder);
+
+/// What a construction is of, and what the colours of its points mean.
+PageData construction_facts(const ConstructionResult& stored);
+std::string construction_legend(const ReportConstruction& construction);
 
 /// One picture of a construction: facts, the picture, what its panels show.
 PageData construction_section(const ReportConstruction& construction, std::size_t index,

@@ -3,10 +3,18 @@
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace poissonlab {
+
+std::string script_text(const std::string& text)
+{
+    std::string result;
+    for (const char c : nlohmann::json(text).dump()) result += c == '<' ? "\\u003c" : std::string(1, c);
+    return result;
+}
 
 namespace {
 

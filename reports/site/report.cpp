@@ -94,6 +94,9 @@ void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
         const ReportRun& run = site.runs[i];
         if (site.has_several_runs()) write_whole_file(page_of(run), render_run_page(site, i));
+        for (const ReportConstruction& construction : run.constructions)
+            if (has_steps(construction))
+                write_whole_file(steps_page_of(construction), render_steps_page(site, run, construction));
         tbb::parallel_for(std::size_t{0}, run.series.size(), [&](std::size_t index) {
             write_whole_file(page_of(run.series[index]), render_series_page(site, run, index));
         });

@@ -67,6 +67,7 @@ struct ScenePanel
 {
     std::string caption;  ///< empty: a panel without a letter
     bool modified = true; ///< regions
+    double radius = 0;    ///< of the disks of this panel, units; 0: that of the scene
     SceneBox window;
     SceneBox part; ///< regions are drawn as far as they are in here
     std::vector<ScenePiece> pieces;

@@ -98,6 +98,11 @@ void panel(JsonMembers& m, Stored<ScenePanel> auto& panel, int dimension)
 {
     m.member("caption", panel.caption);
     m.member("modified", panel.modified);
+    m.if_any("radius", panel.radius);
+    m.check([&](const StoredObject& object) {
+        if (!(panel.radius >= 0 && panel.radius <= tile_units))
+            throw object.error("radius", "must not be negative, and at most a tile");
+    });
     m.group("window", [&](JsonMembers& group) { box(group, panel.window, dimension); });
     m.group("part", [&](JsonMembers& group) { box(group, panel.part, dimension); });
     m.objects("pieces", panel.pieces, [&](JsonMembers& member, auto& value) { piece(member, value, dimension); });

@@ -1,14 +1,18 @@
-// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts and of
-// Jones', averaged tiles of 63 points after 30 iterations, recursive Wang tiles, and polyominoes with their tables.
+// Methods of chapter 6 that make sets or tiles by themselves: 16,384 points of Dunbar and Humphreys' darts, of Jones'
+// and of a Penrose tiling, averaged tiles of 63 points after 30 iterations, recursive Wang tiles, and polyominoes with
+// their tables.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007: 0.137 s, 7.911 s and 7.002 s (section 6.13), 3.403 s (section
-// 6.12, at 0.75) on an Athlon 64 4000+; section 6.14: 1.005 s. Targets on two cores for recursive tiles: built in 10 s,
-// 16,384 points in 15 ms, 20 million points a second of a density.
+// 6.12, at 0.75) on an Athlon 64 4000+; section 6.14: 1.005 s; section 6.8: 0.192 s. Targets on two cores for recursive
+// tiles: built in 10 s, 16,384 points in 15 ms, 20 million points a second of a density; for Penrose tilings: the table
+// in 30 s, 16,384 points in 15 ms.
 #include "base/densities/density_formula.hpp"
 #include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/device/device.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
+#include "host/tile_sampling/penrose/penrose_importance.hpp"
+#include "host/tile_sampling/penrose/penrose_relaxation.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_table_cache.hpp"
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
@@ -41,6 +45,20 @@ void darts(benchmark::State& state, const char* method)
     std::uint32_t realization = 0;
     sampler->sample(realization++);
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
+}
+
+/// From a table that is built: it does not matter for the time which one.
+void penrose_points(benchmark::State& state)
+{
+    const PenroseTiling tiling{PenroseTable{}};
+    const std::uint64_t importance = importance_for_points(tiling, static_cast<std::size_t>(state.range(0)));
+    PenroseGenerator generator(Device::open(), tiling);
+    for (auto _ : state) benchmark::DoNotOptimize(generator.points(importance));
+}
+
+void penrose_table(benchmark::State& state)
+{
+    for (auto _ : state) benchmark::DoNotOptimize(relaxed_penrose_table());
 }
 
 void averaged_tiles(benchmark::State& state)
@@ -110,6 +128,8 @@ BENCHMARK_CAPTURE(sector_darts, logarithmic, "logarithmic")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(darts, dart_throwing, "dart-throwing")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(darts, voronoi_darts, "voronoi-darts")->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(penrose_points)->Arg(16'384)->Arg(262'144)->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(penrose_table)->Iterations(1)->Repetitions(3)->Unit(benchmark::kSecond)->UseRealTime();
 BENCHMARK(averaged_tiles)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }

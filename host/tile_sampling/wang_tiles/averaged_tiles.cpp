@@ -1,5 +1,6 @@
 #include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
 
+#include "base/geometry/convex_cell.hpp"
 #include "base/random/random.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
@@ -11,86 +12,38 @@
 namespace poissonlab {
 namespace {
 
-/// A convex polygon around a point, which is its origin; units.
-class Cell
+/// Beyond 3 x 3 tiles, in units.
+constexpr double cell_reach = 4.0 * tile_units;
+
+WangPoint rounded_centroid(const ConvexCell& cell)
 {
-public:
-    /// A square that reaches beyond 3 x 3 tiles.
-    Cell() : vertices_{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}} { find_radius(); }
+    const auto [x, y] = cell.centroid();
+    return {static_cast<std::int32_t>(std::nearbyint(x)), static_cast<std::int32_t>(std::nearbyint(y))};
+}
 
-    /// Cuts off what is nearer to another point.
-    void cut(double x, double y)
-    {
-        const double squared = x * x + y * y;
-        if (squared >= 4 * squared_radius_) return;
-        std::vector<Vertex> kept;
-        kept.reserve(vertices_.size() + 1);
-        const auto beyond = [&](const Vertex& v) { return v[0] * x + v[1] * y - squared / 2; };
-        for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            const Vertex &a = vertices_[i], &b = vertices_[(i + 1) % vertices_.size()];
-            const double at_a = beyond(a), at_b = beyond(b);
-            if (at_a <= 0) kept.push_back(a);
-            if ((at_a <= 0) != (at_b <= 0)) {
-                const double part = at_a / (at_a - at_b);
-                kept.push_back({a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])});
-            }
+/// Tells whether no point outside of a rectangle around `centre` can reach into the cell.
+bool is_known_from(const ConvexCell& cell, const WangPoint& centre, const std::array<std::int32_t, 2>& low,
+                   const std::array<std::int32_t, 2>& high)
+{
+    return std::ranges::all_of(cell.vertices(), [&](const ConvexCell::Vertex& v) {
+        double inside = 1e300;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double at = centre[k] + v[k];
+            inside = std::min({inside, at - low[k], high[k] - at});
         }
-        vertices_ = std::move(kept);
-        find_radius();
-    }
-
-    WangPoint centroid() const
-    {
-        double area = 0, x = 0, y = 0;
-        for (std::size_t i = 0; i < vertices_.size(); ++i) {
-            const Vertex &a = vertices_[i], &b = vertices_[(i + 1) % vertices_.size()];
-            const double cross = a[0] * b[1] - a[1] * b[0];
-            area += cross;
-            x += cross * (a[0] + b[0]);
-            y += cross * (a[1] + b[1]);
-        }
-        if (!(area > 0)) return {0, 0}; // two points at the same place
-        return {static_cast<std::int32_t>(std::nearbyint(x / area / 3)),
-                static_cast<std::int32_t>(std::nearbyint(y / area / 3))};
-    }
-
-    /// Tells whether no point outside of a rectangle around `centre` can reach into the cell.
-    bool is_known_from(const WangPoint& centre, const std::array<std::int32_t, 2>& low,
-                       const std::array<std::int32_t, 2>& high) const
-    {
-        return std::ranges::all_of(vertices_, [&](const Vertex& v) {
-            double inside = 1e300;
-            for (std::size_t k = 0; k < 2; ++k) {
-                const double at = centre[k] + v[k];
-                inside = std::min({inside, at - low[k], high[k] - at});
-            }
-            return inside >= std::hypot(v[0], v[1]);
-        });
-    }
-
-private:
-    using Vertex = std::array<double, 2>;
-    static constexpr double reach = 4.0 * tile_units;
-
-    void find_radius()
-    {
-        squared_radius_ = 0;
-        for (const Vertex& v : vertices_) squared_radius_ = std::max(squared_radius_, v[0] * v[0] + v[1] * v[1]);
-    }
-
-    std::vector<Vertex> vertices_;
-    double squared_radius_ = 0;
-};
+        return inside >= std::hypot(v[0], v[1]);
+    });
+}
 
 /// Cuts by the points of a tile so many tiles away.
-void cut_by(Cell& cell, const WangPoint& centre, const std::vector<WangPoint>& points, int x, int y)
+void cut_by(ConvexCell& cell, const WangPoint& centre, const std::vector<WangPoint>& points, int x, int y)
 {
     for (const WangPoint& point : points)
         cell.cut(point[0] + x * tile_units - centre[0], point[1] + y * tile_units - centre[1]);
 }
 
 /// The cell among the points of its own tile, nearest first.
-Cell cell_in_tile(const std::vector<WangPoint>& tile, std::size_t number)
+ConvexCell cell_in_tile(const std::vector<WangPoint>& tile, std::size_t number)
 {
     const WangPoint& centre = tile[number];
     std::vector<std::array<double, 3>> others;
@@ -100,7 +53,7 @@ Cell cell_in_tile(const std::vector<WangPoint>& tile, std::size_t number)
         others.push_back({x * x + y * y, x, y});
     }
     std::ranges::sort(others);
-    Cell cell;
+    ConvexCell cell(cell_reach);
     for (const auto& [squared, x, y] : others) cell.cut(x, y);
     return cell;
 }
@@ -146,7 +99,7 @@ struct Sum
 
 /// The sum over the 4 x 4 x 2 choices for the three tiles in the quadrant of a point. False: in one of them the cell
 /// depends on other tiles as well.
-bool sum_over_quadrant(const WangPoints& points, std::size_t tile, std::size_t number, const Cell& own, Sum& sum)
+bool sum_over_quadrant(const WangPoints& points, std::size_t tile, std::size_t number, const ConvexCell& own, Sum& sum)
 {
     const WangPoint& centre = points.tiles[tile][number];
     std::array<int, 2> sign{};
@@ -157,16 +110,16 @@ bool sum_over_quadrant(const WangPoints& points, std::size_t tile, std::size_t n
         high[k] = low[k] + 2 * tile_units;
     }
     for (const std::size_t at_x : tiles_beside(tile, true, sign[0])) {
-        Cell with_x = own;
+        ConvexCell with_x = own;
         cut_by(with_x, centre, points.tiles[at_x], sign[0], 0);
         for (const std::size_t at_y : tiles_beside(tile, false, sign[1])) {
-            Cell with_both = with_x;
+            ConvexCell with_both = with_x;
             cut_by(with_both, centre, points.tiles[at_y], 0, sign[1]);
             for (const std::size_t corner : tiles_between(at_x, at_y, sign[0], sign[1])) {
-                Cell cell = with_both;
+                ConvexCell cell = with_both;
                 cut_by(cell, centre, points.tiles[corner], sign[0], sign[1]);
-                if (!cell.is_known_from(centre, low, high)) return false;
-                sum.add(cell.centroid());
+                if (!is_known_from(cell, centre, low, high)) return false;
+                sum.add(rounded_centroid(cell));
             }
         }
     }
@@ -174,13 +127,14 @@ bool sum_over_quadrant(const WangPoints& points, std::size_t tile, std::size_t n
 }
 
 /// The sum over all 4,096 surroundings: sides first, then what fits between them.
-Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number, const Cell& own)
+Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number, const ConvexCell& own)
 {
     const WangPoint& centre = points.tiles[tile][number];
     Sum sum;
-    const auto corner = [&](const Cell& cell, std::size_t at_x, std::size_t at_y, int x, int y, const auto& next) {
+    const auto corner = [&](const ConvexCell& cell, std::size_t at_x, std::size_t at_y, int x, int y,
+                            const auto& next) {
         for (const std::size_t between : tiles_between(at_x, at_y, x, y)) {
-            Cell cut = cell;
+            ConvexCell cut = cell;
             cut_by(cut, centre, points.tiles[between], x, y);
             next(cut);
         }
@@ -189,15 +143,16 @@ Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number,
         for (const std::size_t north : tiles_beside(tile, false, 1))
             for (const std::size_t west : tiles_beside(tile, true, -1))
                 for (const std::size_t south : tiles_beside(tile, false, -1)) {
-                    Cell sides = own;
+                    ConvexCell sides = own;
                     cut_by(sides, centre, points.tiles[east], 1, 0);
                     cut_by(sides, centre, points.tiles[north], 0, 1);
                     cut_by(sides, centre, points.tiles[west], -1, 0);
                     cut_by(sides, centre, points.tiles[south], 0, -1);
-                    corner(sides, east, north, 1, 1, [&](const Cell& a) {
-                        corner(a, west, north, -1, 1, [&](const Cell& b) {
-                            corner(b, west, south, -1, -1, [&](const Cell& c) {
-                                corner(c, east, south, 1, -1, [&](const Cell& cell) { sum.add(cell.centroid()); });
+                    corner(sides, east, north, 1, 1, [&](const ConvexCell& a) {
+                        corner(a, west, north, -1, 1, [&](const ConvexCell& b) {
+                            corner(b, west, south, -1, -1, [&](const ConvexCell& c) {
+                                corner(c, east, south, 1, -1,
+                                       [&](const ConvexCell& cell) { sum.add(rounded_centroid(cell)); });
                             });
                         });
                     });
@@ -207,7 +162,7 @@ Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number,
 
 WangPoint mean_displacement(const WangPoints& points, std::size_t tile, std::size_t number)
 {
-    const Cell own = cell_in_tile(points.tiles[tile], number);
+    const ConvexCell own = cell_in_tile(points.tiles[tile], number);
     Sum sum;
     if (sum_over_quadrant(points, tile, number, own, sum)) return sum.mean();
     return sum_over_all(points, tile, number, own).mean();
@@ -271,12 +226,12 @@ WangPoints start_averaged_tiles(std::uint32_t points_per_tile, std::uint64_t see
 WangPoint centroid_displacement(const WangPoints& points, std::span<const std::size_t, 9> tiles, std::size_t point)
 {
     const WangPoint& centre = points.tiles[tiles[4]][point];
-    Cell cell = cell_in_tile(points.tiles[tiles[4]], point);
+    ConvexCell cell = cell_in_tile(points.tiles[tiles[4]], point);
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x)
             if (x != 0 || y != 0)
                 cut_by(cell, centre, points.tiles[tiles[static_cast<std::size_t>(3 * (y + 1) + x + 1)]], x, y);
-    return cell.centroid();
+    return rounded_centroid(cell);
 }
 
 WangPoints average_once(const WangPoints& points, AveragedVariant variant, std::uint32_t iteration, std::uint64_t seed)

@@ -51,7 +51,7 @@ RC_GTEST_PROP(PointFileRoundTrip, GivesTheSameBits, ())
     if (dimension == 3 && set.coordinates[2] == 0) set.coordinates[2] = 0.5;
 
     const TemporaryFolder folder;
-    for (const char* name : {"points.dat", "points.ply", "points.npy"}) {
+    for (const char* name : {"points.dat", "points.ply", "points.npy", "points.csv"}) {
         write_points(folder.path() / name, set, "a comment\n\nof several lines");
         const std::vector<PointSet> sets = read_points(folder.path() / name);
         RC_ASSERT(sets.size() == 1U);
@@ -163,6 +163,56 @@ TEST(PointFileInPieces, IsThatOfTheWhole)
         EXPECT_EQ(read_whole_file(folder.path() / ("pieces" + extension)),
                   read_whole_file(folder.path() / ("whole" + extension)));
     }
+}
+
+TEST(PointFileCsv, HasNamesOfColumns)
+{
+    const TemporaryFolder folder;
+    write_points(folder.path() / "flat.csv", {2, {0.5, 0.25, 0.75, 0}}, "left out");
+    EXPECT_EQ(read_whole_file(folder.path() / "flat.csv"), "x,y\n0.5,0.25\n0.75,0\n");
+    write_points(folder.path() / "deep.csv", {3, {0.5, 0.25, 0.125}});
+    EXPECT_EQ(read_whole_file(folder.path() / "deep.csv"), "x,y,z\n0.5,0.25,0.125\n");
+}
+
+TEST(PointFileUsd, IsAPointInstancerOfSpheres)
+{
+    const TemporaryFolder folder;
+    write_points(folder.path() / "points.usda", {2, {0.5, 0.25, 0.75, 0}}, "two \"points\"\nhere");
+    EXPECT_EQ(read_whole_file(folder.path() / "points.usda"), R"(#usda 1.0
+(
+    defaultPrim = "Points"
+    doc = "two \"points\"; here"
+    upAxis = "Z"
+)
+
+def PointInstancer "Points"
+{
+    rel prototypes = </Points/Prototypes/Sphere>
+    int[] protoIndices = [0, 0]
+    point3f[] positions = [(0.5, 0.25, 0),
+        (0.75, 0, 0)]
+
+    def Scope "Prototypes"
+    {
+        def Sphere "Sphere"
+        {
+            double radius = 0.1326
+        }
+    }
+}
+)");
+    // Pieces join without a gap.
+    PointSet many{3, {}};
+    for (int i = 0; i < 3 * 10'000; ++i) many.coordinates.push_back(i / 30'000.0);
+    write_points(folder.path() / "many.usda", many);
+    const std::string text = read_whole_file(folder.path() / "many.usda");
+    const auto count = [&](const std::string& words) {
+        std::size_t found = 0;
+        for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("),\n"), 9'999U);
+    EXPECT_EQ(count(", 0"), 9'999U);
 }
 
 }

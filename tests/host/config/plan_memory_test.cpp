@@ -145,6 +145,12 @@ sampler = "polyominoes"
 [[method]]
 sampler = "polyominoes"
 density = "x + 1"
+[[method]]
+sampler = "penrose"
+points = [1000, 100000]
+[[method]]
+sampler = "penrose"
+density = "x > 0 ? 1 : 0.1"
 )";
 
 constexpr const char* methods_3d = R"(

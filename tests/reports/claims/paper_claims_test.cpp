@@ -86,6 +86,19 @@ ReportSeries& tiles(MadeUpReport& report, const std::string& kind, int set, int 
     return series;
 }
 
+void set_seconds(ReportSeries& series, double seconds)
+{
+    const_cast<Series*>(series.stored)->sample_seconds = {seconds};
+}
+
+/// A method beside three others: more anisotropic than they are, or not.
+void among_others(MadeUpReport& report, const std::string& sampler, bool is_worse)
+{
+    for (const char* other : {"lloyd", "edge-tiles", "corner-tiles"})
+        MadeUpReport::set_curve(report.add(other, {}), {.anisotropy = 1});
+    MadeUpReport::set_curve(report.add(sampler, {}), {.anisotropy = is_worse ? 5.0 : 0.2});
+}
+
 /// From `start` to `end`, there after so many of 128 iterations.
 std::vector<double> relaxed(double start, double end, int settled)
 {
@@ -319,6 +332,53 @@ const std::vector<ClaimCase>& claim_cases()
              add("logarithmic", 1);
              add("linear", agrees ? 0.9 : 0.2);
              add("boundary", agrees ? 0.02 : 0.5);
+         }},
+        {"6.8-radius",
+         [](MadeUpReport& r, bool agrees) { MadeUpReport::set_radius(r.add("penrose", {}), agrees ? 0.7 : 0.8); }},
+        {"6.8-star",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("penrose", {}), {.spike = agrees ? 20.0 : 3.0});
+         }},
+        {"6.8-anisotropy",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("penrose", {}), {.anisotropy = agrees ? 6.0 : 0.5});
+             tiles(r, "corner", 4, 64, 2);
+         }},
+        {"6.16-not-interactive",
+         [](MadeUpReport& r, bool agrees) { set_seconds(darts(r, "0.7"), agrees ? 0.2 : 0.01); }},
+        {"6.16-interactive",
+         [](MadeUpReport& r, bool agrees) { set_seconds(r.add("sector-darts", {}), agrees ? 0.05 : 0.5); }},
+        {"6.16-real-time",
+         [](MadeUpReport& r, bool agrees) { set_seconds(tiles(r, "corner", 4, 64, 2), agrees ? 0.001 : 0.05); }},
+        {"6.16-only-option", [](MadeUpReport& r, bool agrees) { set_seconds(darts(r, "0.7"), agrees ? 0.02 : 0.01); }},
+        {"6.16-shade",
+         [](MadeUpReport& r, bool agrees) {
+             const_cast<Series*>(r.add("shade-tiles", {}).stored)->measures.numbers["seam_density"] = {
+                 agrees ? 0.4 : 0.1, {}};
+         }},
+        {"6.16-averaged",
+         [](MadeUpReport& r, bool agrees) {
+             auto &averaged = r.add("averaged-tiles", {}), &edges = r.add("edge-tiles", {});
+             MadeUpReport::set_radius(averaged, agrees ? 0.6 : 0.8);
+             MadeUpReport::set_radius(edges, 0.75);
+             MadeUpReport::set_curve(averaged, {.anisotropy = agrees ? 3.0 : 0.1});
+             MadeUpReport::set_curve(edges, {.anisotropy = 1});
+         }},
+        {"6.16-template",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("template-tiles", {}), {.anisotropy = agrees ? 3.0 : 0.1});
+             MadeUpReport::set_curve(r.add("corner-tiles", {}), {.anisotropy = 1});
+         }},
+        {"6.16-corner",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(tiles(r, "edge", 2, 64, 2), {.anisotropy = 2});
+             MadeUpReport::set_curve(tiles(r, "corner", 4, 64, 2), {.anisotropy = agrees ? 1.0 : 3.0});
+         }},
+        {"6.16-penrose", [](MadeUpReport& r, bool agrees) { among_others(r, "penrose", agrees); }},
+        {"6.16-recursive", [](MadeUpReport& r, bool agrees) { among_others(r, "recursive-wang-tiles", agrees); }},
+        {"6.16-recursive-radius",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_radius(r.add("recursive-wang-tiles", {}), agrees ? 0.3 : 0.6);
          }},
         {"6.15-relaxation",
          [](MadeUpReport& r, bool agrees) {
@@ -570,6 +630,7 @@ TEST_F(ClaimsOnPictures, OfTiles)
         add_plate(r, "edge-tiles", parameters("colors", "2", "0.7"), agrees ? 0.1 : 0.3);
         add_plate(r, "edge-tiles", parameters("colors", "2", "0.8"), agrees ? 0.3 : 0.1);
     });
+    expect("6.8-plate", [&](MadeUpReport& r, bool agrees) { add_plate(r, "penrose", {}, agrees ? 0.3 : 0.0); });
     expect("6.10-plate", [&](MadeUpReport& r, bool agrees) {
         add_plate(r, "template-tiles", parameters("tiles", "8", "0.75"), agrees ? 0.3 : 0.0);
     });

@@ -1,0 +1,87 @@
+// Points of a Penrose tiling that is divided as a density asks for.
+//
+// Ostromoukhov, Donohue and Jodoin, Fast hierarchical importance sampling with blue noise properties, SIGGRAPH 2004.
+// The importance of a place is the number of code values that have a point there; points stay whose value is below it.
+// A triangle is divided while points that it would get can stay: the density is bounded over all of the triangle, and a
+// triangle is left out where none of its points can come into the window. (The authors' program looks at corners and
+// centre only, and leaves two corners of the square empty: dissertation, figure 6.16.)
+#pragma once
+
+#include "base/densities/density_bounds.hpp"
+#include "base/geometry/point_set.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/sampling/device_method.hpp"
+#include "host/tile_sampling/penrose/penrose_scales.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// A square of the unit square, in units of 2^-32: x and y from low on.
+struct PenroseWindow
+{
+    std::array<std::uint32_t, 2> low{};
+    std::uint64_t side = std::uint64_t{1} << 32;
+};
+
+/// A point in units of 2^-32, and its value.
+struct PenrosePoint
+{
+    std::array<std::uint32_t, 2> place{};
+    std::uint64_t value = 0;
+
+    bool operator==(const PenrosePoint&) const = default;
+};
+
+/// A triangle of the tiling as kernels have it, and points that lie beside such triangles.
+struct PenroseStart
+{
+    std::vector<contract::penrose::Tile> triangles;
+    std::vector<PenrosePoint> points;
+};
+
+/// A tiling with its levels, the table that moves its points, and a density, which lies over the unit square and goes
+/// on outside as it is at the border.
+struct PenroseTiling
+{
+    explicit PenroseTiling(const PenroseTable& table_, DensityBounds density_ = {})
+        : table(table_), scales(penrose_scales(table_)), density(std::move(density_))
+    {}
+
+    PenroseTable table;
+    PenroseScales scales;
+    DensityBounds density;
+};
+
+/// Triangles that share the work, and the points that were met on the way to them.
+PenroseStart start_penrose(const PenroseTiling& tiling, std::uint64_t importance, const PenroseWindow& window);
+
+namespace reference {
+/// The points with a value below the importance of their place, which is `importance` where the density has full
+/// weight, at most most_penrose_importance(). In the order of the subdivision.
+std::vector<PenrosePoint> penrose_points(const PenroseTiling& tiling, std::uint64_t importance,
+                                         const PenroseWindow& window = {});
+}
+
+/// Points of the unit square.
+PointSet point_set_of(const std::vector<PenrosePoint>& points);
+
+/// The same by kernels/penrose.cl: the same points in the same order.
+class PenroseGenerator : DeviceMethod<struct PenroseBuffers>
+{
+public:
+    /// `tiling` outlives this. `work_group_size` 0: the default.
+    PenroseGenerator(Device device, const PenroseTiling& tiling, std::size_t work_group_size = 0);
+
+    PointSet points(std::uint64_t importance, const PenroseWindow& window = {});
+
+    /// The memory that sets of so many points take, with a density that has so many weights and bounds.
+    static DeviceMemory memory(std::size_t points, std::size_t weights);
+
+private:
+    const PenroseTiling* tiling_;
+};
+
+}

@@ -1,0 +1,90 @@
+// The dissertation's claims about Penrose tilings: section 6.8.
+#include "reports/claims/claim_words.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+using PenroseOutcome = std::optional<ClaimOutcome>;
+
+/// Those of the same density everywhere, as the dissertation has them.
+std::vector<const ReportSeries*> even_penrose(const ClaimSeries& report, SeriesQuery::Needs needs)
+{
+    auto found = report.all({.sampler = "penrose", .needs = needs});
+    std::erase_if(found, [](const ReportSeries* series) {
+        return std::ranges::any_of(series->stored->parameters,
+                                   [](const auto& parameter) { return parameter.first == "density"; });
+    });
+    return found;
+}
+
+PenroseOutcome radius_of_penrose(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> radii;
+    for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::anything)) {
+        if (!series->stored->relative_radius) continue;
+        radii.push_back(series->stored->relative_radius->mean);
+        tally.add(radii.back() >= 0.65 && radii.back() <= 0.75);
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(radii, 3), tally.words()})};
+}
+
+PenroseOutcome spikes_of_penrose(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> peaks;
+    for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::spectrum)) {
+        peaks.push_back(peak_anisotropy(*series) - series->curve.background_db);
+        tally.add(peaks.back() > 10);
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(peaks, 1) + " dB above chance", tally.words()})};
+}
+
+PenroseOutcome more_anisotropic_than_tiles(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> of_penrose, of_tiles;
+    for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::spectrum))
+        of_penrose.push_back(mean_excess_anisotropy(*series));
+    for (const char* sampler : {"edge-tiles", "corner-tiles"})
+        for (const ReportSeries* series : report.all({.sampler = sampler, .needs = SeriesQuery::Needs::spectrum}))
+            of_tiles.push_back(mean_excess_anisotropy(*series));
+    for (const double one : of_penrose)
+        for (const double other : of_tiles) tally.add(one > other + 1);
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(of_penrose, 2) + " dB above chance on average",
+                                                         "tiles " + range_words(of_tiles, 2), tally.words()})};
+}
+
+PenroseOutcome plate_of_penrose(const ClaimSeries& report)
+{
+    return false_plates(report, even_penrose(report, SeriesQuery::Needs::plate), true);
+}
+
+}
+
+std::vector<PaperClaim> claims_about_penrose_tilings()
+{
+    return {
+        {"6.8-radius", "6.8", "The relative radii of Penrose tilings vary between 0.65 and 0.75.",
+         "each within these limits, at a constant density", radius_of_penrose},
+        {"6.8-star", "6.8", "Their periodogram has a star-like pattern of large spikes.",
+         "in some ring the anisotropy is more than 10 dB above chance", spikes_of_penrose},
+        {"6.8-anisotropy", "6.8",
+         "Their anisotropy is significantly higher than that of edge-based and corner-based tiles.",
+         "more than 1 dB higher on average", more_anisotropic_than_tiles},
+        {"6.8-plate", "6.8", "The zone plate shows severe structured aliasing.",
+         "false plates are stronger than those that noise alone makes", plate_of_penrose},
+        time_claim("6.8-time", "6.8", "16,384 points take 0.192 seconds.",
+                   {{"", {.sampler = "penrose", .points = usual_points}}}),
+    };
+}
+
+}

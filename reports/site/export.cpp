@@ -1,0 +1,100 @@
+#include "reports/site/export.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
+#include "base/programs/interrupt.hpp"
+#include "reports/layout/site.hpp"
+#include "reports/plots/plot_export.hpp"
+#include "results/collection_file.hpp"
+#include "results/run.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+class Exporter
+{
+public:
+    /// The plot of a panel, if it is one, in a folder that is made where it is missing.
+    void add(const Panel& panel, const fs::path& folder)
+    {
+        const Plot* plot = panel.plot();
+        if (plot == nullptr) return;
+        write(folder / (panel.stem + ".csv"), plot_csv(*plot));
+        write(folder / (panel.stem + ".tex"), plot_latex(*plot));
+    }
+
+    void add_points(const ReportSeries& series)
+    {
+        for (const std::string& name : series.stored->point_files) {
+            const fs::path stored = series.run->folder / name;
+            const std::vector<PointSet> sets = read_points(stored);
+            for (std::size_t i = 0; i < sets.size(); ++i) {
+                const std::string number = sets.size() > 1 ? fmt::format("-{}", i + 1) : "";
+                for (const char* extension : {".csv", ".usda"}) {
+                    const fs::path file = series.pictures / (stored.stem().string() + number + extension);
+                    prepare(file);
+                    write_points(file, sets[i], series.full_label);
+                }
+            }
+        }
+    }
+
+private:
+    void write(const fs::path& file, const std::string& content)
+    {
+        prepare(file);
+        write_whole_file(file, content);
+    }
+
+    void prepare(const fs::path& file)
+    {
+        stop_if_interrupted();
+        std::error_code error;
+        fs::create_directories(file.parent_path(), error);
+        if (error) throw StorageError(fmt::format("{}: {}", file.parent_path().string(), error.message()));
+    }
+};
+
+void export_plots(const Site& site, Exporter& exporter)
+{
+    for (const ReportRun& run : site.runs) {
+        for (const ReportSeries& series : run.series)
+            for (const Panel& panel : series.panels) exporter.add(panel, series.pictures);
+        for (const auto* panels : {&run.overlays, &run.integration, &run.regions})
+            for (const Panel& panel : *panels) exporter.add(panel, run.root);
+    }
+    if (site.has_several_runs())
+        for (const Panel& panel : site.overlays) exporter.add(panel, site.out);
+}
+
+}
+
+void export_results(const std::vector<fs::path>& result_folders, const fs::path& out, const ExportParts& parts,
+                    const std::function<void(const std::string&)>& progress)
+{
+    const auto say = [&](const std::string& step) {
+        if (progress) progress(step);
+    };
+    say("reading results");
+    std::vector<Run> runs;
+    for (const auto& folder : output_folders(result_folders)) runs.push_back(read_run(folder));
+    const Site site = make_site(runs, out, {});
+    Exporter exporter;
+    if (parts.plots) {
+        say("writing plots");
+        export_plots(site, exporter);
+    }
+    for (const ReportSeries* series : site.series()) {
+        if (!parts.points) break;
+        say("writing points of " + series->full_label);
+        exporter.add_points(*series);
+    }
+}
+
+}
