@@ -1,7 +1,7 @@
 // Aperiodic sets and isohedral tilings against their targets: transfer counts of the largest table, cylinder search to
 // circumference 10, tilings by Beatty sequences on a device, and windows of isohedral tiles.
 #include "host/aperiodic_tiling/beatty_generator.hpp"
-#include "reports/drawings/isohedral_image.hpp"
+#include "reports/drawings/tilings/isohedral_image.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/block_count.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"

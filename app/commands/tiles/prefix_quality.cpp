@@ -1,4 +1,4 @@
-#include "app/commands/prefix_quality.hpp"
+#include "app/commands/tiles/prefix_quality.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/spectra/radial_statistics.hpp"

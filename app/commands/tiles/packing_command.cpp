@@ -5,7 +5,7 @@
 #include "base/programs/interrupt.hpp"
 #include "base/word_table.hpp"
 #include "host/config/nearest_key.hpp"
-#include "reports/drawings/puzzle_image.hpp"
+#include "reports/drawings/tilings/puzzle_image.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "tiles/packing/closed_packing.hpp"
 #include "tiles/packing/euler_packing.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/window_density.hpp"
+#include "app/commands/tiles/window_density.hpp"
 
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"

@@ -1,9 +1,9 @@
 // poissonlab isohedral draw: a tiling of a type with parameters and curves, or one of each type.
-#include "app/commands/aperiodic_choice.hpp"
+#include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
-#include "reports/drawings/isohedral_image.hpp"
+#include "reports/drawings/tilings/isohedral_image.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/commands/aperiodic_choice.hpp"
+#include "app/commands/aperiodic/aperiodic_choice.hpp"
 
 #include "base/errors/errors.hpp"
 #include "host/config/nearest_key.hpp"

@@ -1,7 +1,7 @@
 // poissonlab aperiodic convert: corner tile sets made of Wang tile sets, once or again and again.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 8.3 and 8.4, tables 8.1 to 8.7.
-#include "app/commands/aperiodic_choice.hpp"
+#include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"

@@ -1,6 +1,6 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
 #include "app/commands/command.hpp"
-#include "app/commands/window_density.hpp"
+#include "app/commands/tiles/window_density.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"

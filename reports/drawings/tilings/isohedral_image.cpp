@@ -1,4 +1,4 @@
-#include "reports/drawings/isohedral_image.hpp"
+#include "reports/drawings/tilings/isohedral_image.hpp"
 
 #include "reports/drawings/square_regions.hpp"
 

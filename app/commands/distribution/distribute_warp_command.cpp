@@ -1,5 +1,5 @@
 // poissonlab distribute warp: even points through the inverse cumulative distribution of a picture or a formula.
-#include "app/commands/distribute_options.hpp"
+#include "app/commands/distribution/distribute_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/place_file.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/distribute_options.hpp"
+#include "app/commands/distribution/distribute_options.hpp"
 
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"

@@ -1,4 +1,4 @@
-#include "reports/drawings/puzzle_image.hpp"
+#include "reports/drawings/tilings/puzzle_image.hpp"
 
 #include "tiles/packing/puzzle_piece.hpp"
 

@@ -3,7 +3,7 @@
 // The densities in the regions are those of Lagae, Tile-Based Methods in Computer Graphics, 2007,
 // figure 6.24.
 #include "app/commands/command.hpp"
-#include "app/commands/prefix_quality.hpp"
+#include "app/commands/tiles/prefix_quality.hpp"
 #include "base/errors/errors.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"

@@ -1,5 +1,5 @@
 // poissonlab aperiodic tile: tilings with aperiodic sets, printed or drawn.
-#include "app/commands/aperiodic_choice.hpp"
+#include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"

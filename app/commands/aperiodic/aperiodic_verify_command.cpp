@@ -1,5 +1,5 @@
 // poissonlab aperiodic verify: the search for periods of a tile set, by the tallest cylinder of each circumference.
-#include "app/commands/aperiodic_choice.hpp"
+#include "app/commands/aperiodic/aperiodic_choice.hpp"
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "tiles/aperiodic/cylinder_search.hpp"
