@@ -72,6 +72,7 @@ Command tiling_command();
 Command packing_command();
 Command tiles_build_command();
 Command tiles_points_command();
+Command tiles_page_command();
 Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();
