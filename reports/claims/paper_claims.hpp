@@ -56,6 +56,7 @@ std::vector<PaperClaim> claims_about_accelerated_darts();
 std::vector<PaperClaim> claims_about_early_tiles();
 std::vector<PaperClaim> claims_about_recursive_tiles();
 std::vector<PaperClaim> claims_about_tiles();
+std::vector<PaperClaim> claims_about_patterns();
 
 /// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
 class Tally
