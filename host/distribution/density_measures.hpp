@@ -8,6 +8,9 @@ namespace poissonlab {
 /// Windows along each axis of which points are counted.
 inline constexpr int density_windows = 16;
 
+inline constexpr const char* density_error_meaning =
+    "mean of (count - expected)² / expected over windows of 1/16 of each side: 1 for random points";
+
 /// The mean of (count - expected)^2 / expected over windows of 1/16 of each side in which more than one point is
 /// expected: 1 for random points, less for even ones. Nothing expected anywhere: 0.
 double density_error(const Density& density, const PixelPlaces& places);

@@ -22,6 +22,15 @@ struct MakeKind
     {
         return make_warped(settings, config.seed, place, files);
     }
+    DistributionResult operator()(const ObjectSettings& settings) const
+    {
+        return make_objects(settings, config.seed, place, files);
+    }
+    DistributionResult operator()(const SelfSimilarSettings& settings) const
+    {
+        return make_self_similar_tile(settings, place, files);
+    }
+    DistributionResult operator()(const RankSettings& settings) const { return make_ranked(settings, files); }
 };
 
 std::string numbers_text(const std::vector<DistributionNumber>& numbers)

@@ -57,5 +57,10 @@ std::string method_words(const EvenMethodChoice& choice);
 // One function a kind, in a file of its own.
 DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                DistributionFiles& files);
+DistributionResult make_self_similar_tile(const SelfSimilarSettings& settings, const DistributionPlace& place,
+                                          DistributionFiles& files);
+DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& files);
+DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                DistributionFiles& files);
 
 }

@@ -61,9 +61,7 @@ MarkPicture dots_of(const Density& density, const PixelPlaces& places, const std
 void add_measures(const Density& density, const PixelPlaces& places, const SquarePoints& points,
                   DistributionResult& result)
 {
-    result.numbers.push_back({"density_error", "Density error", density_error(density, places),
-                              "mean of (count - expected)² / expected over windows of 1/16 of each side: 1 for random "
-                              "points"});
+    result.numbers.push_back({"density_error", "Density error", density_error(density, places), density_error_meaning});
     if (places.size() < 4) return;
     const LocalSpacing spacing = local_spacing(density, places);
     const Density constant{density.width, density.height,

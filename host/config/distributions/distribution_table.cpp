@@ -1,6 +1,8 @@
 #include "host/config/distributions/distribution_table.hpp"
 
 #include "host/config/config_values.hpp"
+#include "host/config/distributions/object_table.hpp"
+#include "host/config/distributions/rank_table.hpp"
 #include "host/config/distributions/warp_table.hpp"
 
 #include <utility>
@@ -12,7 +14,11 @@ using ReadDistribution = void (*)(const ConfigTable& table, DistributionConfig& 
 
 const std::vector<std::pair<std::string, ReadDistribution>>& readers()
 {
-    static const std::vector<std::pair<std::string, ReadDistribution>> all{{"warp", read_warp}};
+    static const std::vector<std::pair<std::string, ReadDistribution>> all{
+        {"warp", read_warp},
+        {"objects", read_objects},
+        {"self-similar-tile", read_self_similar_tile},
+        {"ranks", read_ranks}};
     return all;
 }
 

@@ -1,0 +1,280 @@
+// How objects of a distribution look: sizes, turns and colours by their identity, shapes as radii by direction. Kernel
+// and plain twin share it; it comes after runtime/object_distribution.h or, in kernels, object_distribution_gpu.h.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 7.6.1 and 7.6.2. Nothing here calls a library: cosines
+// are polynomials, and directions are told apart by quotients, so that all devices draw the same.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+#ifdef __cplusplus
+#define LOOKS_FUNCTION inline
+#define LOOKS_TABLE const float*
+#else
+#define LOOKS_FUNCTION static inline
+#define LOOKS_TABLE global const float*
+#endif
+
+CONTRACT(objects)
+
+enum
+{
+    SHAPE_STEPS = 1024, ///< radii of a shape, all around
+    MAX_LAYERS = 4,
+    MAX_COLORS = 16,
+    SPREAD_CONSTANT = 0, ///< a
+    SPREAD_UNIFORM = 1,  ///< a to b
+    SPREAD_NORMAL = 2,   ///< mean a, standard deviation b
+    VIEW_PLANE = 0,      ///< x to the right, y upwards; in space, a slice
+    VIEW_SPHERE = 1,
+    VIEW_TORUS = 2,
+    PURPOSE_SIZE = 0, ///< each takes six numbers
+    PURPOSE_TURN = 6,
+    PURPOSE_ASPECT = 12,
+    PURPOSE_SHAPE = 18,
+    PURPOSE_COLOR = 24, ///< and after it one of each layer
+    PURPOSE_FACE = 32   ///< and after it three of each face of a body
+};
+
+/// Values that differ from object to object.
+struct Spread
+{
+    uint kind;
+    float a, b;
+};
+
+/// One of the shapes of an object; later ones lie over earlier ones.
+struct Layer
+{
+    uint shape, shapes; ///< the first one, and how many to choose from
+    float scale;        ///< of the object's size
+    uint color, colors; ///< the same in the palette
+};
+
+/// The tile set and the tiling: see ptiles_tiling in runtime/poisson_tiles_gpu.h.
+struct ObjectTiles
+{
+    uint kind, dimension, colors, tiles, points_per_tile, seed;
+    int period, low, step, below, above;
+};
+
+struct ObjectScene
+{
+    uint width, height; ///< pixels
+    uint samples;       ///< of a pixel, along each axis
+    uint view;
+    long left, bottom, z;             ///< the first sample's place in tiles times 2^32
+    long step;                        ///< between samples
+    float radius;                     ///< of disks, tiles
+    float extent;                     ///< of the picture's height in tiles, where the view is a body
+    struct Spread size, turn, aspect; ///< turns are whole ones
+    uint layers;
+    struct Layer layer[MAX_LAYERS];
+    uint background;          ///< a colour
+    uint ripples;             ///< the colour into which noise fades the background; the same: none
+    float noise_cells;        ///< of the noise, a tile
+    uint shows_cells;         ///< colours of the nearest objects around their disks
+    uint shows_frames;        ///< the local coordinates as colours
+    uint has_bodies;          ///< layers are faces of bodies in space
+    uint palette[MAX_COLORS]; ///< 0xrrggbb
+};
+
+/// The value of an object, at least `low` and at most `high`.
+LOOKS_FUNCTION float spread_value(struct Spread spread, uint id, uint purpose, float low, float high)
+{
+    float value = spread.a;
+    if (spread.kind == SPREAD_UNIFORM) value = spread.a + (spread.b - spread.a) * (float)pobjects_uniform(id, purpose);
+    if (spread.kind == SPREAD_NORMAL) value = spread.a + spread.b * (float)pobjects_normal(id, purpose);
+    return value < low ? low : value > high ? high : value;
+}
+
+LOOKS_FUNCTION float whole_part(float x)
+{
+    const float cut = (float)(int)x;
+    return cut > x ? cut - 1 : cut;
+}
+
+/// The cosine of whole turns, to 1e-6: Taylor's series of a quarter, mirrored.
+LOOKS_FUNCTION float turn_cosine(float turns)
+{
+    float part = turns - whole_part(turns);
+    if (part > 0.5f) part = 1 - part;
+    const float sign = part > 0.25f ? -1.0f : 1.0f;
+    if (part > 0.25f) part = 0.5f - part;
+    const float x = part * 6.2831853f, s = x * x;
+    return sign * (1 - s / 2 * (1 - s / 12 * (1 - s / 30 * (1 - s / 56 * (1 - s / 90)))));
+}
+
+/// The radius of a shape in the direction of (x, y): its steps go around by quotients instead of angles.
+LOOKS_FUNCTION float shape_radius(LOOKS_TABLE shapes, uint shape, float x, float y)
+{
+    const float sum = (x < 0 ? -x : x) + (y < 0 ? -y : y);
+    if (sum == 0) return 1;
+    const float around = y >= 0 ? (x >= 0 ? y / sum : 1 - x / sum) : (x < 0 ? 2 - y / sum : 3 + x / sum);
+    const float at = around * (SHAPE_STEPS / 4);
+    const uint step = (uint)at;
+    const float part = at - (float)step;
+    const uint row = shape * SHAPE_STEPS;
+    return shapes[row + step % SHAPE_STEPS] * (1 - part) + shapes[row + (step + 1) % SHAPE_STEPS] * part;
+}
+
+/// A number from 0 to 1 at a corner of the noise's lattice.
+LOOKS_FUNCTION float noise_corner(int x, int y, int z)
+{
+    return (float)(pobjects_bits(pobjects_bits((uint)x, (uint)y), (uint)z) >> 8) / 16777216.0f;
+}
+
+/// Smooth noise from 0 to 1: random numbers on a lattice between which a cubic blends.
+LOOKS_FUNCTION float smooth_noise(float x, float y, float z)
+{
+    const float fx = whole_part(x), fy = whole_part(y), fz = whole_part(z);
+    const int ix = (int)fx, iy = (int)fy, iz = (int)fz;
+    const float px = x - fx, py = y - fy, pz = z - fz;
+    const float u = px * px * (3 - 2 * px), v = py * py * (3 - 2 * py), w = pz * pz * (3 - 2 * pz);
+    float sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+        sum += noise_corner(ix + i, iy + j, iz + k) * (i ? u : 1 - u) * (j ? v : 1 - v) * (k ? w : 1 - w);
+    }
+    return sum;
+}
+
+/// A mixture of two colours; 0: the first.
+LOOKS_FUNCTION uint mixed(uint first, uint second, float share)
+{
+    uint color = 0;
+    for (uint shift = 0; shift < 24; shift += 8) {
+        const float a = (float)(first >> shift & 255), b = (float)(second >> shift & 255);
+        color |= (uint)(a + (b - a) * share + 0.5f) << shift;
+    }
+    return color;
+}
+
+/// Whether the place u of a body of flat faces is inside it: faces look in random directions, at distances from 1/2 on.
+LOOKS_FUNCTION int in_body(uint id, uint faces, float scale, float x, float y, float z)
+{
+    for (uint face = 0; face < faces; ++face) {
+        float nx = (float)pobjects_uniform(id, PURPOSE_FACE + 4 * face) * 2 - 1;
+        float ny = (float)pobjects_uniform(id, PURPOSE_FACE + 4 * face + 1) * 2 - 1;
+        float nz = (float)pobjects_uniform(id, PURPOSE_FACE + 4 * face + 2) * 2 - 1;
+        const float along = nx * x + ny * y + nz * z, squared = nx * nx + ny * ny + nz * nz;
+        const float away = scale * (0.5f + 0.35f * (float)pobjects_uniform(id, PURPOSE_FACE + 4 * face + 3));
+        if (along > 0 && along * along > away * away * squared) return 0;
+    }
+    return 1;
+}
+
+/// The colour of an object at `offset` from its point, in tiles, or `behind` where it has a hole there; `inside` is set
+/// to whether the place is in its disk.
+LOOKS_FUNCTION uint object_color(const struct ObjectScene* scene, LOOKS_TABLE shapes, uint id, float x, float y,
+                                 float z, uint behind, uint* inside)
+{
+    const float size = spread_value(scene->size, id, PURPOSE_SIZE, 0, 1), disk = scene->radius * size;
+    *inside = x * x + y * y + z * z < disk * disk;
+    if (scene->shows_cells) {
+        const uint own =
+            scene->palette[scene->layer[0].color + pobjects_bits(id, PURPOSE_COLOR) % scene->layer[0].colors];
+        const uint dot = x * x + y * y + z * z < disk * disk / 100;
+        return dot ? 0 : *inside ? own : mixed(own, 0xffffff, 0.6f);
+    }
+    if (!*inside) return behind;
+    const float turn = spread_value(scene->turn, id, PURPOSE_TURN, -1000, 1000);
+    const float aspect = spread_value(scene->aspect, id, PURPOSE_ASPECT, 0.01f, 100);
+    const float cosine = turn_cosine(turn), sine = turn_cosine(turn - 0.25f);
+    float u = (cosine * x + sine * y) / disk, v = (cosine * y - sine * x) / disk;
+    if (aspect >= 1)
+        v *= aspect;
+    else
+        u /= aspect;
+    const float w = z / disk;
+    if (u * u + v * v + w * w >= 1) return behind;
+    if (scene->shows_frames)
+        return mixed(0, 0xff0000, (u + 1) / 2) | mixed(0, 0x00ff00, (v + 1) / 2) |
+               (scene->has_bodies ? mixed(0, 255, (w + 1) / 2) : 96);
+    uint color = behind;
+    for (uint i = 0; i < scene->layers; ++i) {
+        const struct Layer layer = scene->layer[i];
+        const uint shape = layer.shape + pobjects_bits(id, PURPOSE_SHAPE) % layer.shapes;
+        if (scene->has_bodies) {
+            // Faces of a body: none is a ball, "1" a cube within the ball, more a stone.
+            const float reach = layer.scale * 0.57735f;
+            const uint is_there = shape == 0 ? u * u + v * v + w * w < layer.scale * layer.scale
+                                  : shape == 1
+                                      ? (u < 0 ? -u : u) < reach && (v < 0 ? -v : v) < reach && (w < 0 ? -w : w) < reach
+                                      : (uint)in_body(id, shape, layer.scale, u, v, w);
+            if (!is_there) continue;
+        } else {
+            const float radius = layer.scale * shape_radius(shapes, shape, u, v);
+            if (u * u + v * v >= radius * radius) continue;
+        }
+        color = scene->palette[layer.color + pobjects_bits(id, PURPOSE_COLOR + i) % layer.colors];
+    }
+    return color;
+}
+
+/// The background at a place, in tiles.
+LOOKS_FUNCTION uint background_color(const struct ObjectScene* scene, float x, float y, float z)
+{
+    if (scene->ripples == scene->background) return scene->background;
+    const float c = scene->noise_cells;
+    const float coarse = smooth_noise(x * c, y * c, z * c),
+                fine = smooth_noise(x * c * 2.7f, y * c * 2.7f, z * c * 2.7f);
+    return mixed(scene->background, scene->ripples, 0.65f * coarse + 0.35f * fine);
+}
+
+/// A place of a body's surface and how much light it has; nothing where the ray misses it.
+struct SurfacePlace
+{
+    float x, y, z; ///< from -1 to 1
+    float light;
+    uint is_there;
+};
+
+LOOKS_FUNCTION float root_of(float squared)
+{
+#ifdef __cplusplus
+    return std::sqrt(squared);
+#else
+    return sqrt(squared);
+#endif
+}
+
+/// The distance from the surface of a torus of the radii 0.66 and 0.3, tilted towards the eye, which looks along -z.
+LOOKS_FUNCTION float torus_distance(float x, float y, float z)
+{
+    const float up = 0.6f * y + 0.8f * z, along = 0.8f * y - 0.6f * z;
+    const float ring = root_of(x * x + along * along) - 0.66f;
+    return root_of(ring * ring + up * up) - 0.3f;
+}
+
+/// The place of a view's body that is seen at (x, y), -1 to 1 over the picture's height.
+LOOKS_FUNCTION struct SurfacePlace surface_place(uint view, float x, float y)
+{
+    struct SurfacePlace place = {x, y, 0, 1, 0};
+    float nx, ny, nz;
+    if (view == VIEW_SPHERE) {
+        const float left = 0.96f - x * x - y * y;
+        if (left < 0) return place;
+        place.z = root_of(left);
+        nx = x, ny = y, nz = place.z;
+    } else {
+        place.z = 1.1f;
+        float away = 1;
+        for (int i = 0; i < 80 && away > 0.0005f && place.z > -1.1f; ++i) {
+            away = torus_distance(x, y, place.z);
+            place.z -= away;
+        }
+        if (place.z <= -1.1f) return place;
+        const float d = 0.002f, here = torus_distance(x, y, place.z);
+        nx = torus_distance(x + d, y, place.z) - here;
+        ny = torus_distance(x, y + d, place.z) - here;
+        nz = torus_distance(x, y, place.z + d) - here;
+    }
+    const float length = root_of(nx * nx + ny * ny + nz * nz);
+    const float facing = (-0.4f * nx + 0.6f * ny + 0.69f * nz) / (length > 0 ? length : 1);
+    place.light = 0.25f + 0.75f * (facing > 0 ? facing : 0);
+    place.is_there = 1;
+    return place;
+}
+
+END_CONTRACT

@@ -1,0 +1,208 @@
+// Pictures of objects: kernels/objects.cl against its plain twin, and shares that are known.
+#include "host/distribution/objects.hpp"
+
+#include "base/errors/errors.hpp"
+#include "host/config/distributions/distribution_table.hpp"
+#include "host/config/toml_reader.hpp"
+#include "host/distribution/object_shapes.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace poissonlab {
+namespace {
+
+using namespace contract::objects;
+using testing::HasSubstr;
+
+/// Tiles with a proven minimum distance that ship: 64 points a tile in the plane, 128 in space.
+const ObjectTileSet& shipped_tiles(int dimension)
+{
+    const auto read = [](const char* name) {
+        return ObjectTileSet(read_tile_set(source_folder() + "/runtime/tile_sets/" + name));
+    };
+    static const ObjectTileSet plane = read("corner-c3-n64-r075.ptiles"), space = read("sphere-c2-n128-r075.ptiles");
+    return dimension == 3 ? space : plane;
+}
+
+/// A picture of some tiles.
+ObjectScene scene_of(const std::string& look, int dimension, std::uint32_t pixels, double tiles)
+{
+    ObjectScene scene{};
+    scene.width = scene.height = pixels;
+    scene.samples = 2;
+    scene.step = static_cast<long>(tiles * 0x1p32 / (2 * pixels));
+    scene.left = -5 * (std::int64_t{1} << 32) + 12345;
+    scene.bottom = std::int64_t{70'000} << 32;
+    scene.z = 1 << 30;
+    scene.radius = static_cast<float>(shipped_tiles(dimension).radius());
+    scene.extent = static_cast<float>(tiles);
+    scene.size = {SPREAD_UNIFORM, 0.6f, 1};
+    scene.turn = {SPREAD_NORMAL, 0.1f, 0.05f};
+    scene.aspect = {SPREAD_CONSTANT, 1.2f, 0};
+    set_look(scene, look, dimension);
+    return scene;
+}
+
+class ObjectPictures : public testing::TestWithParam<int>
+{
+};
+
+/// Identities and disks are equal; colours may differ by what rounding of their mixtures is on another compiler.
+TEST_P(ObjectPictures, AreTheSameByKernelAndTwin)
+{
+    const int dimension = GetParam();
+    for (const std::string& look : object_looks(dimension))
+        for (const std::uint32_t view :
+             {std::uint32_t{VIEW_PLANE}, std::uint32_t{VIEW_SPHERE}, std::uint32_t{VIEW_TORUS}}) {
+            if (view != VIEW_PLANE && dimension == 2) continue;
+            ObjectScene scene = scene_of(look, dimension, 24, 1.3);
+            scene.view = view;
+            const PoissonTiling tiling{7, view == VIEW_SPHERE ? 2 : 0};
+            const ObjectTileSet& tiles = shipped_tiles(dimension);
+            const ObjectPicture drawn = ObjectPainter(Device::open(), tiles, object_shapes(), 7).draw(tiling, scene);
+            const ObjectPicture expected = reference::draw_objects(tiles, tiling, scene, object_shapes());
+            EXPECT_EQ(drawn.ids, expected.ids) << look;
+            ASSERT_EQ(drawn.pixels.size(), expected.pixels.size());
+            for (std::size_t i = 0; i < drawn.pixels.size(); ++i)
+                ASSERT_LE(std::abs(drawn.pixels[i] - expected.pixels[i]), i % 4 == 3 ? 0 : 1)
+                    << look << " " << view << " " << i;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, ObjectPictures, testing::Values(2, 3));
+
+/// Disks do not overlap: of a whole period they cover N pi R^2, in space, where planes cut them, 4/3 N pi R^3. A
+/// lattice of 2,048 x 2,048 places in 4 x 4 tiles errs by less than 1e-4 of a disk's share; in space one layer of
+/// places is not the mean of all, so that many layers are drawn.
+TEST(Objects, CoverTheirDisks)
+{
+    for (const double size : {1.0, 0.5}) {
+        ObjectScene scene = scene_of("dots", 2, 1024, 4);
+        scene.left = scene.bottom = 0;
+        scene.size = {SPREAD_CONSTANT, static_cast<float>(size), 0};
+        const ObjectTileSet& tiles = shipped_tiles(2);
+        const ObjectPicture picture = ObjectPainter(Device::open(), tiles, object_shapes()).draw({3, 4}, scene);
+        double inside = 0;
+        for (std::size_t i = 3; i < picture.pixels.size(); i += 4) inside += picture.pixels[i];
+        const double expected = 64 * std::numbers::pi * std::pow(tiles.radius() * size, 2);
+        EXPECT_NEAR(inside / 2048 / 2048, expected, 2e-4);
+    }
+    const ObjectTileSet& spheres = shipped_tiles(3);
+    ObjectPainter painter(Device::open(), spheres, object_shapes());
+    double inside = 0;
+    constexpr int layers = 64;
+    for (int layer = 0; layer < layers; ++layer) {
+        ObjectScene scene = scene_of("dots", 3, 64, 1);
+        scene.left = scene.bottom = scene.step / 2;
+        scene.z = (std::int64_t{1} << 32) * layer / layers + (1 << 24);
+        scene.size = {SPREAD_CONSTANT, 1, 0};
+        for (std::size_t i = 3; const std::uint8_t count : painter.draw({3, 1}, scene).pixels)
+            if (i++ % 4 == 2) inside += count;
+    }
+    EXPECT_NEAR(inside / (128.0 * 128 * layers), 128 * 4.0 / 3 * std::numbers::pi * std::pow(spheres.radius(), 3),
+                2e-3);
+}
+
+/// A picture's identities are those of ptiles_nearest, where no two points are equally near as floats.
+TEST(Objects, AreThoseOfTheNearestPoint)
+{
+    for (const int dimension : {2, 3}) {
+        const ObjectScene scene = scene_of("dots", dimension, 64, 3);
+        const ObjectTileSet& tiles = shipped_tiles(dimension);
+        const ObjectPicture picture = ObjectPainter(Device::open(), tiles, object_shapes()).draw({9, 0}, scene);
+        const ptiles_tiling tiling = runtime_tiling(tiles.tiles(), {9, 0});
+        int differences = 0;
+        for (std::uint32_t pixel = 0; pixel < 64 * 64; ++pixel) {
+            const double at[3] = {static_cast<double>(scene.left + 2 * scene.step * (pixel % 64)) / 0x1p32,
+                                  static_cast<double>(scene.bottom + 2 * scene.step * (63 - pixel / 64)) / 0x1p32,
+                                  static_cast<double>(scene.z) / 0x1p32};
+            ptiles_point nearest;
+            ptiles_nearest(&tiling, at, &nearest);
+            differences += nearest.id != picture.ids[pixel];
+        }
+        EXPECT_LE(differences, 2) << dimension;
+    }
+}
+
+/// The same place modulo the period has the same object.
+TEST(Objects, RepeatAfterThePeriod)
+{
+    ObjectScene scene = scene_of("stars", 2, 48, 2);
+    ObjectPainter painter(Device::open(), shipped_tiles(2), object_shapes());
+    scene.ripples = scene.background; // noise has no period
+    const ObjectPicture here = painter.draw({5, 3}, scene);
+    scene.left += 3 * (std::int64_t{1} << 32);
+    scene.bottom -= 6 * (std::int64_t{1} << 32);
+    const ObjectPicture there = painter.draw({5, 3}, scene);
+    EXPECT_EQ(here.ids, there.ids);
+    EXPECT_EQ(here.pixels, there.pixels);
+}
+
+/// The largest radii of superformulas: 2^((n/2 - 1)/n1) for even n above 2, in the directions between axes.
+TEST(ObjectShapes, HaveTheirLargestRadius)
+{
+    const auto largest = [](double m, double n1, double n) {
+        double radius = 0;
+        for (int i = 0; i < 100'000; ++i)
+            radius = std::max(radius, superformula(2 * std::numbers::pi * i / 100'000, m, n1, n));
+        return radius;
+    };
+    EXPECT_NEAR(largest(3, 6.7, 12), 1.6774, 1e-4);
+    EXPECT_NEAR(largest(4, 12, 12), 1.3348, 1e-4);
+    EXPECT_NEAR(largest(5, 2, 7), 2.3784, 1e-4);
+    EXPECT_NEAR(largest(5, 2, 13), 6.7272, 1e-4);
+}
+
+/// The table goes around in equal quotients; between its steps radii are linear.
+TEST(ObjectShapes, AreFoundByDirection)
+{
+    const float* radii = object_shapes().radii.data();
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 1000;
+        const auto x = static_cast<float>(std::cos(angle)), y = static_cast<float>(std::sin(angle));
+        EXPECT_NEAR(shape_radius(radii, 0, x, y), 1, 1e-6);
+        const double square = 1 / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle))) / std::numbers::sqrt2;
+        EXPECT_NEAR(shape_radius(radii, 5, x, y), square, 1e-3) << i;
+    }
+    for (std::uint32_t i = 0; i < object_shapes().size() * SHAPE_STEPS; ++i) {
+        EXPECT_GE(radii[i], 0);
+        EXPECT_LE(radii[i], 1.0001f);
+    }
+}
+
+TEST(ObjectLooks, HaveCosines)
+{
+    for (int i = -2000; i < 2000; ++i)
+        EXPECT_NEAR(turn_cosine(static_cast<float>(i) / 777), std::cos(2 * std::numbers::pi * i / 777), 3e-6);
+}
+
+/// The config names looks itself, as it does not look into this folder.
+TEST(ObjectLooks, AreThoseOfTheConfig)
+{
+    for (const int dimension : {2, 3})
+        for (const std::string& look : object_looks(dimension)) {
+            const ConfigTable table = read_toml("dimension = " + std::to_string(dimension) +
+                                                    "\nkind = \"objects\"\nobject = \"" + look + "\"",
+                                                "c.toml");
+            EXPECT_EQ(read_distributions({{table, {}, ""}}, 1).size(), 1);
+        }
+}
+
+TEST(Objects, NeedAMinimumDistance)
+{
+    PoissonTileSet tiles = random_tile_set(PoissonTileKind::corner, 2, 2, 8);
+    tiles.squared_min_distance = 0;
+    EXPECT_THAT(message_of([&] { ObjectTileSet{tiles}; }), HasSubstr("promise no minimum distance"));
+}
+
+}
+}
