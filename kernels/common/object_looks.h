@@ -8,6 +8,7 @@
 #include "kernels/common/contract.h"
 
 #ifdef __cplusplus
+#include <cmath>
 #define LOOKS_FUNCTION inline
 #define LOOKS_TABLE const float*
 #else
