@@ -7,9 +7,14 @@
 #include "kernels/common/masked_squares.h"
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
+#include "kernels/common/self_similar.h"
 #include "kernels/common/tile_filling.h"
 #include "kernels/common/tile_points.h"
 #include "kernels/common/voronoi_darts.h"
+#include "kernels/common/warp.h"
+#include "tiles/poisson/object_lookup.hpp"
+
+#include "kernels/common/object_looks.h"
 
 #include <gmock/gmock.h>
 
@@ -118,6 +123,19 @@ TEST(Contract, OfSampleElimination)
     const std::size_t layout[] = {LAYOUT_OF(Elimination, stride)};
     EXPECT_THAT(on_device("kernels/common/sample_elimination.h", layout_of("Elimination", "stride")),
                 ElementsAreArray(layout));
+}
+
+TEST(Contract, OfDistributions)
+{
+    const std::size_t warping[] = {LAYOUT_OF(contract::warp::Warping, height)};
+    EXPECT_THAT(on_device("kernels/common/warp.h", layout_of("Warping", "height")), ElementsAreArray(warping));
+    const std::size_t search[] = {LAYOUT_OF(contract::self_similar::StartSearch, capacity)};
+    EXPECT_THAT(on_device("kernels/common/self_similar.h", layout_of("StartSearch", "capacity")),
+                ElementsAreArray(search));
+    const std::size_t tiles[] = {LAYOUT_OF(contract::objects::ObjectTiles, above)};
+    EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectTiles", "above")), ElementsAreArray(tiles));
+    const std::size_t scene[] = {LAYOUT_OF(contract::objects::ObjectScene, palette)};
+    EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectScene", "palette")), ElementsAreArray(scene));
 }
 
 }

@@ -13,13 +13,16 @@ trap 'rm -f "$shader" "$shader.out"' EXIT
     echo 'layout(std430, binding = 0) readonly buffer PoissonTiles { uint ptiles_words[]; };'
     echo 'layout(std430, binding = 1) writeonly buffer Result { uint ids[]; };'
     echo 'layout(std140, binding = 2) uniform TileSet { uvec4 numbers; };'
-    cat "$1"
+    cat "$1" "$(dirname "$1")/object_distribution_gpu.h"
     cat <<'END'
 void main()
 {
     ptiles_tiling t = ptiles_tiling(0u, 2u, numbers.x, numbers.y, numbers.z, numbers.w, 0, -32768, 2, 9000, 2000, 8192u);
     ivec3 home = ivec3(gl_GlobalInvocationID);
     ptiles_nearest n = ptiles_nearest_point(t, home, vec3(0.5, 0.5, 0.0));
+    pobjects_object o = pobjects_at(t, 0.1, home, vec3(0.25, 0.5, 0.0));
+    vec3 u = pobjects_local(o.offset, 0.1 * pobjects_uniform(o.id, 3u), 1.0, 0.0, 1.0 + pobjects_normal(o.id, 4u));
+    if (u.z > 0.5) ids[home.y] = o.index;
     ids[home.x] = ptiles_level(t, ptiles_tile(t, n.tile), n.index, n.id) < 0.5 ? n.id : 0u;
 }
 END
