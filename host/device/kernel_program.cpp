@@ -15,13 +15,9 @@ const std::vector<KernelFile>& kernel_files()
         {"gaussian_blue_noise.cl", {dimension}},
         {"gradient_domain.cl", {}},
         {"joint_nulling.cl", {dimension}},
-<<<<<<< HEAD
         {"masked_squares.cl", {}},
         {"objects.cl", {}},
         {"penrose.cl", {}},
-=======
-        {"objects.cl", {}},
->>>>>>> w8
         {"point_grid.cl", {dimension}},
         {"polyominoes.cl", {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", {}},

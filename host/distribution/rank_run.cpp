@@ -225,11 +225,7 @@ DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& 
     picture.height = density.height;
     MarkGroup dots;
     const double radius =
-<<<<<<< HEAD
-        0.2 * std::sqrt(picture.width * picture.height / std::max<double>(1, static_cast<double>(points.size())));
-=======
         0.12 * std::sqrt(picture.width * picture.height / std::max<double>(1, static_cast<double>(points.size())));
->>>>>>> w8
     for (const SubdividedPoint& point : points) dots.disks.push_back({point.x, point.y, radius});
     picture.groups.push_back(std::move(dots));
     files.add_marks("points.json", picture, "The points.", result);

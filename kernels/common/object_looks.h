@@ -8,10 +8,7 @@
 #include "kernels/common/contract.h"
 
 #ifdef __cplusplus
-<<<<<<< HEAD
-=======
 #include <cmath>
->>>>>>> w8
 #define LOOKS_FUNCTION inline
 #define LOOKS_TABLE const float*
 #else
