@@ -55,8 +55,8 @@ template <class Archive>
 void serialize(Archive& archive, Series& series)
 {
     archive(series.points, series.points_each, series.realizations, series.min_distance, series.relative_radius,
-            series.covered_fraction, series.measures, series.spectrum_size, series.pair_correlation_file,
-            series.zone_plate, series.analysis_seconds);
+            series.covered_fraction, series.measures, series.is_window, series.spectrum_size,
+            series.pair_correlation_file, series.zone_plate, series.analysis_seconds);
 }
 
 }

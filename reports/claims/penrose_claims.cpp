@@ -44,7 +44,7 @@ PenroseOutcome spikes_of_penrose(const ClaimSeries& report)
         tally.add(peaks.back() > 10);
     }
     if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(peaks, 1) + " dB above chance", tally.words()})};
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(peaks, 3) + " dB above chance", tally.words()})};
 }
 
 PenroseOutcome more_anisotropic_than_tiles(const ClaimSeries& report)

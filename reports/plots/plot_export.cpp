@@ -146,7 +146,7 @@ std::string latex_curve(const PlotCurve& curve, bool is_alone, bool has_legend)
     std::string text;
     const bool has_range = curve.low.size() == curve.x.size() && curve.high.size() == curve.x.size();
     if (has_range && curve.has_bars) text += bars(curve);
-    if (has_range && !curve.has_bars && is_alone) text += band(curve);
+    if (has_range && !curve.has_bars && is_alone && curve.low != curve.high) text += band(curve);
     text += fmt::format("\\addplot[{}{}{}] coordinates {{\n{}}};\n", color_of(curve.index), dashes_of(curve.index),
                         curve.x.size() == 1 ? ", mark=*" : "", coordinates(curve.x, curve.y));
     if (has_legend) text += fmt::format("\\addlegendentry{{{}}}\n", latex_words(curve.label));

@@ -70,6 +70,8 @@ protected:
         series.tile_set = TileSetRecord{
             256, 64, true, TileSetBuild{0.25, "d", 2}, {{"corners", 3, 3.25}, {"faces", 6, 5.5}, {"interior", 55, 56}}};
         series.sample_seconds = {1.5, 2.5};
+        series.is_window = true;
+        series.device_bytes = 4096;
         series.build_seconds = 0.5;
         series.preparation_seconds = 0.75;
         series.analysis_seconds = 3;

@@ -113,9 +113,9 @@ TEST(PointFileText, RefusesARealizationWithoutPoints)
 TEST(PointFileText, RefusesBinaryFilesInPrintableWords)
 {
     EXPECT_EQ(input_error_of("points.dat", std::string_view("\x89PNG\r\n\x1a\n\0\0", 10)),
-              "points.dat:1: ?PNG: not text; a point file is text, PLY or NumPy (.npy)");
+              "points.dat:1: ?PNG: not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
     EXPECT_EQ(input_error_of("points.dat", std::string_view("0.1\0\1\2", 6)),
-              "points.dat:1: 0.1???: not text; a point file is text, PLY or NumPy (.npy)");
+              "points.dat:1: 0.1???: not text; a point file is text, PLY, NumPy (.npy) or UTK (.bin)");
     EXPECT_THAT(input_error_of("points.dat", std::string(100000, 'a')),
                 StartsWith("points.dat:1: " + std::string(40, 'a') + "...: must be"));
 }
