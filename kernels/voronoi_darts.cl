@@ -127,7 +127,7 @@ ulong area_of(const Piece* piece, double squared_min_distance)
     return area > 0 ? (ulong)(area + 0.5) : 0;
 }
 
-/// One work-item owns one of the sites, or point `first` and so on where `sites` are all.
+/// One work-item owns one of the sites, and the free area of its cell.
 kernel void measure_cells(struct Torus torus, constant const struct Offset* offsets, global const uint* points,
                           global const uint* slots, global const uint* sites, uint site_count, global ulong* areas)
 {

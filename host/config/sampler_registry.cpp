@@ -13,6 +13,7 @@
 #include "host/sampling/optimized/farthest_point.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/optimized/sample_elimination.hpp"
+#include "host/sampling/optimized/target_spectrum.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "host/sampling/voronoi_darts.hpp"
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
@@ -45,6 +46,7 @@ const SamplerRegistry& sampler_registry()
         sample_elimination_sampler(),
         farthest_point_sampler(),
         gaussian_blue_noise_sampler(),
+        target_spectrum_sampler(),
         equal_areas_sampler(),
         corner_tile_sampler(),
         edge_tile_sampler(),

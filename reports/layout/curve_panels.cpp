@@ -154,6 +154,20 @@ Panel plate_error_panel(const ReportSeries& series, std::size_t index, const Run
             .stored = {{"csv", series.run->folder / plate.error_file}}};
 }
 
+std::string energy_guide(const ReportSeries& series)
+{
+    if (series.stored->sampler == "gaussian-blue-noise")
+        return "The Gaussians of all points at a point, on average, less those of points spread evenly: what the "
+               "method "
+               "makes smaller. Random points have about 1, no set less than 0.";
+    if (series.stored->sampler == "target-spectrum")
+        return "The mean squared difference between the radially averaged power of a set and the curve that it is to "
+               "follow, over its rings: what the method makes smaller.";
+    return "The mean squared distance from anywhere to the nearest point, times <i>N</i><sup>2/<i>d</i></sup>: small "
+           "where points serve all places alike. The dashed line is the perfect lattice; random points have about 0.32 "
+           "in 2D and 0.35 in 3D.";
+}
+
 }
 
 void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels)
@@ -180,19 +194,11 @@ void add_iteration_panels(const ReportSeries& series, std::size_t index, const R
                           "Level: nothing more to gain. The line is the mean over the <i>K</i> sets that got so far, "
                           "the band reaches from the least to the largest.",
                       .stored = {csv}});
-    const bool is_of_pairs = series.stored->sampler == "gaussian-blue-noise";
     panels.push_back({.stem = "energy",
-                      .picture = alone(is_of_pairs ? *plots.pair_energy : *plots.energy, index),
+                      .picture = alone(has_own_energy(series) ? *plots.own_energy : *plots.energy, index),
                       .title = "Energy over iterations",
                       .caption = from_to(iterations.energy, iterations.count()) + means_of_what(iterations),
-                      .guide = is_of_pairs
-                                   ? "The Gaussians of all points at a point, on average, less those of points spread "
-                                     "evenly: what the method makes smaller. Random points have about 1, no set less "
-                                     "than 0."
-                                   : "The mean squared distance from anywhere to the nearest point, times "
-                                     "<i>N</i><sup>2/<i>d</i></sup>: small where points serve all places alike. The "
-                                     "dashed line is the perfect lattice; random points have about 0.32 in 2D and 0.35 "
-                                     "in 3D.",
+                      .guide = energy_guide(series),
                       .stored = {csv}});
 }
 

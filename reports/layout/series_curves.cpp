@@ -102,6 +102,11 @@ std::vector<PairCorrelationCurve> pair_correlation_curves(const SeriesList& seri
     return curves;
 }
 
+bool has_own_energy(const ReportSeries& series)
+{
+    return series.stored->sampler == "gaussian-blue-noise" || series.stored->sampler == "target-spectrum";
+}
+
 std::vector<IterationCurve> iteration_curves(const SeriesList& series)
 {
     std::vector<IterationCurve> curves;
@@ -111,14 +116,14 @@ std::vector<IterationCurve> iteration_curves(const SeriesList& series)
                               .label = series[i].label,
                               .dimension = series[i].series->run->dimension,
                               .stored = &*iterations,
-                              .is_pair_energy = series[i].series->stored->sampler == "gaussian-blue-noise"});
+                              .is_own_energy = has_own_energy(*series[i].series)});
     return curves;
 }
 
-std::vector<IterationCurve> energy_curves(const SeriesList& series, bool of_pairs)
+std::vector<IterationCurve> energy_curves(const SeriesList& series, bool are_own)
 {
     std::vector<IterationCurve> curves = iteration_curves(series);
-    std::erase_if(curves, [&](const IterationCurve& curve) { return curve.is_pair_energy != of_pairs; });
+    std::erase_if(curves, [&](const IterationCurve& curve) { return curve.is_own_energy != are_own; });
     return curves;
 }
 

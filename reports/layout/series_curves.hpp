@@ -47,8 +47,11 @@ std::vector<PairCorrelationCurve> pair_correlation_curves(const SeriesList& seri
 /// The iterations of the series that have some.
 std::vector<IterationCurve> iteration_curves(const SeriesList& series);
 
-/// Those whose energies are sums of Gaussians of pairs, or those with the energy of Lloyd relaxation.
-std::vector<IterationCurve> energy_curves(const SeriesList& series, bool of_pairs);
+/// Does a method record an energy of its own, rather than that of Lloyd relaxation?
+bool has_own_energy(const ReportSeries& series);
+
+/// The curves of methods that do, or of those that do not.
+std::vector<IterationCurve> energy_curves(const SeriesList& series, bool are_own);
 
 /// The errors of the series that have sampled the zone plate.
 std::vector<ZonePlateCurve> zone_plate_curves(const SeriesList& series);

@@ -87,7 +87,7 @@ RunPlots run_plots(const ReportRun& run)
         plots.radius = relative_radius_plot(curves);
     }
     if (const auto curves = energy_curves(series, false); !curves.empty()) plots.energy = energy_plot(curves);
-    if (const auto curves = energy_curves(series, true); !curves.empty()) plots.pair_energy = energy_plot(curves);
+    if (const auto curves = energy_curves(series, true); !curves.empty()) plots.own_energy = energy_plot(curves);
     if (const auto curves = zone_plate_curves(series); !curves.empty()) plots.plate = zone_plate_plot(curves);
     return plots;
 }

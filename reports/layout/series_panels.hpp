@@ -13,7 +13,7 @@ namespace poissonlab {
 struct RunPlots
 {
     Plot power, anisotropy, pairs;
-    std::optional<Plot> radius, energy, pair_energy, plate; ///< where a series has these curves
+    std::optional<Plot> radius, energy, own_energy, plate; ///< where a series has these curves
 };
 
 RunPlots run_plots(const ReportRun& run);

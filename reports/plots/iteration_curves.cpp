@@ -97,7 +97,7 @@ Plot relative_radius_plot(const std::vector<IterationCurve>& curves)
 Plot energy_plot(const std::vector<IterationCurve>& curves)
 {
     Plot plot = plot_of(curves, &Iterations::energy);
-    const bool has_least = !curves.front().is_pair_energy;
+    const bool has_least = !curves.front().is_own_energy;
     double low = has_least ? least_energy(curves.front().dimension) : 0.05;
     double high = low;
     std::set<int> dimensions;

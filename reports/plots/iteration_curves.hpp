@@ -17,7 +17,7 @@ struct IterationCurve
     std::string label;
     int dimension = 2;
     const Iterations* stored = nullptr; ///< outlives this
-    bool is_pair_energy = false;        ///< the sum of Gaussians of pairs, else what Lloyd relaxation makes smaller
+    bool is_own_energy = false;         ///< what the method makes smaller, else what Lloyd relaxation does
 };
 
 /// The smallest energy that is possible (2D: hexagonal lattice, Fejes Toth 1953) or known (3D: body-centred

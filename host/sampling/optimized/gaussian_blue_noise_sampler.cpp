@@ -67,7 +67,7 @@ std::vector<ParameterSpec> gaussian_parameters()
          .maximum = 4,
          .otherwise = 1.0},
         {.key = "step",
-         .help = "movement for a unit of force; twice the default lets waves grow",
+         .help = "movement for a unit of force, stable below 1.7 times the default",
          .unit = "mean distances of points",
          .maximum = 1,
          .exclusive_minimum = true,

@@ -45,6 +45,9 @@ sampler = "farthest-point"
 points = [5, 1000, 10000]
 iterations = 1
 [[method]]
+sampler = "target-spectrum"
+iterations = 1
+[[method]]
 sampler = "equal-areas"
 points = [5, 1000, 10000]
 iterations = 0

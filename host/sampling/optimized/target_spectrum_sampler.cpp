@@ -1,0 +1,136 @@
+// The sampler "target-spectrum": what the config can ask of it.
+#include "base/files/file_glob.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/files/xxh64_bytes.hpp"
+#include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/optimized/target_spectrum.hpp"
+#include "host/sampling/started_sampler.hpp"
+#include "results/curve_tables.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+namespace poissonlab {
+namespace {
+
+std::filesystem::path curve_file(const Parameters& parameters)
+{
+    const std::string& entry = parameters.texts("curve").front();
+    const auto folder = std::filesystem::path(parameters.location("curve").file).parent_path();
+    const auto files = named_files(folder, entry);
+    if (files.empty()) throw invalid_value(parameters.location("curve"), "curve", entry, no_such_file(folder, entry));
+    if (files.size() > 1)
+        throw invalid_value(parameters.location("curve"), "curve", entry, "must be one file; several match");
+    return files.front();
+}
+
+TargetCurve target_of(const Parameters& parameters, std::size_t points)
+{
+    if (parameters.text("target") != "curve")
+        return step_curve(parameters.number("frequency"),
+                          parameters.text("target") == "single-peak" ? parameters.number("peak") : 0);
+    const double of_points = parameters.is_given("curve_points")
+                                 ? static_cast<double>(parameters.integer("curve_points"))
+                                 : static_cast<double>(points);
+    std::vector<double> frequencies, power;
+    for (const RadialBin& bin : read_radial_table(curve_file(parameters))) {
+        frequencies.push_back(bin.frequency / std::sqrt(of_points));
+        power.push_back(bin.power);
+    }
+    return {std::move(frequencies), std::move(power)};
+}
+
+/// Buffers on a device: none.
+DeviceMemory no_memory(const Parameters&, std::size_t, int) { return {}; }
+
+class TargetSpectrumSampler final : public StartedSampler
+{
+public:
+    TargetSpectrumSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
+                          const DeviceProvider& device)
+        : StartedSampler("following a spectrum", no_memory, parameters, request, engine, device)
+    {}
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        const PointSet points = start(realization);
+        LloydResult result = follow_curve(points, target_of(parameters_, points.size()),
+                                          static_cast<std::size_t>(parameters_.integer("iterations")));
+        iterations_ = std::move(result.iterations);
+        return std::move(result.points);
+    }
+};
+
+std::vector<ParameterSpec> target_parameters()
+{
+    using Kind = ParameterSpec::Kind;
+    return {
+        {.key = "target",
+         .kind = Kind::choice,
+         .help = "the radially averaged power: a step, a step with a peak behind it, or that of a table",
+         .choices = {"step", "single-peak", "curve"},
+         .otherwise = "step"},
+        {.key = "frequency",
+         .help = "where the step is; sets can have one at 0.564 at most, and a peak lets it be farther",
+         .unit = "square roots of the number of points",
+         .maximum = 1.5,
+         .exclusive_minimum = true,
+         .otherwise = 0.55},
+        {.key = "peak", .help = "height of the peak above 1", .maximum = 100, .otherwise = 2.0},
+        {.key = "curve",
+         .kind = Kind::paths,
+         .help = "a table such as radial.csv, relative to the folder of the config",
+         .unless_given = "needed with target = \"curve\""},
+        {.key = "curve_points",
+         .kind = Kind::integer,
+         .help = "points of the sets that the table is about",
+         .minimum = 1,
+         .maximum = 1 << 27,
+         .unless_given = "as many as here"},
+        {.key = "iterations",
+         .kind = Kind::integer,
+         .help = "steps that all points take, at most",
+         .maximum = 1'000'000,
+         .symbol = "i",
+         .otherwise = std::int64_t{300}},
+        start_parameter(),
+    };
+}
+
+void check_target(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
+{
+    const std::string& target = parameters.text("target");
+    if (target == "curve" && !parameters.is_given("curve"))
+        throw InputError::at(where, "sampler = target-spectrum: target = \"curve\" needs curve, a table");
+    for (const char* key : {"curve", "curve_points"})
+        if (target != "curve" && parameters.is_given(key))
+            throw parameters.error(key, "goes with target = \"curve\" only");
+    if (target == "curve" && parameters.is_given("frequency"))
+        throw parameters.error("frequency", "does not go with target = \"curve\"");
+    if (target != "single-peak" && parameters.is_given("peak"))
+        throw parameters.error("peak", "goes with target = \"single-peak\" only");
+    target_of(parameters, request.points);
+}
+
+}
+
+SamplerSpec target_spectrum_sampler()
+{
+    SamplerSpec spec = plain_spec("target-spectrum", "Target spectrum",
+                                  "points whose radially averaged power follows a curve (after Heck and others 2013)",
+                                  {2}, target_parameters());
+    spec.check = check_target;
+    describe_start(spec, no_memory);
+    spec.outside_input = [](const Parameters& parameters) -> std::uint64_t {
+        Xxh64 hash;
+        if (parameters.is_given("curve")) hash.add(read_whole_file(curve_file(parameters)));
+        return hash.value();
+    };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<TargetSpectrumSampler>(given, request, engine, device);
+    };
+    return spec;
+}
+
+}
