@@ -3,7 +3,6 @@
 
 #include "analysis/measures/blue_noise_measures.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
-#include "host/config/sampler_registry.hpp"
 #include "results/curve_tables.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/point_patterns.hpp"
@@ -91,7 +90,7 @@ TEST(TargetSpectrum, HasTheStepThatIsAskedFor)
 
 TEST(TargetSpectrumSampler, TakesCurvesFromTables)
 {
-    const SamplerSpec& spec = *find_sampler("target-spectrum");
+    const SamplerSpec spec = target_spectrum_sampler();
     const TemporaryFolder folder;
     const auto set = [&](Parameters& parameters, const std::string& key, ParameterValue value) {
         parameters.set(key, std::move(value), {(folder.path() / "test.toml").string(), 3});
