@@ -23,18 +23,16 @@ std::uint64_t power(std::uint64_t base, std::uint32_t exponent)
     return result;
 }
 
-/// The point of a value, if it has one.
+/// The point of a value, if it has one. The density at its tile on the finest level decides, so that none is missing
+/// among points of that level; the point is that of the tile on the level that the density there asks for.
 std::optional<std::array<double, 2>> point_of_value(const PolyominoTorus& torus, std::uint64_t value, double scale,
                                                     const Density& density, std::uint32_t finest)
 {
-    for (std::uint32_t level = torus.counts().level_of(static_cast<double>(value) + 1);; ++level) {
-        const LevelTile tile = torus.tile(value, level);
-        const auto [x, y] = torus.middle(tile, level);
-        const double wanted = scale * static_cast<double>(density.at(x, y));
-        if (level < finest && wanted > static_cast<double>(torus.counts().tiles(level))) continue;
-        if (static_cast<double>(value) >= wanted) return std::nullopt;
-        return torus.point(tile, level, torus.counts().row_of(wanted, level));
-    }
+    const auto [x, y] = torus.middle(torus.tile(value, finest), finest);
+    const double wanted = scale * static_cast<double>(density.at(x, y));
+    if (static_cast<double>(value) >= wanted) return std::nullopt;
+    const std::uint32_t level = torus.counts().level_of(wanted);
+    return torus.point(torus.tile(value, level), level, torus.counts().row_of(wanted, level));
 }
 
 /// Points of the torus for a weight of 1.

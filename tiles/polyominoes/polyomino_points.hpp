@@ -94,7 +94,8 @@ PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points);
 std::optional<double> proven_distance(const PolyominoTorus& torus, std::size_t points);
 
 /// About `points` points that follow a density over the torus. A value has a point where the density at its tile
-/// exceeds it, at the coarsest level that has tiles enough there.
+/// exceeds it: that of the level and the row that are for so many points. No distance is proven of them, and those of
+/// neighbouring levels may lie close to each other.
 PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points, const Density& density);
 
 /// The largest number of values that is looked through for a density.
