@@ -250,7 +250,7 @@ const PoissonTiles = (() => {
     }
   }
 
-  return { TileSet, Tiling };
+  return { TileSet, Tiling, hash };
 })();
 
 if (typeof module !== "undefined") module.exports = PoissonTiles;

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT-0
 //
-// Poisson disk (sphere) distributions on GPUs: the look-ups of poisson_tiles.h as OpenCL C 1.2 and as
-// GLSL 4.3.
+// Poisson disk (sphere) distributions on GPUs: the look-ups of poisson_tiles.h as OpenCL C 1.2, GLSL 4.3,
+// GLSL ES 3.00 (WebGL2) and HLSL (shader model 5).
 //
 // The points of a tile set file (docs/tile-set-file.md), its bytes from 128 on, are a buffer of 32-bit words,
 // the last one filled up with zeros. In OpenCL functions take it as their first argument:
 //     const struct ptiles_nearest n = ptiles_nearest_point(points, t, tile, f);
-// In GLSL it is declared before this file is included, and there is no such argument:
+// Elsewhere it is declared before this file is included, and there is no such argument. GLSL 4.3:
 //     layout(std430, binding = 0) readonly buffer PoissonTiles { uint ptiles_words[]; };
+// HLSL, where PTILES_HLSL is defined as well:
+//     StructuredBuffer<uint> ptiles_words : register(t0);
+// GLSL ES 3.00 has no buffers: words are texels, 2,048 a row, of a texture of the format R32UI:
+//     precision highp float; precision highp int; precision highp usampler2D;
+//     uniform usampler2D ptiles_texture;
+// There sums may be rounded in other ways than elsewhere: of two points that are as near, to the last bit of a float,
+// either may be taken for the nearest.
 #ifndef POISSON_TILES_GPU_H
 #define POISSON_TILES_GPU_H
 
@@ -26,6 +33,7 @@
 #define PTILES_UINT(i) ((uint)(i))
 #define PTILES_INT(i) ((int)(i))
 #define PTILES_INT3(i, j, k) ((int3)(i, j, k))
+#define PTILES_WORD(i) ptiles_words[i]
 #define ptiles_int3 int3
 #define ptiles_float3 float3
 #else
@@ -33,13 +41,25 @@
 #define PTILES_STRUCT(name) name
 #define PTILES_BUFFER
 #define PTILES_WORDS
-#define PTILES_PRECISE precise
 #define PTILES_FLOAT(i) float(i)
 #define PTILES_UINT(i) uint(i)
 #define PTILES_INT(i) int(i)
+#ifdef GL_ES
+#define PTILES_PRECISE
+#define PTILES_WORD(i) texelFetch(ptiles_texture, ivec2(int((i) & 2047u), int((i) >> 11)), 0).r
+#else
+#define PTILES_PRECISE precise
+#define PTILES_WORD(i) ptiles_words[i]
+#endif
+#ifdef PTILES_HLSL
+#define PTILES_INT3(i, j, k) int3(i, j, k)
+#define ptiles_int3 int3
+#define ptiles_float3 float3
+#else
 #define PTILES_INT3(i, j, k) ivec3(i, j, k)
 #define ptiles_int3 ivec3
 #define ptiles_float3 vec3
+#endif
 #endif
 
 /// The numbers of the file's header, and which tile is where: see ptiles_set and ptiles_tiling in
@@ -139,7 +159,7 @@ PTILES_FUNCTION uint ptiles_tile(PTILES_STRUCT(ptiles_tiling) t, ptiles_int3 at)
 /// The number of this place among all of the buffer.
 PTILES_FUNCTION uint ptiles_number(PTILES_BUFFER uint n)
 {
-    return (ptiles_words[n >> 1] >> ((n & 1u) * 16u)) & 0xffffu;
+    return (PTILES_WORD(n >> 1) >> ((n & 1u) * 16u)) & 0xffffu;
 }
 
 /// A number as a coordinate, in tiles from the tile's lowest corner, without rounding.

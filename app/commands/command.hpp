@@ -76,6 +76,7 @@ Command texture_verify_command();
 Command texture_tile_command();
 Command tiles_build_command();
 Command tiles_points_command();
+Command tiles_page_command();
 Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # runtime/poisson_tiles_gpu.h in a GLSL 4.3 shader: compiled where glslangValidator is there, otherwise only
-# preprocessed, with a look that nothing of OpenCL C is left.
+# preprocessed, with a look that nothing of OpenCL C is left. As HLSL, for which Debian has no compiler, it is
+# preprocessed, with a look that nothing of GLSL is left; as GLSL ES, see glsl_es_test.cpp.
 #
 # Usage: compile_glsl.sh HEADER
 set -euo pipefail
@@ -34,3 +35,7 @@ else
     grep -q 'ivec3 place = home + ivec3(i, j, k);' "$shader.out"
     ! grep -E '\(int3\)|\bglobal\b|\bstruct ptiles_tiling t\b|PTILES_' "$shader.out"
 fi
+
+cpp -undef -P -DPTILES_HLSL "$1" "$shader.out"
+grep -q 'int3 place = home + int3(i, j, k);' "$shader.out"
+! grep -E '\bi?vec3\b|texelFetch|PTILES_' "$shader.out"

@@ -1,0 +1,37 @@
+// poissonlab tiles page: a page that shows the endless tiling of a tile set.
+#include "app/commands/command.hpp"
+#include "base/files/whole_file.hpp"
+#include "reports/pages/page_endless.hpp"
+
+namespace poissonlab {
+namespace {
+
+constexpr auto tiles_page_notes =
+    R"help(The page needs nothing but itself: it opens from the disk, in any browser. It shows the same points as
+`tiles points` for the same seed, at any place of the plane.
+  poissonlab tiles page ranked.ptiles --out ranked.html)help";
+
+struct TilesPageOptions
+{
+    std::filesystem::path file, out;
+};
+
+void write_tiles_page(const TilesPageOptions& options)
+{
+    write_whole_file(options.out, render_endless_page(read_whole_file(options.file), options.file.filename().string()));
+}
+
+}
+
+Command tiles_page_command()
+{
+    const auto o = std::make_shared<TilesPageOptions>();
+    return {"page",
+            "Write a page that shows the endless tiling, live",
+            {{"FILE", &o->file, "The tile set (.ptiles, .json), in the plane"},
+             {"--out", &o->out, "The page", "FILE.html", required}},
+            tiles_page_notes,
+            action_on(o, write_tiles_page)};
+}
+
+}

@@ -1,0 +1,14 @@
+// A page of its own for a tile set: the endless tiling, live, in any browser and from the disk.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace poissonlab {
+
+/// The page of a tile set in the plane, with all that it needs in it. `file`: the bytes of a binary tile set file;
+/// `name`: how the file is called. Throws InputError, a line that starts with the name, for bytes that are none, and
+/// for tiles in space.
+std::string render_endless_page(std::string_view file, const std::string& name);
+
+}
