@@ -69,8 +69,7 @@ std::uint64_t compared_by_node(const PoissonTileSet& set, const Numbers& numbers
 {
     const TemporaryFolder folder;
     write_tile_set(folder.path() / "set.ptiles", set);
-    write_whole_file(folder.path() / "expected",
-                     std::string_view(reinterpret_cast<const char*>(numbers.data()), 8 * numbers.size()));
+    folder.write("expected", {reinterpret_cast<const char*>(numbers.data()), 8 * numbers.size()});
     const Outcome run =
         run_in_shell(folder.path(), "node " + quoted(source_folder() + "/tests/runtime/same_points.js") + " " +
                                         quoted(source_folder() + "/runtime/poisson_tiles.js") + " set.ptiles expected");
