@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# runtime/poisson_tiles.wgsl in the WebGPU of headless Chromium against runtime/poisson_tiles.js, which is the C header to
+# the last bit: tiles in the plane and in space. Exit status 77: there is no node, no Chromium or no WebGPU.
+#
+# Usage: wgsl.sh SOURCE_FOLDER
+set -euo pipefail
+
+command -v node >/dev/null && command -v chromium >/dev/null || { echo 'needs node and Chromium'; exit 77; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+for set in corner-c4-n64-r075 sphere-c2-n128-r075; do
+    node - "$1" "$set" >"$folder/page.html" <<'END'
+const read = (name) => require("fs").readFileSync(`${process.argv[2]}/${name}`);
+const bytes = JSON.stringify([...read(`runtime/tile_sets/${process.argv[3]}.ptiles`)]);
+console.log(`<!doctype html><meta charset="utf-8"><body><script>${read("runtime/poisson_tiles.js")}</script>
+<script>const library = ${JSON.stringify(String(read("runtime/poisson_tiles.wgsl")))}; const bytes = Uint8Array.from(${bytes});
+</script><script>${read("tests/runtime/wgsl_test.js")}</script>`);
+END
+    chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --remote-debugging-port=0 \
+        --enable-logging=stderr --enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-features=Vulkan \
+        "file://$folder/page.html" 2>"$folder/log" &
+    browser=$!
+    for ((tenths = 0; tenths < 3000; ++tenths)); do
+        said=$(grep -o '\[\[\(different\|failed\|no\).*\]\]' "$folder/log" || true)
+        [ -z "$said" ] || break
+        sleep 0.1
+    done
+    kill "$browser"
+    wait "$browser" || true
+    echo "$set: $said"
+    [ "$said" != '[[no WebGPU]]' ] || exit 77
+    # Nearest points by floats may be others where two are as near to the last bits.
+    [[ "$said" =~ ^\[\[different:\ 0\ 0\;\ nearest:\ [0-3]\]\]$ ]]
+done
