@@ -114,8 +114,8 @@ TEST(IsohedralTiles, ColouringsTellNeighboursApart)
                         EXPECT_NE(coloring.of(place), coloring.of(tile.neighbour(place, edge))) << "IH" << type.number;
                     // The motion across the first edge permutes the colours of a perfect one.
                     const std::uint32_t to = coloring.of(tile.image(place, 0));
-                    if (coloring.is_perfect)
-                        EXPECT_EQ(image.try_emplace(coloring.of(place), to).first->second, to) << "IH" << type.number;
+                    const std::uint32_t first = image.try_emplace(coloring.of(place), to).first->second;
+                    EXPECT_TRUE(first == to || !coloring.is_perfect) << "IH" << type.number;
                 }
     }
     EXPECT_EQ(perfect, 92);
