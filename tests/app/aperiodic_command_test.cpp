@@ -1,5 +1,6 @@
 // poissonlab aperiodic: what its commands print, write and refuse.
 #include "tests/support/picture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
@@ -12,6 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -124,6 +126,15 @@ TEST_F(AperiodicCommand, FindsPeriods)
                 EndsWith("no period up to 3 tiles along either axis; that there is none is not proven by this\n"));
 }
 
+TEST_F(AperiodicCommand, PrintsTheTablesOfItsPage)
+{
+    const std::string page = printed("tables");
+    EXPECT_EQ(page, content_of(source_folder() + "/docs/aperiodic-tiles.md"));
+    // Nothing differs from what is printed, and the largest set is there.
+    EXPECT_THAT(page, Not(HasSubstr("**here")));
+    EXPECT_THAT(page, HasSubstr("| 160168/14810 | 1213029/58910 | 1642/777 |"));
+}
+
 TEST_F(AperiodicCommand, PrintsTilings)
 {
     // Both engines, any window; 14 tiles are numbered from 0.
@@ -140,6 +151,8 @@ TEST_F(AperiodicCommand, PrintsTilings)
 
 TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
 {
+    expect_error("tile kari --construction diagonal --repeat 0 --window 0 0 1 1",
+                 "aperiodic tile: --repeat 0: must be an integer from 1 to 16");
     expect_error("tile kari --window 0 0 1", "aperiodic tile: --window 0 0 1: must be X Y W H");
     expect_error("tile kari --window 0 0 0 1", "aperiodic tile: --window 0 0 0 1: sizes must be at least 1");
     expect_error("tile kari --method substitution --window 0 0 1 1",

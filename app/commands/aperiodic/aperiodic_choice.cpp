@@ -53,10 +53,19 @@ CornerConstruction chosen_construction(const std::string& command, const std::st
                                  did_you_mean(word, names), fmt::join(names, ", ")));
 }
 
+void check_repetitions(const std::string& command, std::uint32_t repetitions)
+{
+    constexpr std::uint32_t most_repetitions = 16;
+    if (repetitions < 1 || repetitions > most_repetitions)
+        throw InputError(
+            fmt::format("{}: --repeat {}: must be an integer from 1 to {}", command, repetitions, most_repetitions));
+}
+
 ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
                               std::uint32_t repetitions)
 {
     ChosenTiles chosen = chosen_set(set);
+    check_repetitions(command, repetitions);
     if (construction.empty()) return chosen;
     auto steps = repeat_construction(chosen.wang, chosen_construction(command, construction), repetitions);
     if (steps.size() < repetitions)

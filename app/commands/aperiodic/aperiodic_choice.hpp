@@ -30,8 +30,11 @@ ChosenTiles chosen_set(const std::string& name);
 /// Throws InputError for other words than those of corner_constructions; `command` is "aperiodic convert" and so on.
 CornerConstruction chosen_construction(const std::string& command, const std::string& word);
 
+/// Throws InputError for a number of repetitions that is not from 1 to 16.
+void check_repetitions(const std::string& command, std::uint32_t repetitions);
+
 /// The tiles that `repetitions` of a construction make of a set; the set itself for an empty word. Throws InputError
-/// also where the construction is ambiguous before its last repetition.
+/// also for repetitions that are not from 1 to 16, and where the construction is ambiguous before the last one.
 ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
                               std::uint32_t repetitions);
 

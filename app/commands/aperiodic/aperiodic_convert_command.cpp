@@ -25,7 +25,6 @@ the Wang tiles; the dissertation says "failed". There is no repetition after it.
   poissonlab aperiodic convert kari --construction diagonal --repeat 3
   poissonlab aperiodic convert ammann --construction rotation --out tiles.svg)";
 
-constexpr std::uint32_t most_repetitions = 16;
 constexpr std::size_t most_drawn_tiles = 20'000;
 
 struct AperiodicConvertOptions
@@ -90,9 +89,7 @@ void write_corners(const std::filesystem::path& file, const std::string& name, c
 void convert(const AperiodicConvertOptions& options)
 {
     const CornerConstruction construction = chosen_construction("aperiodic convert", options.construction);
-    if (options.repeat < 1 || options.repeat > most_repetitions)
-        throw InputError(fmt::format("aperiodic convert: --repeat {}: must be an integer from 1 to {}", options.repeat,
-                                     most_repetitions));
+    check_repetitions("aperiodic convert", options.repeat);
     const ChosenTiles chosen = chosen_set(options.set);
     const auto steps = repeat_construction(chosen.wang, construction, options.repeat);
     if (!options.out.empty()) write_corners(options.out, chosen.name, steps.back());

@@ -138,6 +138,9 @@ MadeTiling made_tiling(const AperiodicTileOptions& o, TilingMethod method, const
     if (!o.construction.empty()) {
         const CornerConstruction construction = chosen_construction("aperiodic tile", o.construction);
         auto steps = repeat_construction(base, construction, o.repeat);
+        if (steps.size() < o.repeat)
+            throw InputError(
+                fmt::format("aperiodic tile: repetition {} is ambiguous: there is none after it", steps.size()));
         for (std::size_t i = 0; i < steps.size(); ++i) {
             // Each step lies over the tiling with the Wang tiles of the one before.
             const WangList below = i == 0 ? base : steps[i - 1].wang;
@@ -153,6 +156,7 @@ MadeTiling made_tiling(const AperiodicTileOptions& o, TilingMethod method, const
 void tile(const AperiodicTileOptions& options)
 {
     const TilingMethod method = checked_method(options);
+    check_repetitions("aperiodic tile", options.repeat);
     const TileWindow window = checked_tile_window(options, method);
     if (!engines.find(options.engine))
         throw InputError(fmt::format("aperiodic tile: --engine \"{}\": unknown{} (known: {})", options.engine,

@@ -174,9 +174,9 @@ TEST(AmmannTiling, FitsAndHasAllTiles)
         for (std::size_t column = 0; column < 7; ++column)
             EXPECT_EQ(part[row * 7 + column], whole[(90 - 35 + row) * 100 + 40 + column]);
     EXPECT_EQ(message_of([] {
-                  ammann_tiles_of({0, 0, 1, 2585}, 1);
+                  ammann_tiles_of({0, 0, 1, 1975}, 1);
               }),
-              "columns and rows of a tiling by substitution are from 0 to 2583");
+              "columns and rows of a tiling by substitution are from -610 to 1973");
 }
 
 TEST(AmmannTiling, HasTheSquaresThatWereCounted)
