@@ -27,6 +27,7 @@ const std::vector<PaperClaim>& paper_claims()
         std::ranges::move(claims_about_recursive_tiles(), std::back_inserter(all));
         std::ranges::move(claims_about_penrose_tilings(), std::back_inserter(all));
         std::ranges::move(claims_about_tiles(), std::back_inserter(all));
+        std::ranges::move(claims_about_patterns(), std::back_inserter(all));
         std::ranges::move(recommendations(), std::back_inserter(all));
         // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
         const auto section = [](const PaperClaim& claim) { return std::stoi(claim.section.substr(2)); };

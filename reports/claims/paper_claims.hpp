@@ -57,6 +57,7 @@ std::vector<PaperClaim> claims_about_early_tiles();
 std::vector<PaperClaim> claims_about_recursive_tiles();
 std::vector<PaperClaim> claims_about_penrose_tilings();
 std::vector<PaperClaim> claims_about_tiles();
+std::vector<PaperClaim> claims_about_patterns();
 
 /// What section 6.16 recommends.
 std::vector<PaperClaim> recommendations();

@@ -1,5 +1,6 @@
 // Claims of sections 6.7 to 6.11 and 6.15, about Poisson disk tiles.
 #include "reports/claims/claim_words.hpp"
+#include "reports/claims/tile_spectra.hpp"
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@ namespace {
 
 using Needs = SeriesQuery::Needs;
 using Outcome = std::optional<ClaimOutcome>;
-using SeriesPointer = const ReportSeries*;
 
 /// Above these a spectrum is called bad here: anisotropy between the peaks of the lattice, which is what few tiles
 /// leave, in dB above chance, and the mean peak, which is what few points that tiles do not share leave. Not the share
@@ -21,34 +21,6 @@ using SeriesPointer = const ReportSeries*;
 /// dissertation could have less than an eighth there, whatever its spectrum looks like.
 constexpr double bad_anisotropy_db = 2;
 constexpr double bad_peak = 300;
-
-double points_per_tile(const ReportSeries& series) { return number_parameter(series, "points_per_tile").value_or(0); }
-
-double mean_peak(const ReportSeries& series) { return series.stored->measures.lattice_peaks->mean_ratio; }
-
-bool has_chains(const ReportSeries& series)
-{
-    const NamedTexts& given = series.stored->parameters;
-    return std::ranges::find(given, std::pair<std::string, std::string>("border", "chain")) != given.end();
-}
-
-/// Neither chains, nor tiles that are relaxed together, nor tilings that points were left out of are of the papers.
-bool is_of_the_papers(const ReportSeries& series)
-{
-    return !has_chains(series) && number_parameter(series, "joint_iterations").value_or(0) == 0 &&
-           number_parameter(series, "density").value_or(1) == 1;
-}
-
-/// Spectra of tilings with their lattice peaks.
-std::vector<SeriesPointer> spectra(const ClaimSeries& report, const std::string& sampler)
-{
-    auto found = report.all({.sampler = sampler, .points = usual_points, .needs = Needs::spectrum});
-    std::erase_if(found, [](SeriesPointer series) {
-        return !series->stored->measures.lattice_peaks || !tiles_of_set(*series) || series->stored->realizations < 2 ||
-               !is_of_the_papers(*series);
-    });
-    return found;
-}
 
 std::vector<SeriesPointer> plates(const ClaimSeries& report, const std::string& sampler)
 {
@@ -63,26 +35,6 @@ void for_neighbours(std::vector<SeriesPointer> series, const Same& same, const V
     for (std::size_t i = 1; i < series.size(); ++i)
         if (same(*series[i - 1]) == same(*series[i]) && varied(*series[i - 1]) < varied(*series[i]))
             visit(*series[i - 1], *series[i]);
-}
-
-double set_size(const ReportSeries& series) { return *tiles_of_set(series); }
-
-/// Pairs of a series of each list with equal N.
-template <typename Visit>
-void for_equal_points(const std::vector<SeriesPointer>& first, const std::vector<SeriesPointer>& second,
-                      const Visit& visit)
-{
-    for (SeriesPointer a : first)
-        for (SeriesPointer b : second)
-            if (points_per_tile(*a) == points_per_tile(*b)) visit(*a, *b);
-}
-
-/// Anisotropy between the peaks, in dB above chance.
-double speckle(const ReportSeries& series)
-{
-    const auto& numbers = series.stored->measures.numbers;
-    const auto found = numbers.find("off_lattice_anisotropy");
-    return found == numbers.end() ? 0 : found->second.value;
 }
 
 // 6.7
@@ -108,7 +60,7 @@ Outcome tilings_have_peaks(const ClaimSeries& report)
     Tally tally;
     std::vector<double> ratios;
     for (const char* sampler : {"edge-tiles", "template-tiles", "corner-tiles"})
-        for (SeriesPointer series : spectra(report, sampler)) {
+        for (SeriesPointer series : tiling_spectra(report, sampler)) {
             const auto& peaks = *series->stored->measures.lattice_peaks;
             // Powers of K sets at half the peaks (the others are mirror images) are exponential with mean 1.
             const double independent = 0.5 * static_cast<double>(peaks.peaks) * series->stored->realizations;
@@ -127,7 +79,7 @@ Outcome more_tiles_are_lower(const ClaimSeries& report)
     Tally tally;
     std::vector<double> ratios;
     for (const char* sampler : {"template-tiles", "corner-tiles"})
-        for_neighbours(spectra(report, sampler), points_per_tile, set_size,
+        for_neighbours(tiling_spectra(report, sampler), points_per_tile, set_size,
                        [&](const ReportSeries& fewer, const ReportSeries& more) {
                            ratios.push_back(mean_peak(more) / mean_peak(fewer));
                            tally.add(ratios.back() < 1);
@@ -143,7 +95,7 @@ Outcome less_common_is_lower(const ClaimSeries& report)
     Tally tally;
     std::vector<double> ratios;
     for (const char* sampler : {"template-tiles", "corner-tiles"})
-        for_neighbours(spectra(report, sampler), set_size, points_per_tile,
+        for_neighbours(tiling_spectra(report, sampler), set_size, points_per_tile,
                        [&](const ReportSeries& fewer, const ReportSeries& more) {
                            const auto a = lattice_share(fewer), b = lattice_share(more);
                            if (!a || !b) return;
@@ -265,7 +217,7 @@ Outcome many_tiles_are_alike(const ClaimSeries& report)
 {
     Tally tally;
     std::vector<double> ratios;
-    const auto all = spectra(report, "template-tiles");
+    const auto all = tiling_spectra(report, "template-tiles");
     for_equal_points(all, all, [&](const ReportSeries& a, const ReportSeries& b) {
         if (set_size(a) != 128 || set_size(b) != 256) return;
         ratios.push_back(mean_peak(b) / mean_peak(a));
@@ -283,7 +235,7 @@ Outcome template_peaks_largest(const ClaimSeries& report)
     Tally tally;
     std::vector<double> ratios;
     for (const char* sampler : {"corner-tiles", "edge-tiles"})
-        for_equal_points(spectra(report, "template-tiles"), spectra(report, sampler),
+        for_equal_points(tiling_spectra(report, "template-tiles"), tiling_spectra(report, sampler),
                          [&](const ReportSeries& template_tiles, const ReportSeries& other) {
                              const bool most = set_size(template_tiles) >= 128;
                              if (!most || (sampler == std::string("corner-tiles") && set_size(other) > 256)) return;
@@ -300,7 +252,7 @@ Outcome peaks_in_anisotropy(const ClaimSeries& report)
 {
     Tally tally;
     std::vector<double> values;
-    for (SeriesPointer series : spectra(report, "template-tiles")) {
+    for (SeriesPointer series : tiling_spectra(report, "template-tiles")) {
         values.push_back(peak_anisotropy(*series));
         tally.add(values.back() > series->curve.background_db + 10);
     }
@@ -333,12 +285,14 @@ std::vector<PaperClaim> template_claims()
          "Spectra of template tiles with 16 or 24 points a tile, or with 1 to 16 tiles, are rather bad.",
          good_criterion,
          [](const ClaimSeries& report) {
-             return judged_spectra(spectra(report, "template-tiles"), false, [](SeriesPointer series) {
+             return judged_spectra(tiling_spectra(report, "template-tiles"), false, [](SeriesPointer series) {
                  return set_size(*series) <= 16 || points_per_tile(*series) <= 24;
              });
          }},
         {"6.10-good", "6.10", "Those with at least 32 points a tile and 32 tiles are rather good.", good_criterion,
-         [](const ClaimSeries& report) { return judged_spectra(spectra(report, "template-tiles"), true, is_large); }},
+         [](const ClaimSeries& report) {
+             return judged_spectra(tiling_spectra(report, "template-tiles"), true, is_large);
+         }},
         {"6.10-alike", "6.10", "Spectra of 128 and 256 tiles are not that different.",
          "mean peaks within 10 % of each other", many_tiles_are_alike},
         {"6.10-pronounced", "6.10",
@@ -379,7 +333,7 @@ Outcome better_than_edges(const ClaimSeries& report, double fewest_colors, doubl
 {
     Tally tally;
     std::vector<double> ratios;
-    for_equal_points(spectra(report, "corner-tiles"), spectra(report, "edge-tiles"),
+    for_equal_points(tiling_spectra(report, "corner-tiles"), tiling_spectra(report, "edge-tiles"),
                      [&](const ReportSeries& corner, const ReportSeries& edge) {
                          if (set_size(corner) > most || number_parameter(corner, "colors").value_or(0) < fewest_colors)
                              return;
@@ -407,7 +361,7 @@ Outcome radial_like_untiled(const ClaimSeries& report)
     if (reference == nullptr) return std::nullopt;
     Tally tally;
     std::vector<double> values;
-    for (SeriesPointer series : spectra(report, "corner-tiles")) {
+    for (SeriesPointer series : tiling_spectra(report, "corner-tiles")) {
         if (number_parameter(*series, "colors").value_or(0) < 4 || points_per_tile(*series) < 32) continue;
         const auto distance = distance_of_curves(*series, *reference);
         if (!distance) continue;
@@ -423,7 +377,7 @@ Outcome less_anisotropy(const ClaimSeries& report)
     Tally tally;
     std::vector<double> differences;
     for (const char* sampler : {"edge-tiles", "template-tiles"})
-        for_equal_points(spectra(report, "corner-tiles"), spectra(report, sampler),
+        for_equal_points(tiling_spectra(report, "corner-tiles"), tiling_spectra(report, sampler),
                          [&](const ReportSeries& corner, const ReportSeries& other) {
                              if (number_parameter(corner, "colors").value_or(0) < 4) return;
                              differences.push_back(peak_anisotropy(other) - peak_anisotropy(corner));
@@ -479,7 +433,7 @@ std::vector<PaperClaim> corner_claims()
                     {.sampler = "corner-tiles"}, 0.85),
         {"6.11-good", "6.11", "From 3 colours and 32 points a tile on, spectra are rather good.", good_criterion,
          [](const ClaimSeries& report) {
-             return judged_spectra(spectra(report, "corner-tiles"), true, is_good_corner_set);
+             return judged_spectra(tiling_spectra(report, "corner-tiles"), true, is_good_corner_set);
          }},
         {"6.11-better", "6.11",
          "They are significantly better than those of edge tiles, even with smaller sets of tiles.",

@@ -8,6 +8,8 @@
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/small_tile_sets.hpp"
 
+#include <fmt/format.h>
+
 namespace poissonlab::bench {
 namespace {
 
@@ -164,5 +166,10 @@ int main(int argc, char** argv)
     add("rank", rank, 64, 5);
     return run_benchmarks(
         argc, argv,
-        {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}});
+        {{"corner set of 8 colours: sequential reference / kernels", "fill_by_reference/1", "fill_by_kernels/1", 6}},
+        {{"strips, C = 4: ms", fmt::format("build/{}", +corner_4), 315},
+         {"strips, C = 8: ms", fmt::format("build/{}", +corner_8), 3000},
+         {"chains, C = 4: ms", fmt::format("build/{}", +chain_4), 1500},
+         {"chains, C = 8: ms", fmt::format("build/{}", +chain_8), 20'000},
+         {"ranks of C = 4, N = 64: ms", "rank/64", 1000}});
 }

@@ -1,5 +1,5 @@
 // A benchmark's main function that ends with ratios: machines are noisy, ratios of medians within one run are
-// not.
+// not. Limits of single figures are for what does not depend on the machine, or for a quiet one with two cores.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -18,9 +18,19 @@ struct Ratio
     std::string slow;
     std::string fast;
     double target = 0;
+    std::string counter = {}; ///< is compared instead of times
 };
 
-/// Prints as usual, and remembers the median real time of each benchmark.
+/// "the median time of a benchmark, in its unit, is at most that".
+struct Limit
+{
+    std::string what;
+    std::string name;
+    double most = 0;
+    std::string counter = {}; ///< is compared instead of the time
+};
+
+/// Prints as usual, and remembers the median real time of each benchmark, and its counters.
 class RatioReporter : public benchmark::ConsoleReporter
 {
 public:
@@ -28,26 +38,28 @@ public:
     {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
-            if (run.aggregate_name == "median") medians_[name_of(run)] = run.GetAdjustedRealTime();
+            if (run.aggregate_name != "median" && run.repetitions > 1) continue;
+            auto& figures = figures_[name_of(run)];
+            figures[""] = run.GetAdjustedRealTime();
+            for (const auto& [name, counter] : run.counters) figures[name] = counter;
         }
     }
 
     /// Returns whether all targets are reached.
-    bool print(const std::vector<Ratio>& ratios) const
+    bool print(const std::vector<Ratio>& ratios, const std::vector<Limit>& limits) const
     {
         bool are_reached = true;
         std::printf("\nRatios of medians\n");
         for (const Ratio& ratio : ratios) {
-            const auto slow = medians_.find(ratio.slow);
-            const auto fast = medians_.find(ratio.fast);
-            if (slow == medians_.end() || fast == medians_.end()) continue;
-            const double found = slow->second / fast->second;
-            const bool is_missed = found < ratio.target;
-            std::printf("  %-70s %6.2f", ratio.what.c_str(), found);
-            if (ratio.target > 0) std::printf("  (target: at least %.2f%s)", ratio.target, is_missed ? ", MISSED" : "");
-            std::printf("\n");
-            are_reached = are_reached && !is_missed;
+            const double* slow = figure(ratio.slow, ratio.counter);
+            const double* fast = figure(ratio.fast, ratio.counter);
+            if (!slow || !fast) continue;
+            const double found = *slow / *fast;
+            are_reached = tell(ratio.what, found, "at least", ratio.target, found < ratio.target) && are_reached;
         }
+        for (const Limit& limit : limits)
+            if (const double* found = figure(limit.name, limit.counter))
+                are_reached = tell(limit.what, *found, "at most", limit.most, *found > limit.most) && are_reached;
         return are_reached;
     }
 
@@ -55,17 +67,33 @@ private:
     /// "function/argument", without what only says how it was measured.
     static std::string name_of(const Run& run) { return run.run_name.function_name + "/" + run.run_name.args; }
 
-    std::map<std::string, double> medians_;
+    /// Null: it was not run.
+    const double* figure(const std::string& benchmark, const std::string& counter) const
+    {
+        const auto found = figures_.find(benchmark);
+        return found == figures_.end() ? nullptr : &found->second.at(counter);
+    }
+
+    static bool tell(const std::string& what, double found, const char* bound, double target, bool is_missed)
+    {
+        std::printf("  %-70s %6.2f", what.c_str(), found);
+        if (target > 0) std::printf("  (target: %s %.2f%s)", bound, target, is_missed ? ", MISSED" : "");
+        std::printf("\n");
+        return !is_missed;
+    }
+
+    std::map<std::string, std::map<std::string, double>> figures_; ///< by counters; "": the time
 };
 
 /// The body of main. Returns 1 where a target is missed.
-inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios)
+inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios,
+                          const std::vector<Limit>& limits = {})
 {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
-    return reporter.print(ratios) ? 0 : 1;
+    return reporter.print(ratios, limits) ? 0 : 1;
 }
 
 }

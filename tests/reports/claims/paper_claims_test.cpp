@@ -138,8 +138,15 @@ const std::vector<ClaimCase>& claim_cases()
          }},
         {"6.4-steeper",
          [](MadeUpReport& r, bool agrees) {
-             MadeUpReport::set_curve(darts(r, "0.7"), {.width = 0.2});
-             MadeUpReport::set_curve(relaxation(r, "0.99", "1000"), {.width = agrees ? 0.1 : 0.4});
+             // At its radius dart throwing has a width of 0.25.
+             for (const auto& [rho, width] : {std::pair("0.6", 0.3), {"0.7", 0.2}}) {
+                 ReportSeries& series = darts(r, rho);
+                 MadeUpReport::set_curve(series, {.width = width});
+                 MadeUpReport::set_radius(series, std::stod(rho));
+             }
+             ReportSeries& relaxed_darts = relaxation(r, "0.99", "1000");
+             MadeUpReport::set_curve(relaxed_darts, {.width = agrees ? 0.23 : 0.27});
+             MadeUpReport::set_radius(relaxed_darts, 0.65);
          }},
         {"6.4-plate",
          [](MadeUpReport& r, bool agrees) {
@@ -383,6 +390,29 @@ const std::vector<ClaimCase>& claim_cases()
         {"6.15-relaxation",
          [](MadeUpReport& r, bool agrees) {
              MadeUpReport::set_radius(relaxation(r, "0.99", "1000", 65536, 3), agrees ? 0.702 : 0.6);
+         }},
+        {"6.9-wavelike",
+         [](MadeUpReport& r, bool agrees) {
+             tiles(r, "edge", 2, 32, 10, agrees ? 0.9 : 0.1);
+             tiles(r, "corner", 4, 32, 10, 0.7);
+             tiles(r, "corner", 8, 32, 10, 0.2); // the largest is what counts
+         }},
+        {"6.10-radial",
+         [](MadeUpReport& r, bool agrees) {
+             ReportSeries& series = tiles(r, "template", 64, 32, 100);
+             for (RadialBin& bin : series.curve.bins)
+                 if (bin.frequency == series.stored->measures.lattice_peaks->tiles) bin.power *= agrees ? 3 : 1.5;
+         }},
+        {"6.11-corner-points",
+         [](MadeUpReport& r, bool agrees) {
+             for (const int points : {32, 64}) {
+                 ReportSeries& series =
+                     r.add("corner-tiles",
+                           {{"colors", "4"}, {"points_per_tile", std::to_string(points)}, {"relative_radius", "0.75"}});
+                 const double corners = agrees ? 3.1 : points / 5.0;
+                 const_cast<Series*>(series.stored)->tile_set =
+                     TileSetRecord{256, 64, true, {}, {{"corners", corners, 3.1}, {"edges", 7, 7}}};
+             }
          }},
         {"6.15-lloyd",
          [](MadeUpReport& r, bool agrees) {
