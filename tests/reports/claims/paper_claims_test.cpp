@@ -409,7 +409,7 @@ const std::vector<ClaimCase>& claim_cases()
                  ReportSeries& series =
                      r.add("corner-tiles",
                            {{"colors", "4"}, {"points_per_tile", std::to_string(points)}, {"relative_radius", "0.75"}});
-                 const double corners = agrees ? 3.1 : points / 10.0;
+                 const double corners = agrees ? 3.1 : points / 5.0;
                  const_cast<Series*>(series.stored)->tile_set =
                      TileSetRecord{256, 64, true, {}, {{"corners", corners, 3.1}, {"edges", 7, 7}}};
              }
