@@ -1,0 +1,90 @@
+// runtime/texture_tiles.h, as C++ and as OpenCL C, against the packing and an endless texture that is put together.
+#include "runtime/texture_tiles.h"
+
+#include "host/device/device.hpp"
+#include "host/device/kernel_source.hpp"
+#include "runtime/poisson_tiles.h"
+#include "tests/tiles/texture/quartered_set.hpp"
+#include "tiles/packing/closed_packing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace poissonlab {
+namespace {
+
+TEST(TextureTilesHeader, KnowsThePlaceOfEveryTile)
+{
+    for (Color colors = 2; colors <= 16; ++colors)
+        for (TileIndex index = 0; index < colors * colors * colors * colors; ++index) {
+            const CornerTile t = corner_tile(index, colors);
+            const PackingPlace expected = place_of_tile(TileKind::corner, index, colors);
+            const auto place = colors % 2 == 1 ? ttiles_odd_place : ttiles_even_place;
+            ASSERT_EQ(place(colors, t.north_east, t.south_east, t.south_west, t.north_west),
+                      expected.y * colors * colors + expected.x)
+                << colors << " " << index;
+        }
+}
+
+/// A point set and a texture with the same seed are over the same tiling.
+TEST(TextureTilesHeader, HasTheColorsOfPoissonDiskTiles)
+{
+    std::mt19937 random(2);
+    const auto word = [&] { return static_cast<std::uint32_t>(random()); };
+    for (int i = 0; i < 1000; ++i) {
+        const std::uint32_t seed = word(), x = word(), y = word();
+        EXPECT_EQ(ttiles_color(seed, 5, x, y), ptiles_hash(seed, x, y, 0) % 5);
+    }
+}
+
+/// Every texel shows the patch of the nearest lattice point, in tiles of quarters: neighbours are contiguous but where
+/// patches meet.
+TEST(TextureTilesHeader, FindsTheTexelsOfAnEndlessTexture)
+{
+    constexpr int size = 8;
+    for (const std::vector<std::pair<int, int>>& patches :
+         {std::vector<std::pair<int, int>>{{0, 0}, {8, 0}}, {{0, 0}, {8, 0}, {16, 0}}}) {
+        PngPixels exemplar{24, 8, 1, {}};
+        for (int i = 0; i < 24 * 8; ++i) exemplar.values.push_back(static_cast<std::uint8_t>(i));
+        const TextureSet set = test::quartered_set(exemplar, size, patches);
+        const PngPixels atlas = atlas_of(set);
+        const auto colors = static_cast<std::uint32_t>(patches.size());
+        for (int y = -20; y < 20; ++y)
+            for (int x = -20; x < 20; ++x)
+                for (std::uint32_t row = 0; row < size; ++row)
+                    for (std::uint32_t column = 0; column < size; ++column) {
+                        const auto tile_x = static_cast<std::uint32_t>(x), tile_y = static_cast<std::uint32_t>(y);
+                        const std::uint32_t east = column >= size / 2, north = row >= size / 2;
+                        const std::uint32_t color = ttiles_color(7, colors, tile_x + east, tile_y + north);
+                        // The patch is centred on the lattice point, its rows going south.
+                        const int in_x = patches[color].first + size / 2 + static_cast<int>(column) - (east ? size : 0);
+                        const int in_y = size / 2 - 1 - static_cast<int>(row) + (north ? size : 0);
+                        ASSERT_EQ(atlas.values[ttiles_texel(7, colors, size, tile_x, tile_y, column, row)],
+                                  exemplar.values[exemplar.at(in_x, in_y, 0)])
+                            << x << " " << y << " " << column << " " << row;
+                    }
+    }
+}
+
+TEST(TextureTilesHeader, IsTheSameInOpenCl)
+{
+    const std::string text = kernel_source("runtime/texture_tiles.h") + R"(
+        kernel void look_up(uint count, global uint* texels)
+        {
+            const uint i = get_global_id(0);
+            if (i < count)
+                texels[i] = ttiles_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u);
+        }
+    )";
+    constexpr std::uint32_t count = 5000;
+    Device device = Device::open();
+    auto texels = device.buffer<std::uint32_t>(count);
+    device.kernel_from_text(text, "texture_tiles.h", "look_up").run(count, 64, count, texels);
+    const std::vector<std::uint32_t> found = texels.read(0, count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        ASSERT_EQ(found[i], ttiles_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u));
+}
+
+}
+}
