@@ -68,7 +68,8 @@ public:
     /// The tile set of methods that tile.
     virtual std::optional<TileSetRecord> tile_set() const { return {}; }
 
-    /// The relative radius that the last sample() is proven to have at least, where that is known without looking at it.
+    /// The relative radius that the last sample() is proven to have at least, where that is known without looking at
+    /// it.
     virtual std::optional<double> proven_relative_radius() const { return {}; }
 
     /// The number of tiles along each axis of which the sets are made; 0: they are not made of tiles.
