@@ -92,7 +92,7 @@ std::vector<Command> all_commands(const std::string& typed)
                                   tiles_verify_command()};
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
                                       aperiodic_tile_command(), aperiodic_tables_command()};
-    std::vector<Command> of_densities{distribute_warp_command()};
+    std::vector<Command> of_densities{distribute_warp_command(), distribute_rank_command()};
     std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command()};
     return {run_command(typed),
             merge_command(),

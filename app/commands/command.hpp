@@ -82,6 +82,7 @@ Command aperiodic_sets_command();
 Command aperiodic_convert_command();
 Command aperiodic_verify_command();
 Command distribute_warp_command();
+Command distribute_rank_command();
 Command aperiodic_tile_command();
 Command aperiodic_tables_command();
 Command isohedral_list_command();

@@ -39,12 +39,12 @@ TEST_F(ExportCommand, WritesEveryPlotAndEveryPointSet)
     const Outcome outcome = run_program(folder_.path(), {"export", "results", "--out", "out", "--quiet"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_EQ(outcome.out, "out\n");
-    const auto series = folder_.path() / "out/results/dart-throwing-rho-0.60";
+    const auto series = folder_.path() / "out/results/dart-throwing-rho-0.6";
     EXPECT_THAT(content_of(series / "radial.csv"), StartsWith("curve,x,y,low,high,dot\n\"Dart throwing"));
     EXPECT_THAT(content_of(series / "radial.tex"), HasSubstr("\\begin{axis}"));
     EXPECT_EQ(count(".usda"), 3U); // two realizations, and the one of a deterministic method
     EXPECT_EQ(count(".csv"), count(".tex") + 3);
-    const auto stored = folder_.path() / "results/dart-throwing-rho-0.60";
+    const auto stored = folder_.path() / "results/dart-throwing-rho-0.6";
     for (const auto& entry : std::filesystem::directory_iterator(stored)) {
         if (entry.path().extension() != ".dat" && entry.path().extension() != ".txt") continue;
         EXPECT_EQ(read_points(series / (entry.path().stem().string() + ".csv")), read_points(entry.path()));
