@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::uint32_t no_tile = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t no_polyomino = std::numeric_limits<std::uint32_t>::max();
 
 /// The tiles that have the cells of the plane, or of a torus.
 class TileMap
@@ -34,7 +34,7 @@ public:
     std::optional<Pose> operator[](const LatticePlace& cell) const
     {
         const Cell& found = cells_[index_of(cell)];
-        if (found.tile == no_tile) return std::nullopt;
+        if (found.tile == no_polyomino) return std::nullopt;
         const Pose& tile = tiles_[found.tile];
         return Pose{tile.shift + (cell - found.place), tile.turn};
     }
@@ -42,7 +42,7 @@ public:
 private:
     struct Cell
     {
-        std::uint32_t tile = no_tile;
+        std::uint32_t tile = no_polyomino;
         LatticePlace place; ///< of the tile as it was given; the same but for periods
     };
 
