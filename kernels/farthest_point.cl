@@ -12,7 +12,7 @@
 #include "kernels/common/farthest_point.h"
 #include "kernels/common/polygon.clh"
 
-#define WINDOW_SIDE (2 * WINDOW_REACH + 1)
+#define WINDOW_SIDE (2 * NEIGHBOUR_REACH + 1)
 #define WINDOW_CELLS (WINDOW_SIDE * WINDOW_SIDE)
 
 // A neighbour is known by its cell in the window and its place in the order of points.
@@ -31,15 +31,15 @@ Window window_around(uint cell_x, uint cell_y, uint grid_size, global const uint
     Window window;
     for (int slot = 0; slot < WINDOW_CELLS; ++slot) {
         int turns_x, turns_y;
-        const uint x = turned_cell(cell_x, slot % WINDOW_SIDE - WINDOW_REACH, (int)grid_size, &turns_x);
-        const uint y = turned_cell(cell_y, slot / WINDOW_SIDE - WINDOW_REACH, (int)grid_size, &turns_y);
+        const uint x = turned_cell(cell_x, slot % WINDOW_SIDE - NEIGHBOUR_REACH, (int)grid_size, &turns_x);
+        const uint y = turned_cell(cell_y, slot / WINDOW_SIDE - NEIGHBOUR_REACH, (int)grid_size, &turns_y);
         window.begin[slot] = starts[y * grid_size + x];
         window.end[slot] = starts[y * grid_size + x + 1];
         window.repetition[slot] = (double2)(turns_x, turns_y);
     }
     const double width = 1.0 / grid_size;
-    window.low = (double2)((int)cell_x - WINDOW_REACH, (int)cell_y - WINDOW_REACH) * width;
-    window.high = (double2)(cell_x + WINDOW_REACH + 1, cell_y + WINDOW_REACH + 1) * width;
+    window.low = (double2)((int)cell_x - NEIGHBOUR_REACH, (int)cell_y - NEIGHBOUR_REACH) * width;
+    window.high = (double2)(cell_x + NEIGHBOUR_REACH + 1, cell_y + NEIGHBOUR_REACH + 1) * width;
     return window;
 }
 

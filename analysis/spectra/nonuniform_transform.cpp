@@ -11,12 +11,12 @@
 namespace poissonlab {
 namespace {
 
-constexpr int kernel_width = 8;
+constexpr int spread_width = 8;
 
 /// A power of two, at least twice as fine as the frequencies need, and wider than the kernel.
 int transform_grid(int reach)
 {
-    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4 * reach, 2 * kernel_width))));
+    return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(4 * reach, 2 * spread_width))));
 }
 
 }
@@ -39,7 +39,7 @@ struct NonuniformTransform::Plans
 
 NonuniformTransform::NonuniformTransform(int reach)
     : reach_(reach), grid_(transform_grid(reach)),
-      kernel_(kernel_width, static_cast<double>(grid_) / (2.0 * reach + 1)), plans_(std::make_unique<Plans>(grid_))
+      kernel_(spread_width, static_cast<double>(grid_) / (2.0 * reach + 1)), plans_(std::make_unique<Plans>(grid_))
 {
     for (int u = 0; u <= reach; ++u) corrections_.push_back(1 / kernel_.transform(static_cast<double>(u) / grid_));
 }
@@ -49,7 +49,7 @@ NonuniformTransform::NonuniformTransform(NonuniformTransform&&) noexcept = defau
 
 int NonuniformTransform::weights_at(double coordinate, double* weights) const
 {
-    const double begin = coordinate * grid_ - 0.5 * kernel_width;
+    const double begin = coordinate * grid_ - 0.5 * spread_width;
     const double first = std::ceil(begin);
     kernel_.values(first - begin, weights);
     return static_cast<int>(first);
@@ -63,9 +63,9 @@ void NonuniformTransform::for_each_weight(const PointSet& points, std::size_t po
     const int x = weights_at(points[point][0], along_x.data());
     const int y = weights_at(points[point][1], along_y.data());
     const auto wrapped = [&](int i) { return static_cast<std::size_t>(i) & static_cast<std::size_t>(grid_ - 1); };
-    for (int j = 0; j < kernel_width; ++j) {
+    for (int j = 0; j < spread_width; ++j) {
         const std::size_t row = wrapped(y + j) * static_cast<std::size_t>(grid_);
-        for (int i = 0; i < kernel_width; ++i)
+        for (int i = 0; i < spread_width; ++i)
             what(row + wrapped(x + i), along_y[static_cast<std::size_t>(j)] * along_x[static_cast<std::size_t>(i)]);
     }
 }

@@ -30,7 +30,7 @@ std::uint32_t part_of_side(std::uint64_t place, std::uint32_t tiles)
 SquarePoints tiling_points(const PoissonTileSet& tiles, std::size_t points, double width, double height,
                            std::uint64_t seed, const DistributionPlace& place)
 {
-    const TileGrid grid = tile_grid(points, tiles.parameters.points_per_tile, width, height);
+    const EvenTileGrid grid = tile_grid(points, tiles.parameters.points_per_tile, width, height);
     const TileBlock block{{}, {grid.columns, grid.rows, 1}};
     const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0],
                                static_cast<std::int32_t>(std::max(grid.columns, grid.rows))};
@@ -78,14 +78,14 @@ SquarePoints sampled_points(const SamplerChoice& method, std::size_t points, dou
 
 }
 
-TileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double width, double height)
+EvenTileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double width, double height)
 {
     const double tiles = static_cast<double>(points) / points_per_tile;
     const double rows = std::sqrt(tiles * height / width);
     if (rows > most_tiles_along_a_side || rows * width / height > most_tiles_along_a_side)
         throw InputError(
             fmt::format("{} points: are more than 65536 tiles of {} points along a side", points, points_per_tile));
-    TileGrid best;
+    EvenTileGrid best;
     double least = INFINITY;
     const auto try_rows = [&](double count) {
         if (count < 1) return;

@@ -15,7 +15,7 @@
 namespace poissonlab {
 
 /// The tiles of a rectangle: columns, rows.
-struct TileGrid
+struct EvenTileGrid
 {
     std::uint32_t columns = 1;
     std::uint32_t rows = 1;
@@ -26,7 +26,7 @@ struct TileGrid
 /// The grid over a rectangle of these proportions whose number of points is near `points` and whose tiles are nearly
 /// square: the least sum of what both are wrong by, as ratios. Throws InputError for more than 65,536 tiles along a
 /// side.
-TileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double width, double height);
+EvenTileGrid tile_grid(std::size_t points, std::uint32_t points_per_tile, double width, double height);
 
 /// The method that points come from: a tile set that is there, or a sampler with its parameters.
 using EvenMethod = std::variant<PoissonTileSet, SamplerChoice>;

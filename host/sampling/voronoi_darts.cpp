@@ -20,12 +20,12 @@ namespace {
 using contract::voronoi_darts::Offset;
 
 /// Batches are no smaller: at the end there is room for a few points, and a batch that finds none is taken to prove it.
-constexpr std::uint32_t least_darts = 256;
+constexpr std::uint32_t least_batch = 256;
 
 /// Rounds of resolve_darts before the host looks whether all darts are decided.
-constexpr int rounds_at_once = 4;
+constexpr int voronoi_rounds = 4;
 
-std::uint32_t at_least_some(double darts) { return std::max(least_darts, static_cast<std::uint32_t>(darts)); }
+std::uint32_t at_least_some(double darts) { return std::max(least_batch, static_cast<std::uint32_t>(darts)); }
 
 }
 
@@ -91,7 +91,7 @@ struct VoronoiDartBuffers
         const std::size_t cells = lattice_cells(torus.grid_size, 2);
         const std::size_t most_points = packing_bound(request.min_distance, 2);
         const VoronoiDartBatches batches(torus);
-        const std::size_t most_darts = std::max<std::size_t>(batches.darts_anywhere(), least_darts + most_points);
+        const std::size_t most_darts = std::max<std::size_t>(batches.darts_anywhere(), least_batch + most_points);
         return {{offsets, torus.offsets},
                 {points, 2 * most_points},
                 {sites, most_points},
@@ -199,8 +199,8 @@ private:
                    b.next, b.heads);
         std::uint32_t waiting = 1;
         while (waiting != 0) {
-            for (int round = 0; round < rounds_at_once; ++round) {
-                if (round + 1 == rounds_at_once) b.waiting.write({{0u}});
+            for (int round = 0; round < voronoi_rounds; ++round) {
+                if (round + 1 == voronoi_rounds) b.waiting.write({{0u}});
                 resolve_.run(darts, group_size_, torus_, darts, b.offsets, b.darts, b.next, b.heads, b.states,
                              b.next_states, b.waiting);
                 std::swap(b.states, b.next_states);

@@ -17,7 +17,7 @@ constexpr double nulling_gain = 0.3;
 /// Nulling reaches frequencies up to this many roots of the points a tile: with less, power beyond them grows.
 constexpr double nulling_reach = 2;
 
-constexpr std::size_t default_work_group_size = 16;
+constexpr std::size_t joint_group_size = 16;
 
 struct JointBuffers
 {
@@ -40,7 +40,7 @@ class DeviceJointEngine final : public JointEngine
 public:
     DeviceJointEngine(int dimension, Device device, std::size_t work_group_size)
         : dimension_(dimension), device_(std::move(device)),
-          work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
+          work_group_size_(work_group_size > 0 ? work_group_size : joint_group_size)
     {
         const KernelProgram program = kernel_program("joint_nulling.cl", {{"DIMENSION", dimension}});
         transform_ = device_.kernel(program, "transform_mean_tile");

@@ -7,7 +7,7 @@ CONTRACT(farthest_point)
 
 enum
 {
-    WINDOW_REACH = 2, ///< cells on either side of a point's own in which its neighbours are looked for
+    NEIGHBOUR_REACH = 2, ///< cells on either side of a point's own in which its neighbours are looked for
     COLORS = 3        ///< along each axis: cells of one color are so far apart that none is in the window of another
 };
 

@@ -14,14 +14,6 @@ namespace {
 using DartOutcome = std::optional<ClaimOutcome>;
 using DartNeeds = SeriesQuery::Needs;
 
-std::optional<double> median_seconds(const ReportSeries& series)
-{
-    std::vector<double> seconds = series.stored->sample_seconds;
-    if (seconds.empty()) return std::nullopt;
-    std::ranges::sort(seconds);
-    return seconds[seconds.size() / 2];
-}
-
 /// Jones' darts and those of dart throwing, of as many points and the same relative radius.
 using DartPair = std::pair<const ReportSeries*, const ReportSeries*>;
 

@@ -121,4 +121,12 @@ BlueNoise blue_noise(const ReportSeries& series)
     return result;
 }
 
+std::optional<double> median_seconds(const ReportSeries& series)
+{
+    std::vector<double> seconds = series.stored->sample_seconds;
+    if (seconds.empty()) return std::nullopt;
+    std::ranges::sort(seconds);
+    return seconds[seconds.size() / 2];
+}
+
 }

@@ -51,4 +51,7 @@ inline constexpr auto blue_noise_criterion = "mean power below 0.2 up to half th
                                              "highest power within a quarter of it; mean power "
                                              "within 0.1 of 1 from 1.5 times it on";
 
+/// The median time of a set of a series; nothing where it is not timed.
+std::optional<double> median_seconds(const ReportSeries& series);
+
 }

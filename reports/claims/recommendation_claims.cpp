@@ -44,14 +44,6 @@ std::optional<double> excess_anisotropy(const ReportSeries& series)
     return mean_excess_anisotropy(series);
 }
 
-std::optional<double> median_seconds(const ReportSeries& series)
-{
-    std::vector<double> seconds = series.stored->sample_seconds;
-    if (seconds.empty()) return std::nullopt;
-    std::ranges::sort(seconds);
-    return seconds[seconds.size() / 2];
-}
-
 std::optional<double> deviation_at_seams(const ReportSeries& series)
 {
     const auto found = series.stored->measures.numbers.find("seam_density");

@@ -28,22 +28,22 @@ bool meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const P
 }
 
 /// The curve of an edge in its own direction.
-Curve curve_along(Curve curve, const EdgeCurve& use)
+PlaneCurve curve_along(PlaneCurve curve, const EdgeCurve& use)
 {
     for (PlanePoint& p : curve) p = {use.is_reversed ? 1 - p[0] : p[0], use.is_turned_over ? -p[1] : p[1]};
     if (use.is_reversed) std::ranges::reverse(curve);
     return curve;
 }
 
-Curve straight_curve() { return {{0, 0}, {1, 0}}; }
+PlaneCurve straight_curve() { return {{0, 0}, {1, 0}}; }
 
 }
 
-Curve shaped_curve(const Curve& curve, EdgeShape shape)
+PlaneCurve shaped_curve(const PlaneCurve& curve, EdgeShape shape)
 {
     if (shape == EdgeShape::free) return curve;
     if (shape == EdgeShape::straight) return straight_curve();
-    Curve result;
+    PlaneCurve result;
     for (const PlanePoint& p : curve) result.push_back({p[0] / 2, shape == EdgeShape::turned ? p[1] / 2 : p[1]});
     for (std::size_t i = result.size() - 1; i-- > 0;) {
         const PlanePoint p = result[i];
@@ -52,12 +52,12 @@ Curve shaped_curve(const Curve& curve, EdgeShape shape)
     return result;
 }
 
-Curve random_curve(std::uint64_t seed, std::uint32_t number, double amplitude)
+PlaneCurve random_curve(std::uint64_t seed, std::uint32_t number, double amplitude)
 {
     constexpr int steps = 16;
     const auto words = philox({number, 0, 0, 0}, stream_key(seed, Purpose::edge_curves, 0));
     const auto signed_unit = [&](std::size_t word) { return std::ldexp(words[word], -31) - 1; };
-    Curve curve;
+    PlaneCurve curve;
     for (int i = 0; i <= steps; ++i) {
         const double x = static_cast<double>(i) / steps;
         // Polynomials with zeros at both ends, of largest value 1: one bulge, two, and three.
@@ -98,8 +98,8 @@ IsohedralTile::IsohedralTile(const IsohedralType& type, const IsohedralParameter
         if (distance(a, b) < shortest_edge)
             throw InputError(fmt::format("edge {} of the tile has no length with these parameters", edge));
         const EdgeCurve& use = shape.edge_curves[edge];
-        const Curve own = use.curve < parameters.curves.size() ? parameters.curves[use.curve] : straight_curve();
-        const Curve curve = curve_along(shaped_curve(own, shape.curve_shapes[use.curve]), use);
+        const PlaneCurve own = use.curve < parameters.curves.size() ? parameters.curves[use.curve] : straight_curve();
+        const PlaneCurve curve = curve_along(shaped_curve(own, shape.curve_shapes[use.curve]), use);
         corner_places_.push_back(outline_.size());
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const auto [x, y] = curve[i];

@@ -10,20 +10,20 @@
 namespace poissonlab {
 
 /// A polyline from (0, 0) to (1, 0); y > 0 is inside of the first tile that has it.
-using Curve = std::vector<PlanePoint>;
+using PlaneCurve = std::vector<PlanePoint>;
 
 /// A curve as an edge of a kind may have it: that of a straight edge is straight; the first half of a turned edge is
 /// the curve at half its size and the rest is that after half a turn; the first half of a mirrored one is the curve
 /// half as wide, and the rest its reflection.
-Curve shaped_curve(const Curve& curve, EdgeShape shape);
+PlaneCurve shaped_curve(const PlaneCurve& curve, EdgeShape shape);
 
 /// A smooth random curve that leaves the straight line by about `amplitude`.
-Curve random_curve(std::uint64_t seed, std::uint32_t number, double amplitude);
+PlaneCurve random_curve(std::uint64_t seed, std::uint32_t number, double amplitude);
 
 struct IsohedralParameters
 {
     std::vector<double> deformations; ///< one for each parameter of the type, in inradii of the Laves tile; missing: 0
-    std::vector<Curve> curves;        ///< one for each curve of the type; missing: straight
+    std::vector<PlaneCurve> curves;   ///< one for each curve of the type; missing: straight
 };
 
 /// A place in the tiling.

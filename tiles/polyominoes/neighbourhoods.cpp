@@ -205,10 +205,10 @@ void complete_figure(Polyomino shape, std::vector<Pose>& figure, std::size_t don
 }
 
 /// Builds the automaton: classes and pairs are worked off in the order of their first occurrence.
-class Closure
+class NeighbourhoodClosure
 {
 public:
-    explicit Closure(const PolyominoRule& rule)
+    explicit NeighbourhoodClosure(const PolyominoRule& rule)
     {
         all_.rule = rule;
         all_.first_level = first_level_of(rule.shape);
@@ -324,7 +324,7 @@ std::vector<Pose> divided(const PolyominoRule& rule, std::vector<Pose> tiles, st
     return tiles;
 }
 
-Neighbourhoods neighbourhoods_of(const PolyominoRule& rule) { return Closure(rule).run(); }
+Neighbourhoods neighbourhoods_of(const PolyominoRule& rule) { return NeighbourhoodClosure(rule).run(); }
 
 std::uint32_t class_of(const Neighbourhoods& neighbourhoods, const Collar& collar)
 {

@@ -23,9 +23,9 @@ enum Side : std::size_t
 constexpr std::array side_names{"north", "east", "south", "west"};
 
 /// The colours that tiles share at a side: of an edge, or of its western (southern) corner, then the other one.
-using SideColors = std::pair<Color, Color>;
+using FacingColors = std::pair<Color, Color>;
 
-SideColors side_colors_at(const TextureSet& set, TileIndex index, Side side)
+FacingColors side_colors_at(const TextureSet& set, TileIndex index, Side side)
 {
     if (!set.has_corners()) {
         const WangTile t = wang_tile(index, set.colors);
@@ -33,10 +33,10 @@ SideColors side_colors_at(const TextureSet& set, TileIndex index, Side side)
         return {colors[side], 0};
     }
     const CornerTile t = corner_tile(index, set.colors.horizontal);
-    const std::array<SideColors, 4> colors{{{t.north_west, t.north_east},
-                                            {t.south_east, t.north_east},
-                                            {t.south_west, t.south_east},
-                                            {t.south_west, t.north_west}}};
+    const std::array<FacingColors, 4> colors{{{t.north_west, t.north_east},
+                                              {t.south_east, t.north_east},
+                                              {t.south_west, t.south_east},
+                                              {t.south_west, t.north_west}}};
     return colors[side];
 }
 
@@ -81,9 +81,9 @@ public:
 
 private:
     /// Tiles by the colours at a side.
-    std::map<SideColors, std::vector<std::size_t>> tiles_by_colors(Side side) const
+    std::map<FacingColors, std::vector<std::size_t>> tiles_by_colors(Side side) const
     {
-        std::map<SideColors, std::vector<std::size_t>> tiles;
+        std::map<FacingColors, std::vector<std::size_t>> tiles;
         for (std::size_t i = 0; i < set_.tiles.size(); ++i)
             tiles[side_colors_at(set_, set_.tiles[i].index, side)].push_back(i);
         return tiles;

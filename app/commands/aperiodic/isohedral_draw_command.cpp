@@ -66,12 +66,12 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     return numbers;
 }
 
-Curve curve_of(const std::string& text)
+PlaneCurve curve_of(const std::string& text)
 {
     const std::vector<double> numbers = numbers_of("--curve", text);
     if (numbers.size() % 2 != 0)
         throw InputError(fmt::format("isohedral draw: --curve {}: must be points, two numbers each", shortened(text)));
-    Curve curve{{0, 0}};
+    PlaneCurve curve{{0, 0}};
     for (std::size_t i = 0; i < numbers.size(); i += 2) curve.push_back({numbers[i], numbers[i + 1]});
     curve.push_back({1, 0});
     return curve;

@@ -23,22 +23,22 @@ const std::vector<std::pair<std::string, ReadDistribution>>& readers()
 }
 
 /// A value with everything in it, in one line.
-std::string whole_text(const ConfigNode& node);
+std::string text_of(const ConfigNode& node);
 
-std::string whole_text(const ConfigTable& table)
+std::string text_of(const ConfigTable& table)
 {
     std::string text;
-    for (const ConfigEntry& entry : table) text += entry.key + " = " + whole_text(entry.node) + ", ";
+    for (const ConfigEntry& entry : table) text += entry.key + " = " + text_of(entry.node) + ", ";
     return text;
 }
 
-std::string whole_text(const ConfigNode& node)
+std::string text_of(const ConfigNode& node)
 {
-    if (const auto* table = node.get_if<ConfigTable>()) return "{ " + whole_text(*table) + "}";
+    if (const auto* table = node.get_if<ConfigTable>()) return "{ " + text_of(*table) + "}";
     const auto* list = node.get_if<ConfigList>();
     if (!list) return node.text;
     std::string text;
-    for (const ConfigNode& item : *list) text += whole_text(item) + ", ";
+    for (const ConfigNode& item : *list) text += text_of(item) + ", ";
     return "[ " + text + "]";
 }
 
@@ -65,7 +65,7 @@ std::vector<DistributionConfig> read_distributions(const std::vector<ConfigNode>
         config.label = find(table, "label") ? read_text(table, "label", "") : "";
         config.where = node.location;
         config.seed = seed;
-        config.text = whole_text(table);
+        config.text = text_of(table);
         readers()[kind].second(table, config);
         distributions.push_back(std::move(config));
     }

@@ -17,7 +17,7 @@ namespace poissonlab {
 namespace {
 
 /// Rounds that are enqueued before the host looks whether points are left.
-constexpr int rounds_at_once = 8;
+constexpr int elimination_rounds = 8;
 
 /// Cells are as wide as the reach, so that all within it lie in the cells around; more than two a point are no use.
 std::uint32_t elimination_grid(const EliminationReach& reach, std::size_t points, int dimension)
@@ -118,8 +118,8 @@ std::vector<std::uint32_t> SampleElimination::removal_order(const PointSet& poin
     weigh.run(n, work_group_size_, elimination, grid.fixed_point(), grid.starts(), b.weights, b.is_removed,
               b.is_heaviest);
     for (std::uint32_t is_left = 1; is_left != 0;) {
-        for (int round = 0; round < rounds_at_once; ++round) {
-            if (round + 1 == rounds_at_once) b.is_left.write({{0u}});
+        for (int round = 0; round < elimination_rounds; ++round) {
+            if (round + 1 == elimination_rounds) b.is_left.write({{0u}});
             find.run(n, work_group_size_, elimination, grid.fixed_point(), grid.starts(), grid.ids(), b.weights,
                      b.is_removed, b.is_heaviest);
             remove.run(n, work_group_size_, elimination, grid.fixed_point(), grid.starts(), b.weights, b.is_removed,

@@ -9,7 +9,7 @@
 namespace poissonlab {
 namespace {
 
-constexpr double outline_width = 1;
+constexpr double tile_outline = 1;
 constexpr double panel_tiles = 5; // sides of a square as large as the tile
 constexpr double panel_gap = 12;
 constexpr double caption_size = 14;
@@ -51,7 +51,7 @@ void add_tiles(std::vector<Shape>& shapes, const std::vector<Polygon>& tiles, co
     for (std::size_t i = 0; i < tiles.size(); ++i) filled.push_back({tiles[i], fills[i], {}});
     group_by_fill(filled);
     shapes.insert(shapes.end(), filled.begin(), filled.end());
-    for (const Polygon& tile : tiles) shapes.push_back({tile, {}, "#000000", outline_width});
+    for (const Polygon& tile : tiles) shapes.push_back({tile, {}, "#000000", tile_outline});
 }
 
 void add_panel(Drawing& drawing, const IsohedralPanel& panel, const DrawingPoint& corner)

@@ -25,12 +25,12 @@ DistributionPlace work_on(Engine engine)
 
 std::string grid_text(std::size_t points, double width, double height)
 {
-    const TileGrid grid = tile_grid(points, 32, width, height);
+    const EvenTileGrid grid = tile_grid(points, 32, width, height);
     return std::to_string(grid.columns) + " x " + std::to_string(grid.rows);
 }
 
 /// The numbers of lights and dots in the dissertation's figures 7.1 and 7.3 are whole tiles of 32 points.
-TEST(TileGrid, HasTheTilesOfTheDissertation)
+TEST(EvenTileGrid, HasTheTilesOfTheDissertation)
 {
     EXPECT_EQ(grid_text(288, 1, 1), "3 x 3");
     EXPECT_EQ(grid_text(3200, 1, 1), "10 x 10");
@@ -41,7 +41,7 @@ TEST(TileGrid, HasTheTilesOfTheDissertation)
     EXPECT_EQ(grid_text(320, 1000, 1), "10 x 1");
 }
 
-TEST(TileGrid, IsRefusedBeyond65536TilesAlongASide)
+TEST(EvenTileGrid, IsRefusedBeyond65536TilesAlongASide)
 {
     EXPECT_THAT(message_of([] { tile_grid(3'000'000, 32, 1e9, 1); }), HasSubstr("65536 tiles"));
 }

@@ -126,11 +126,11 @@ TEST(IsohedralTiles, ColouringsTellNeighboursApart)
 
 TEST(IsohedralTiles, CurvesTakeTheShapeOfTheirEdges)
 {
-    const Curve curve{{0, 0}, {0.4, 0.2}, {1, 0}};
+    const PlaneCurve curve{{0, 0}, {0.4, 0.2}, {1, 0}};
     EXPECT_EQ(shaped_curve(curve, EdgeShape::free), curve);
-    EXPECT_EQ(shaped_curve(curve, EdgeShape::straight), (Curve{{0, 0}, {1, 0}}));
-    EXPECT_EQ(shaped_curve(curve, EdgeShape::turned), (Curve{{0, 0}, {0.2, 0.1}, {0.5, 0}, {0.8, -0.1}, {1, 0}}));
-    EXPECT_EQ(shaped_curve(curve, EdgeShape::mirrored), (Curve{{0, 0}, {0.2, 0.2}, {0.5, 0}, {0.8, 0.2}, {1, 0}}));
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::straight), (PlaneCurve{{0, 0}, {1, 0}}));
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::turned), (PlaneCurve{{0, 0}, {0.2, 0.1}, {0.5, 0}, {0.8, -0.1}, {1, 0}}));
+    EXPECT_EQ(shaped_curve(curve, EdgeShape::mirrored), (PlaneCurve{{0, 0}, {0.2, 0.2}, {0.5, 0}, {0.8, 0.2}, {1, 0}}));
 }
 
 TEST(IsohedralTiles, RefusesWhatIsNoTile)
@@ -138,7 +138,7 @@ TEST(IsohedralTiles, RefusesWhatIsNoTile)
     const IsohedralType& type = isohedral_types()[0];
     EXPECT_EQ(message_of([&] { IsohedralTile(type, {{1, 2}, {}}); }), "IH1 has 4 parameters, not 2");
     EXPECT_EQ(message_of([&] { IsohedralTile(type, {{0, 0, 0, std::nan("")}, {}}); }), "a parameter is not a number");
-    const Curve loop{{0, 0}, {0.6, 3}, {0.4, -3}, {1, 0}};
+    const PlaneCurve loop{{0, 0}, {0.6, 3}, {0.4, -3}, {1, 0}};
     EXPECT_EQ(message_of([&] {
                   IsohedralTile(type, {{}, {loop}});
               }),

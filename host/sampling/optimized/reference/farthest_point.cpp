@@ -65,16 +65,16 @@ private:
     PointWindow window_around(const PlainCells& cells, const std::array<int, 3>& cell) const
     {
         PointWindow window;
-        for (int y = -WINDOW_REACH; y <= WINDOW_REACH; ++y)
-            for (int x = -WINDOW_REACH; x <= WINDOW_REACH; ++x)
+        for (int y = -NEIGHBOUR_REACH; y <= NEIGHBOUR_REACH; ++y)
+            for (int x = -NEIGHBOUR_REACH; x <= NEIGHBOUR_REACH; ++x)
                 cells.for_each_in({cell[0] + x, cell[1] + y, 0}, [&](std::size_t id, const std::array<int, 3>& turns) {
                     window.points.push_back({id, points_[id][0] + turns[0], points_[id][1] + turns[1]});
                 });
         const double width = 1.0 / grid_size_;
-        window.low_x = (cell[0] - WINDOW_REACH) * width;
-        window.low_y = (cell[1] - WINDOW_REACH) * width;
-        window.high_x = (cell[0] + WINDOW_REACH + 1) * width;
-        window.high_y = (cell[1] + WINDOW_REACH + 1) * width;
+        window.low_x = (cell[0] - NEIGHBOUR_REACH) * width;
+        window.low_y = (cell[1] - NEIGHBOUR_REACH) * width;
+        window.high_x = (cell[0] + NEIGHBOUR_REACH + 1) * width;
+        window.high_y = (cell[1] + NEIGHBOUR_REACH + 1) * width;
         return window;
     }
 
