@@ -10,11 +10,11 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<TilingConfig> tilings_of(const std::string& text) { return parse_config(text, "c.toml").tilings; }
+std::vector<TilingConfig> tilings_in(const std::string& text) { return parse_config(text, "c.toml").tilings; }
 
 TEST(TilingTable, HasDefaults)
 {
-    const auto tilings = tilings_of("seed = 7\n[[tile_set]]\n[[tiling]]\n[[tiling]]\nkind = \"cube\"\n");
+    const auto tilings = tilings_in("seed = 7\n[[tile_set]]\n[[tiling]]\n[[tiling]]\nkind = \"cube\"\n");
     ASSERT_EQ(tilings.size(), 3);
     EXPECT_TRUE(tilings[0].is_set());
     EXPECT_EQ(tilings[0].set, "complete");
@@ -33,7 +33,7 @@ TEST(TilingTable, HasDefaults)
 
 TEST(TilingTable, TakesEveryKey)
 {
-    const auto tilings = tilings_of("[[tiling]]\nkind = \"wang\"\ncolors = 5\nalgorithm = \"two-hashes\"\n"
+    const auto tilings = tilings_in("[[tiling]]\nkind = \"wang\"\ncolors = 5\nalgorithm = \"two-hashes\"\n"
                                     "hash = \"xxh64\"\nperiod = [32, 8]\nwindow = [-3, 4, 5, 6]\nregions = 0.1\n"
                                     "label = \"L\"\n[[tile_set]]\nkind = \"wang\"\ncolors = 3\ntiles = \"corner\"\n");
     ASSERT_EQ(tilings.size(), 2);
@@ -56,7 +56,7 @@ TEST(TilingTable, TakesEveryKey)
 TEST(TilingTable, SaysWhatIsAllowed)
 {
     const auto error_of = [](const std::string& lines) {
-        return message_of([&] { tilings_of("[[tiling]]\n" + lines + "\n"); });
+        return message_of([&] { tilings_in("[[tiling]]\n" + lines + "\n"); });
     };
     EXPECT_THAT(error_of("kind = \"hexagon\""),
                 HasSubstr("c.toml:2: kind = \"hexagon\": must be \"corner\" or \"wang\""));
@@ -73,11 +73,11 @@ TEST(TilingTable, SaysWhatIsAllowed)
     EXPECT_THAT(error_of("kind = \"cube\"\nregions = 0.2"), HasSubstr("must be a number from 0 to 0.1306"));
     EXPECT_THAT(error_of("algorithm = \"scanline\"\nwindow = [1, 0, 4, 4]"), HasSubstr("c.toml:1: "));
     EXPECT_THAT(error_of("tiles = \"compact\""), HasSubstr("unknown key"));
-    EXPECT_THAT(message_of([] { tilings_of("[[tile_set]]\ncolors = 12\n"); }), HasSubstr("cannot be drawn"));
-    EXPECT_THAT(message_of([] { tilings_of("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),
+    EXPECT_THAT(message_of([] { tilings_in("[[tile_set]]\ncolors = 12\n"); }), HasSubstr("cannot be drawn"));
+    EXPECT_THAT(message_of([] { tilings_in("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),
                 HasSubstr("c.toml:4: colors = 17: must be an integer from 2 to 16"));
-    EXPECT_THAT(message_of([] { tilings_of("tiling = 3\n"); }), HasSubstr("written [[tiling]]"));
-    EXPECT_THAT(message_of([] { tilings_of("title = \"a\"\n"); }), HasSubstr("no [[method]] table"));
+    EXPECT_THAT(message_of([] { tilings_in("tiling = 3\n"); }), HasSubstr("written [[tiling]]"));
+    EXPECT_THAT(message_of([] { tilings_in("title = \"a\"\n"); }), HasSubstr("no [[method]] table"));
 }
 
 }

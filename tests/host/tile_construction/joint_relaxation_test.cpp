@@ -51,12 +51,12 @@ TEST_P(JointTiling, HasTilesThatFitTogether)
     EXPECT_EQ(variants.size(), tiles.size() * ((1u << p_.dimension) - 1));
 }
 
-constexpr auto corner = PoissonTileKind::corner;
+constexpr auto corner_chains = PoissonTileKind::corner;
 
 INSTANTIATE_TEST_SUITE_P(Sets, JointTiling,
-                         testing::Values(SmallSet{"corner_2", tile_set_parameters(corner, 2, 2, 32, 0.75)},
-                                         SmallSet{"corner_4", tile_set_parameters(corner, 2, 4, 32, 0.75)},
-                                         SmallSet{"sphere", tile_set_parameters(corner, 3, 2, 32, 0.5)},
+                         testing::Values(SmallSet{"corner_2", tile_set_parameters(corner_chains, 2, 2, 32, 0.75)},
+                                         SmallSet{"corner_4", tile_set_parameters(corner_chains, 2, 4, 32, 0.75)},
+                                         SmallSet{"sphere", tile_set_parameters(corner_chains, 3, 2, 32, 0.5)},
                                          SmallSet{"edge", tile_set_parameters(PoissonTileKind::edge, 2, 2, 32, 0.75)},
                                          SmallSet{"template",
                                                   tile_set_parameters(PoissonTileKind::frame, 2, 50, 32, 0.75)}),

@@ -14,9 +14,9 @@
 namespace poissonlab {
 namespace {
 
-constexpr auto corner = PoissonTileKind::corner;
-constexpr auto edge = PoissonTileKind::edge;
-constexpr auto frame = PoissonTileKind::frame;
+constexpr auto corner_strips = PoissonTileKind::corner;
+constexpr auto edge_strips = PoissonTileKind::edge;
+constexpr auto frame_strips = PoissonTileKind::frame;
 
 PoissonTileParameters jointly(PoissonTileParameters p, std::uint32_t lloyd, std::uint32_t iterations)
 {
@@ -67,14 +67,15 @@ TEST_P(RelaxedStrips, KeepTheDistanceInEveryTiling)
 
 INSTANTIATE_TEST_SUITE_P(
     Sets, RelaxedStrips,
-    testing::Values(SmallSet{"corner", jointly(tile_set_parameters(corner, 2, 3, 32, 0.75), 10, 8)},
-                    SmallSet{"dense", jointly(tile_set_parameters(corner, 2, 2, 64, 0.85), 10, 8)},
-                    SmallSet{"few", jointly(tile_set_parameters(corner, 2, 2, 4, 0.5), 5, 6)},
-                    SmallSet{"last_iterations_alone", jointly(tile_set_parameters(corner, 2, 2, 32, 0.75), 10, 2)},
-                    SmallSet{"edge", jointly(tile_set_parameters(edge, 2, 2, 8, 0.6), 2, 4)},
-                    SmallSet{"template", jointly(tile_set_parameters(frame, 2, 9, 32, 0.75), 10, 8)},
-                    SmallSet{"one_template", jointly(tile_set_parameters(frame, 2, 1, 16, 0.75), 5, 5)},
-                    SmallSet{"sphere", jointly(tile_set_parameters(corner, 3, 2, 32, 0.5), 1, 4)}),
+    testing::Values(SmallSet{"corner", jointly(tile_set_parameters(corner_strips, 2, 3, 32, 0.75), 10, 8)},
+                    SmallSet{"dense", jointly(tile_set_parameters(corner_strips, 2, 2, 64, 0.85), 10, 8)},
+                    SmallSet{"few", jointly(tile_set_parameters(corner_strips, 2, 2, 4, 0.5), 5, 6)},
+                    SmallSet{"last_iterations_alone",
+                             jointly(tile_set_parameters(corner_strips, 2, 2, 32, 0.75), 10, 2)},
+                    SmallSet{"edge", jointly(tile_set_parameters(edge_strips, 2, 2, 8, 0.6), 2, 4)},
+                    SmallSet{"template", jointly(tile_set_parameters(frame_strips, 2, 9, 32, 0.75), 10, 8)},
+                    SmallSet{"one_template", jointly(tile_set_parameters(frame_strips, 2, 1, 16, 0.75), 5, 5)},
+                    SmallSet{"sphere", jointly(tile_set_parameters(corner_strips, 3, 2, 32, 0.5), 1, 4)}),
     [](const auto& sets) { return sets.param.name; });
 
 class RelaxedStripsTwins : public testing::TestWithParam<SmallSet>
@@ -90,13 +91,13 @@ TEST_P(RelaxedStripsTwins, AreTheSameTilesForAnyWorkGroupSizeAndNumberOfThreads)
     EXPECT_EQ(strips_by(p, Device::open({}, 1), 64).set, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, RelaxedStripsTwins,
-                         testing::Values(SmallSet{"corner", jointly(tile_set_parameters(corner, 2, 2, 16, 0.75), 4, 6)},
-                                         SmallSet{"edge", jointly(tile_set_parameters(edge, 2, 1, 16, 0.6), 3, 5)},
-                                         SmallSet{"template", jointly(tile_set_parameters(frame, 2, 4, 24, 0.8), 4, 5)},
-                                         SmallSet{"sphere",
-                                                  jointly(tile_set_parameters(corner, 3, 1, 32, 0.55), 1, 4)}),
-                         [](const auto& sets) { return sets.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Sets, RelaxedStripsTwins,
+    testing::Values(SmallSet{"corner", jointly(tile_set_parameters(corner_strips, 2, 2, 16, 0.75), 4, 6)},
+                    SmallSet{"edge", jointly(tile_set_parameters(edge_strips, 2, 1, 16, 0.6), 3, 5)},
+                    SmallSet{"template", jointly(tile_set_parameters(frame_strips, 2, 4, 24, 0.8), 4, 5)},
+                    SmallSet{"sphere", jointly(tile_set_parameters(corner_strips, 3, 1, 32, 0.55), 1, 4)}),
+    [](const auto& sets) { return sets.param.name; });
 
 /// The part of the power of the mean tile that joint iterations with nulling leave.
 double power_left(const PoissonTileParameters& p)
@@ -110,8 +111,8 @@ double power_left(const PoissonTileParameters& p)
 /// 128 points a tile.
 TEST(RelaxedStripsNulling, TakesPowerOutOfTheMeanTile)
 {
-    EXPECT_LT(power_left(jointly(tile_set_parameters(corner, 2, 3, 32, 0.75), 20, 20)), 0.36);
-    EXPECT_LT(power_left(jointly(tile_set_parameters(corner, 3, 2, 48, 0.5), 1, 8)), 0.9);
+    EXPECT_LT(power_left(jointly(tile_set_parameters(corner_strips, 2, 3, 32, 0.75), 20, 20)), 0.36);
+    EXPECT_LT(power_left(jointly(tile_set_parameters(corner_strips, 3, 2, 48, 0.5), 1, 8)), 0.9);
 }
 
 /// A mender that cannot push tiles of some number apart, nor fill them anew.
@@ -143,9 +144,9 @@ private:
 
 TEST(RelaxedStripsErrors, WhatCannotBeMendedGoesBack)
 {
-    for (PoissonTileParameters p : {jointly(tile_set_parameters(corner, 2, 2, 16, 0.7), 4, 5),
-                                    jointly(tile_set_parameters(edge, 2, 1, 16, 0.6), 4, 5),
-                                    jointly(tile_set_parameters(frame, 2, 4, 24, 0.75), 4, 5)})
+    for (PoissonTileParameters p : {jointly(tile_set_parameters(corner_strips, 2, 2, 16, 0.7), 4, 5),
+                                    jointly(tile_set_parameters(edge_strips, 2, 1, 16, 0.6), 4, 5),
+                                    jointly(tile_set_parameters(frame_strips, 2, 4, 24, 0.75), 4, 5)})
         for (const bool is_tile : {true, false}) {
             const auto filler = make_tile_filler(fill_settings(p), Device::open());
             StubbornMender mender(p, 0);

@@ -41,7 +41,7 @@ Golden operator*(const Golden& a, const Golden& b) // phi^2 = phi + 1
 
 /// Twice the area of a triangle p1 p2 p3 over sin 36: the imaginary part of conj(p2 - p1) (p3 - p1). The products of
 /// two powers of z have the imaginary parts sin(36 k) = sin 36 {0, 1, phi, phi}, by their difference k.
-Golden twice_area(const std::array<RingPlace, 3>& corners)
+Golden twice_ring_area(const std::array<RingPlace, 3>& corners)
 {
     const auto side = [&](std::size_t corner, std::size_t k) { return corners[corner].c[k] - corners[0].c[k]; };
     Golden area;
@@ -64,13 +64,13 @@ Golden positive(const Golden& a)
 
 TEST(PenroseTiles, KeepTheirAreaExactly)
 {
-    Golden expected = positive(twice_area(corners_of(PenroseTile{})));
+    Golden expected = positive(twice_ring_area(corners_of(PenroseTile{})));
     EXPECT_EQ(expected, (Golden{1, 2})); // phi^3: sides phi^2 and phi with 36 degrees between
     for (int level = 1; level <= 10; ++level) {
         expected = expected * Golden{1, 1}; // units are shorter by phi
         Golden sum;
         for (const PenroseTile& tile : tiles_of_level(level))
-            if (!is_point(tile)) sum = sum + positive(twice_area(corners_of(tile)));
+            if (!is_point(tile)) sum = sum + positive(twice_ring_area(corners_of(tile)));
         EXPECT_EQ(sum, expected) << level;
     }
 }
@@ -150,7 +150,7 @@ TEST(PenroseTiles, HavePointsAtDifferentCornersOfTriangles)
         for (int level = 0; level < 8; ++level) corner = times_phi(corner);
     for (const auto& corner : corners) {
         const auto is_on_side = [&](std::size_t i) {
-            return twice_area({root[i], root[(i + 1) % 3], {corner}}) == Golden{};
+            return twice_ring_area({root[i], root[(i + 1) % 3], {corner}}) == Golden{};
         };
         EXPECT_TRUE(places.contains(corner) || is_on_side(0) || is_on_side(1) || is_on_side(2));
     }
