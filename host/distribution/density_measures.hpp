@@ -24,7 +24,7 @@ struct LocalSpacing
     double least = 0;
 };
 
-/// Of at least two points.
+/// The spacing needs at least two points.
 LocalSpacing local_spacing(const Density& density, const PixelPlaces& places);
 
 }

@@ -42,7 +42,8 @@ std::vector<FoundStarts> search_self_similar(Device& device, std::uint32_t point
 /// The memory of a search.
 DeviceMemory self_similar_memory(std::uint32_t points);
 
-/// What both engines do with pairs that they found: keeps the least of symmetric ones, decides by integers, sorts.
+/// Both engines hand the pairs that they found to this: it keeps the least of symmetric ones, decides by integers,
+/// sorts.
 std::vector<FoundStarts> sorted_starts(std::vector<SelfSimilarStarts> found, std::uint32_t points, double least_radius);
 
 /// All words of this many bits of which half are ones.

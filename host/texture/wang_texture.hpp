@@ -26,7 +26,7 @@ struct DiagonalPath
 DiagonalPath minimum_error_path(int rows, int band, int pinned,
                                 const std::function<std::int64_t(int row, int offset)>& error);
 
-/// As make_corner_texture().
+/// The arguments and errors are those of make_corner_texture().
 TextureSources make_wang_texture(const PngPixels& exemplar, const TextureRequest& request,
                                  const std::vector<TextureTile>& tiles, const PieceProgress& progress);
 

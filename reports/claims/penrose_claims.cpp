@@ -11,7 +11,7 @@ namespace {
 
 using PenroseOutcome = std::optional<ClaimOutcome>;
 
-/// Those of the same density everywhere, as the dissertation has them.
+/// The dissertation has Penrose tilings of the same density everywhere.
 std::vector<const ReportSeries*> even_penrose(const ClaimSeries& report, SeriesQuery::Needs needs)
 {
     auto found = report.all({.sampler = "penrose", .needs = needs});

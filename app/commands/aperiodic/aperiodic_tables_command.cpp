@@ -61,7 +61,7 @@ std::string text_of(const PrintedStep& step)
                        step.wang_colors > 0 ? fmt::format(" [{}]", step.wang_colors) : "");
 }
 
-/// What is printed, and what is here where that is something else.
+/// The cell shows the printed number, and the computed one beside it where they differ.
 std::string cell_of(const ComparedColumn& column, std::size_t step)
 {
     if (column.printed.steps.empty()) {

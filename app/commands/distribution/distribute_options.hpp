@@ -1,4 +1,4 @@
-// What the commands `distribute ...` have in common: a density, the even points that are put on it, a device.
+// The commands `distribute ...` share these options: a density, the even points that are put on it, a device.
 #pragma once
 
 #include "app/commands/command.hpp"

@@ -17,7 +17,7 @@ namespace poissonlab {
 /// The words for sets of Wang or corner tiles; none for other kinds.
 const std::vector<std::string>& aperiodic_set_words(TileKind kind);
 
-/// Those of sets that there are tilings of at any place: by Beatty sequences, or by substitution.
+/// These sets have tilings that can be computed at any place: by Beatty sequences, or by substitution.
 const std::vector<std::string>& aperiodic_tiling_words(TileKind kind);
 
 bool is_aperiodic_word(TileKind kind, const std::string& word);

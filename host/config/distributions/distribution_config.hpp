@@ -1,4 +1,4 @@
-// What the tables [[distribution]] of a config ask for, checked.
+// The tables [[distribution]] of a config become these checked settings.
 #pragma once
 
 #include "base/errors/errors.hpp"

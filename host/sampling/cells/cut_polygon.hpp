@@ -47,7 +47,7 @@ inline CutPolygon without_half_plane(const CutPolygon& polygon, double x, double
     return rest;
 }
 
-/// What is not nearer to a neighbour at (x, y) than to the site.
+/// The cut keeps the part of the polygon that is not nearer to a neighbour at (x, y) than to the site.
 inline CutPolygon without_side(const CutPolygon& polygon, double x, double y, std::uint32_t neighbour)
 {
     return without_half_plane(polygon, x, y, (x * x + y * y) / 2, neighbour);

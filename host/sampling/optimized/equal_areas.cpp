@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// How far areas are from equal ones.
+    /// This is the distance of areas from equal ones.
     Values lacking(const PowerCells& cells) const
     {
         Values lacking;

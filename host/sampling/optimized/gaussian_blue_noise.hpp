@@ -31,7 +31,7 @@ std::size_t least_gaussian_points(double sigma, int dimension);
 /// k^2 (2 pi sigma^2)^(dimension / 2) exp(-k^2 sigma^2 / 2).
 double usual_gaussian_step(double sigma, int dimension);
 
-/// What both engines are told.
+/// Both engines are told these numbers.
 contract::gaussian_blue_noise::Gaussians gaussians_for(const GaussianRequest& request, std::size_t points,
                                                        int dimension);
 

@@ -28,7 +28,8 @@ struct EliminationReach
     double least = 0; ///< d_min
 };
 
-/// Those for keeping so many of so many points: section 3.1 of the paper, with beta = 0.65 and gamma = 1.5.
+/// These reaches are those for keeping so many of so many points: section 3.1 of the paper, with beta = 0.65 and gamma
+/// = 1.5.
 EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dimension);
 
 /// The numbers of all points of a set in the order in which they are removed, if all are. Coordinates count to 2^-32.
