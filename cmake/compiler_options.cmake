@@ -14,6 +14,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   # GCC 12 warns of overlaps inside std::string that cannot be (GCC bugs 105329 and 105651).
   target_compile_options(lab_options INTERFACE -Wno-restrict)
 endif()
+if(POISSONLAB_PIC OR POISSONLAB_PYTHON)
+  # The Python package is a shared library of all rooms. No function of these is replaced by another program's, so that
+  # they may be inlined as in a program.
+  target_compile_options(lab_options INTERFACE -fPIC -fno-semantic-interposition)
+endif()
 if(POISSONLAB_WERROR)
   target_compile_options(lab_options INTERFACE -Werror)
 endif()

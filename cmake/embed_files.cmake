@@ -16,4 +16,5 @@ function(embed_files target header function folder)
     COMMENT "Embedding ${function}"
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
+  set_source_files_properties(${output} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # all have the same names inside
 endfunction()

@@ -1,1 +1,1 @@
-// What the library of the precompiled headers is built from; see compiler_options.cmake.
+// The source of the library of the precompiled headers; see compiler_options.cmake.

@@ -25,7 +25,7 @@
 #define MAX_NEAR (WINDOW * WINDOW * WINDOW)
 #endif
 
-// Of a dart.
+// The numbers of a dart.
 #define TIME_WORD DIMENSION
 #define CELL_WORD (DIMENSION + 1)
 

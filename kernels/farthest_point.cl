@@ -14,6 +14,7 @@
 
 #define WINDOW_SIDE (2 * NEIGHBOUR_REACH + 1)
 #define WINDOW_CELLS (WINDOW_SIDE * WINDOW_SIDE)
+#define MIDDLE_CELL (WINDOW_CELLS / 2)
 
 // A neighbour is known by its cell in the window and its place in the order of points.
 #define INDEX_BITS 27
@@ -24,6 +25,7 @@ typedef struct
     uint begin[WINDOW_CELLS], end[WINDOW_CELLS];
     double2 repetition[WINDOW_CELLS];
     double2 low, high;
+    double width; // of a cell
 } Window;
 
 Window window_around(uint cell_x, uint cell_y, uint grid_size, global const uint* starts)
@@ -38,27 +40,62 @@ Window window_around(uint cell_x, uint cell_y, uint grid_size, global const uint
         window.repetition[slot] = (double2)(turns_x, turns_y);
     }
     const double width = 1.0 / grid_size;
+    window.width = width;
     window.low = (double2)((int)cell_x - NEIGHBOUR_REACH, (int)cell_y - NEIGHBOUR_REACH) * width;
     window.high = (double2)(cell_x + NEIGHBOUR_REACH + 1, cell_y + NEIGHBOUR_REACH + 1) * width;
     return window;
 }
 
+/// The state of cutting a Voronoi cell by cells of the window.
+typedef struct
+{
+    double2 place;
+    uint own, left_out;
+    double squared_radius; // of what is left of the Voronoi cell
+} Cutting;
+
+/// Cuts a Voronoi cell by the points of a cell of the window. False where it has too many vertices.
+bool cut_by_cell(const Window* window, global const double2* positions, uint slot, Cutting* cutting, Polygon* cell)
+{
+    for (uint i = window->begin[slot]; i < window->end[slot]; ++i) {
+        const uint neighbour = slot << INDEX_BITS | i;
+        if (i == cutting->left_out || neighbour == cutting->own) continue;
+        const double2 to = positions[i] + window->repetition[slot] - cutting->place;
+        if (to.x * to.x + to.y * to.y >= 4 * cutting->squared_radius) continue;
+        if (!cut(cell, to.x, to.y, neighbour)) return false;
+        cutting->squared_radius = squared_radius_of(cell);
+    }
+    return true;
+}
+
+/// The place of a coordinate in a row of cells of the window.
+int window_column(double offset, double width)
+{
+    return clamp((int)floor(offset / width), 0, WINDOW_SIDE - 1);
+}
+
 /// The Voronoi cell of a place among the points of the window, but for one that is left out. False where it has too
-/// many vertices.
+/// many vertices. Cells of the window come ring by ring around the place, until all others are too far away; that in the
+/// middle comes first, as its points may have moved out of it.
 bool cell_without(const Window* window, global const double2* positions, double2 place, uint own, uint left_out,
                   Polygon* cell)
 {
     const double far = (window->high.x - window->low.x) + (window->high.y - window->low.y);
     *cell = square_around(far);
-    double squared_radius = 2 * far * far;
-    for (uint slot = 0; slot < WINDOW_CELLS; ++slot) {
-        for (uint i = window->begin[slot]; i < window->end[slot]; ++i) {
-            const uint neighbour = slot << INDEX_BITS | i;
-            if (i == left_out || neighbour == own) continue;
-            const double2 to = positions[i] + window->repetition[slot] - place;
-            if (to.x * to.x + to.y * to.y >= 4 * squared_radius) continue;
-            if (!cut(cell, to.x, to.y, neighbour)) return false;
-            squared_radius = squared_radius_of(cell);
+    Cutting cutting = {place, own, left_out, 2 * far * far};
+    if (!cut_by_cell(window, positions, MIDDLE_CELL, &cutting, cell)) return false;
+    const int column = window_column(place.x - window->low.x, window->width);
+    const int row = window_column(place.y - window->low.y, window->width);
+    for (int ring = 0; ring < WINDOW_SIDE; ++ring) {
+        const double gap = (ring - 1) * window->width - RING_SLACK;
+        if (gap > 0 && gap * gap >= 4 * cutting.squared_radius) break;
+        for (int y = max(row - ring, 0); y <= min(row + ring, WINDOW_SIDE - 1); ++y) {
+            const bool is_whole = y == row - ring || y == row + ring;
+            for (int x = column - ring; x <= column + ring; x += is_whole || ring == 0 ? 1 : 2 * ring) {
+                const int slot = y * WINDOW_SIDE + x;
+                if (x < 0 || x >= WINDOW_SIDE || slot == MIDDLE_CELL) continue;
+                if (!cut_by_cell(window, positions, slot, &cutting, cell)) return false;
+            }
         }
     }
     return true;

@@ -42,7 +42,7 @@ float smallest_lane(float8 v)
     return b.x < b.y ? b.x : b.y;
 }
 
-/// What the neighbours of a point come to.
+/// The sum over the neighbours of a point.
 typedef struct
 {
     float8 force[DIMENSION];

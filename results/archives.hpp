@@ -30,6 +30,12 @@ void serialize(Archive& archive, ZonePlateResult& result)
 }
 
 template <class Archive>
+void serialize(Archive& archive, FoldedDensityFile& folded)
+{
+    archive(folded.size, folded.file);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Estimate& estimate)
 {
     archive(estimate.value, estimate.standard_error);
@@ -50,13 +56,13 @@ void load(Archive& archive, Measures& measures)
     measures = read_measures(text);
 }
 
-/// What analysis finds out; the rest of a series belongs to other units.
+/// Results of the analysis; the rest of a series belongs to other units.
 template <class Archive>
 void serialize(Archive& archive, Series& series)
 {
     archive(series.points, series.points_each, series.realizations, series.min_distance, series.relative_radius,
             series.covered_fraction, series.measures, series.is_window, series.spectrum_size,
-            series.pair_correlation_file, series.zone_plate, series.analysis_seconds);
+            series.pair_correlation_file, series.folded_density, series.zone_plate, series.analysis_seconds);
 }
 
 }

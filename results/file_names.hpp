@@ -14,9 +14,11 @@ inline constexpr const char* spectrum = "spectrum.exr";
 inline constexpr const char* spectrum_volume = "spectrum-volume.exr";
 inline constexpr const char* radial = "radial.csv";
 inline constexpr const char* pair_correlation = "pair-correlation.csv";
+inline constexpr const char* folded_density = "folded-density.exr";
 inline constexpr const char* iterations = "iterations.csv";
 inline constexpr const char* zone_plate = "zone-plate.exr";
 inline constexpr const char* zone_plate_error = "zone-plate.csv";
+inline constexpr const char* tile_set = "tile-set.ptiles";
 
 /// In the folder of a tiling or tile set, and of a construction.
 inline constexpr const char* tiles = "tiles.txt";

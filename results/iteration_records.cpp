@@ -1,5 +1,8 @@
 #include "results/iteration_records.hpp"
 
+#include "base/errors/errors.hpp"
+#include "base/files/number_table.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,14 +10,36 @@
 #include <numeric>
 
 namespace poissonlab {
+namespace {
+
+constexpr const char* table_header = "realization,iteration,relative_radius,energy";
+
+}
 
 std::string iterations_csv(const IterationRecords& records)
 {
-    std::string text = "realization,iteration,relative_radius,energy\n";
+    std::string text = fmt::format("{}\n", table_header);
     for (std::size_t k = 0; k < records.size(); ++k)
         for (std::size_t i = 0; i < records[k].size(); ++i)
             text += fmt::format("{},{},{:.17g},{:.17g}\n", k, i, records[k][i].relative_radius, records[k][i].energy);
     return text;
+}
+
+IterationRecords read_iterations_table(const std::filesystem::path& path)
+{
+    IterationRecords records;
+    std::size_t number = 0;
+    for (const auto& row : read_number_table(path, table_header, "iterations")) {
+        const std::size_t realization = table_count(row[0], path, number, "realization");
+        const std::size_t iteration = table_count(row[1], path, number, "iteration");
+        ++number;
+        if (iteration == 0 && realization == records.size()) records.emplace_back();
+        if (realization + 1 != records.size() || iteration != records.back().size())
+            throw InputError(fmt::format("{}:{}: realization {}, iteration {} must follow on those before",
+                                         path.string(), number + 1, realization, iteration));
+        records.back().push_back({row[2], row[3]});
+    }
+    return records;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include "results/records/sample_records.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ using IterationRecords = std::vector<std::vector<IterationRecord>>;
 
 /// The text of iterations.csv: realization,iteration,relative_radius,energy; 17 significant digits.
 std::string iterations_csv(const IterationRecords& records);
+
+/// Reads what iterations_csv() wrote. Throws InputError with file and line.
+IterationRecords read_iterations_table(const std::filesystem::path& path);
 
 /// A quantity after each iteration, over the realizations that got there.
 struct IterationSpread

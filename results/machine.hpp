@@ -1,4 +1,4 @@
-// What a run was computed on.
+// The machine that a run was computed on.
 #pragma once
 
 #include <string>

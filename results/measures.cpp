@@ -96,7 +96,7 @@ Measure number(const char* key, const char* name, const char* unit, Better bette
     return number;
 }
 
-/// How a row gets its value from a member of Measures, of series that have it.
+/// The way in which a row gets its value from a member of Measures, of series that have it.
 template <class Member>
 auto from(std::optional<Member> Measures::*member, double Member::*value)
 {
@@ -170,6 +170,17 @@ std::vector<Measure> sizes_and_distances()
                       MeasureKind::size, significant(4),
                       "What is known without measuring: no set of the method has a smaller relative radius, by a proof "
                       "over all neighbourhoods that tiles can have.")),
+        detail(number("mean_nearest_distance", "mean nearest distance", of_largest_distance, Better::neither,
+                      MeasureKind::estimate, significant(4),
+                      "The distance from a point to the nearest other one, on average over all points and the K sets, "
+                      "with its standard error: {0.465|0.494} for random points, 1 for a perfect lattice. Far above "
+                      "the relative radius, few points are as near to another as the nearest two.")),
+        detail(
+            number("prefix_relative_radius", "relative radius of first parts", of_largest_distance, Better::higher,
+                   MeasureKind::estimate, significant(3),
+                   "The smallest relative radius of the first half, quarter and eighth of the points, each of as many "
+                   "points: of methods whose points come in an order in which every first part is a good set. The "
+                   "mean over the K sets, with its standard error.")),
         row("min_distance", "minimum distance", "of the torus' side", Better::higher, MeasureKind::per_set,
             significant(4),
             "The same distance as it is: twice the radius of the {disks|spheres}. It compares between sets of the "
@@ -205,6 +216,10 @@ std::vector<Measure> spectral_measures()
         detail(row("low_frequency_intercept", "power towards frequency 0", "", Better::lower, MeasureKind::estimate,
                    decimals(3), "1 for random points, 0.059 for saturated dart throwing.",
                    from(&Measures::low_frequency_power, &Fit::intercept, &Fit::intercept_standard_error))),
+        detail(number("low_frequency_mean", "mean power at low frequencies", "", Better::lower, MeasureKind::estimate,
+                      significant(2),
+                      "Over the frequencies up to {√N|∛N} / 4, with its standard error: 1 for random points; stealthy "
+                      "sets have 0.001 or less.")),
         row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
             "The largest anisotropy of a {ring|shell} of at least 100 samples, with its standard error: chance alone "
             "stays "

@@ -20,7 +20,7 @@ enum class Better
     neither,
 };
 
-/// What a value stands for, which says how large its error is.
+/// The sets that a value stands for, which says how large its error is.
 enum class MeasureKind
 {
     setting,  ///< what was asked for
@@ -31,7 +31,7 @@ enum class MeasureKind
     time,     ///< compares on one machine only
 };
 
-/// How a value is rounded for readers.
+/// The rounding of a value for readers.
 struct Digits
 {
     enum class Form
@@ -45,7 +45,7 @@ struct Digits
     int digits = 3;
 };
 
-/// What a series has of a measure.
+/// The value of a measure that a series has.
 struct MeasuredValue
 {
     double value = 0;

@@ -32,6 +32,7 @@ struct Run
     std::vector<TilingResult> tilings; ///< and tile sets
     std::vector<ConstructionResult> constructions;
     std::vector<DistributionResult> distributions;
+    std::vector<DistributionResult> schemes; ///< of tilings and tile sets
 
     bool operator==(const Run&) const = default;
 };
@@ -40,7 +41,7 @@ struct Run
 std::string run_json(const Run& run);
 
 /// Reads and checks folder/results.json, and that the files it names are there and that it has a series, a tiling, a
-/// construction or a distribution. Throws InputError that names the file and the member.
+/// construction, a distribution or a scheme. Throws InputError that names the file and the member.
 Run read_run(const std::filesystem::path& folder);
 
 }

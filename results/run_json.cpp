@@ -52,6 +52,7 @@ void members(JsonMembers& m, Stored<Run> auto& run)
     m.objects_if_any("tilings", run.tilings);
     m.objects_if_any("constructions", run.constructions);
     m.objects_if_any("distributions", run.distributions);
+    m.objects_if_any("schemes", run.schemes);
 }
 
 namespace {
@@ -107,7 +108,8 @@ Run read_run(const std::filesystem::path& folder)
     members(root, run);
     if (run.dimension > 3) throw root.stored().error("dimension", "must be 2 or 3");
     check_places(root.stored(), run);
-    if (run.series.empty() && run.tilings.empty() && run.constructions.empty() && run.distributions.empty())
+    if (run.series.empty() && run.tilings.empty() && run.constructions.empty() && run.distributions.empty() &&
+        run.schemes.empty())
         throw root.stored().error("series", "must hold at least one series");
     return run;
 }

@@ -36,6 +36,15 @@ struct ZonePlateResult
     bool operator==(const ZonePlateResult&) const = default;
 };
 
+/// The density of a tiling's points over the tile, as an image.
+struct FoldedDensityFile
+{
+    int size = 0;     ///< bins along each axis
+    std::string file; ///< relative to the run's folder
+
+    bool operator==(const FoldedDensityFile&) const = default;
+};
+
 /// A number that stands for all realizations, or for the first one.
 struct Estimate
 {
@@ -90,7 +99,8 @@ struct Series
     std::string volume_file;   ///< all of a 3D spectrum; empty: not stored
     std::string radial_file;   ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
-    std::string pair_correlation_file; ///< empty: sets of one point
+    std::string pair_correlation_file;               ///< empty: sets of one point
+    std::optional<FoldedDensityFile> folded_density; ///< of tilings of the plane
     std::optional<Iterations> iterations;
     std::optional<ZonePlateResult> zone_plate;
     std::vector<std::string> point_files;

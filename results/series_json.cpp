@@ -36,6 +36,12 @@ void members(JsonMembers& m, Stored<ZonePlateResult> auto& plate)
     m.object_or_null("resolved_rms_error", plate.resolved_rms_error);
 }
 
+void members(JsonMembers& m, Stored<FoldedDensityFile> auto& folded)
+{
+    m.member("size", folded.size, 1);
+    m.file_name("file", folded.file);
+}
+
 void members(JsonMembers& m, Stored<RegionPoints> auto& region)
 {
     m.member("points", region.points);
@@ -71,7 +77,7 @@ void regions(JsonMembers& m, std::vector<RegionPoints>& regions)
         if (m.stored().has(name)) m.object(name, regions.emplace_back(RegionPoints{name, 0, 0}));
 }
 
-/// What is there of a value whose members stand among those of another one.
+/// The part of a value that is there, whose members stand among those of another one.
 template <class T>
 const T& made(const std::optional<T>& value)
 {
@@ -160,6 +166,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     });
     m.group_if(!series.pair_correlation_file.empty(), "pair_correlation",
                [&](JsonMembers& pairs) { pairs.file_name("file", series.pair_correlation_file); });
+    m.object("folded_density", series.folded_density);
     if (series.iterations && series.iterations->realizations.empty())
         m.json("iterations", null); // without finite means
     else

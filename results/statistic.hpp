@@ -16,7 +16,7 @@ struct Statistic
     bool operator==(const Statistic&) const = default;
 };
 
-/// Of the values of all realizations. Nothing where one has none: a single point has no distance.
+/// The statistic of the values of all realizations, none where one has no value: a single point has no distance.
 std::optional<Statistic> statistic_of(const std::vector<double>& each);
 
 /// The median; the mean of the middle two for an even number of values. `values` must not be empty.

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -173,11 +174,50 @@ double closest_pair(const PointSet& set, const Metric& squared)
     return distance;
 }
 
+/// Cells get twice as wide from round to round, beginning with the smallest distance of all, and a round settles the
+/// points whose nearest one is as near as its cells are wide: no cell of a point that is left holds many.
+template <int D, class Metric>
+double mean_distance(const PointSet& set, const Metric& squared)
+{
+    HashedGrid<D> grid(set.size());
+    std::vector<std::uint32_t> open(set.size());
+    std::iota(open.begin(), open.end(), 0u);
+    double sum = 0;
+    for (double reach = std::max(closest_pair<D>(set, squared), 0x1p-32); !open.empty(); reach *= 2) {
+        grid.reset(reach);
+        for (std::uint32_t j = 0; j < set.size(); ++j) grid.insert(j, set[j]);
+        std::erase_if(open, [&](std::uint32_t i) {
+            auto least = std::numeric_limits<decltype(squared(0, 0))>::max();
+            grid.for_each_near(set[i], [&](std::uint32_t j) {
+                if (j != i) least = std::min(least, squared(i, j));
+            });
+            const double distance = Metric::distance(least);
+            const bool is_settled = distance <= reach || reach > 1;
+            if (is_settled) sum += distance;
+            return is_settled;
+        });
+    }
+    return sum / static_cast<double>(set.size());
+}
+
+/// A function of a set and its metric, with the metric that suits the set.
+template <int D, class Measure>
+double with_metric(const PointSet& set, const Measure& measure)
+{
+    if (FixedPointMetric<D>::suits(set)) return measure(FixedPointMetric<D>(set));
+    return measure(FloatingMetric<D>{set});
+}
+
 template <int D>
 double min_distance(const PointSet& set)
 {
-    if (FixedPointMetric<D>::suits(set)) return closest_pair<D>(set, FixedPointMetric<D>(set));
-    return closest_pair<D>(set, FloatingMetric<D>{set});
+    return with_metric<D>(set, [&](const auto& metric) { return closest_pair<D>(set, metric); });
+}
+
+template <int D>
+double mean_nearest(const PointSet& set)
+{
+    return with_metric<D>(set, [&](const auto& metric) { return mean_distance<D>(set, metric); });
 }
 
 }
@@ -188,6 +228,14 @@ double min_toroidal_distance(const PointSet& points)
     return points.dimension == 2 ? min_distance<2>(points) : min_distance<3>(points);
 }
 
+double mean_nearest_distance(const PointSet& points)
+{
+    if (points.size() < 2) return std::numeric_limits<double>::infinity();
+    return points.dimension == 2 ? mean_nearest<2>(points) : mean_nearest<3>(points);
+}
+
 double min_distance_in_window(const PointSet& points) { return 2 * min_toroidal_distance(halved(points)); }
+
+double mean_nearest_distance_in_window(const PointSet& points) { return 2 * mean_nearest_distance(halved(points)); }
 
 }

@@ -14,8 +14,15 @@ namespace poissonlab {
 /// infinity. Time is O(N) for well-spread points, O(N log(1 / distance)) for any others.
 double min_toroidal_distance(const PointSet& points);
 
-/// The same of a window of the plane (of space): distances do not go across its borders. Differences and squares are
-/// rounded in double.
+/// The mean over all points of the toroidal distance to the nearest other one, in unit lengths; infinite for fewer than
+/// two points. Time is O(N) for well-spread points, O(N log(mean / least distance)) for others that do not coincide.
+double mean_nearest_distance(const PointSet& points);
+
+/// The smallest distance of a window of the plane (of space): distances do not go across its borders. Differences and
+/// squares are rounded in double.
 double min_distance_in_window(const PointSet& points);
+
+/// The mean nearest distance of a window of the plane (of space).
+double mean_nearest_distance_in_window(const PointSet& points);
 
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -94,22 +95,36 @@ Coordinates<D> circumcentre(const DelaunaySimplex<D>& simplex)
     return centre;
 }
 
-/// Keeps the largest of the balls that it is shown.
+/// The simplex with its corners in an order that does not depend on how the triangulation came about, which in space
+/// depends on addresses in memory: rounding depends on the order.
+template <int D>
+DelaunaySimplex<D> sorted(DelaunaySimplex<D> simplex)
+{
+    std::ranges::sort(simplex, {},
+                      [](const DelaunayCorner<D>& corner) { return std::pair(corner.position, corner.image); });
+    return simplex;
+}
+
+/// Keeps the largest of the balls that it is shown; of several the one with the least centre.
 template <int D>
 class LargestBall
 {
 public:
-    void show(const DelaunaySimplex<D>& simplex)
+    void show(const DelaunaySimplex<D>& any_order)
     {
+        const DelaunaySimplex<D> simplex = sorted<D>(any_order);
         const Coordinates<D> centre = circumcentre<D>(simplex);
         const double squared = dot(centre, centre);
-        if (squared <= squared_) return;
-        squared_ = squared;
+        if (squared < squared_) return;
+        std::array<double, 3> place{};
         for (std::size_t k = 0; k < D; ++k) {
             const double c = centre[k] + simplex[0].position[k];
             const double wrapped = c - std::floor(c);
-            centre_[k] = wrapped < 1 ? wrapped : 0;
+            place[k] = wrapped < 1 ? wrapped : 0;
         }
+        if (squared == squared_ && place >= centre_) return;
+        squared_ = squared;
+        centre_ = place;
     }
 
     LargestEmptyBall result(std::size_t points) const

@@ -55,6 +55,18 @@ FrequencyRange low_frequency_range(std::size_t points, int dimension)
     return {1, low_frequency_end * slack * std::pow(static_cast<double>(points), 1.0 / dimension)};
 }
 
+std::optional<double> mean_power_in(const std::vector<RadialBin>& radial, const FrequencyRange& range)
+{
+    double power = 0, samples = 0;
+    for (const RadialBin& bin : radial) {
+        if (bin.frequency < range.begin || bin.frequency > range.end) continue;
+        power += bin.power * static_cast<double>(bin.samples);
+        samples += static_cast<double>(bin.samples);
+    }
+    if (samples == 0) return std::nullopt;
+    return power / samples;
+}
+
 std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, const FrequencyRange& range)
 {
     std::vector<PowerSample> logarithms, parabola;

@@ -51,6 +51,10 @@ struct FrequencyRange
 /// The usual range: from the first bin to low_frequency_end points^(1/dimension).
 FrequencyRange low_frequency_range(std::size_t points, int dimension);
 
+/// The mean power of all frequencies of a range: a level that stealthy sets, whose power is none rather than a power of
+/// the frequency, are told by. Nothing where the range has no bins.
+std::optional<double> mean_power_in(const std::vector<RadialBin>& radial, const FrequencyRange& range);
+
 /// The fits over a range. Bins without power take no part in the exponent, as they have no logarithm. Nothing
 /// where fewer than three bins with power are left.
 std::optional<LowFrequencyPower> low_frequency_power(const std::vector<RadialBin>& radial, const FrequencyRange& range);

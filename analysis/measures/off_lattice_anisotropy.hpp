@@ -11,7 +11,7 @@
 
 namespace poissonlab {
 
-/// How far the anisotropy (dissertation, equation 6.5) of rings without the multiples of `tiles` is above that of
+/// The height of the anisotropy (dissertation, equation 6.5) of rings without the multiples of `tiles` above that of
 /// chance, -10 log10 K, in dB: the mean over all rings of at least 100 such samples. About 0 where tiles leave no
 /// trace; of T template tiles, 10 log10(1 + K / (T - 1)). Nothing where no ring has as many, and for a single
 /// realization.

@@ -16,9 +16,13 @@ constexpr double least_points = 400;
 
 }
 
+double seam_bin_width(int dimension, int tiles, std::size_t points)
+{
+    return min_distance_for(usual_relative_radius, points, dimension) / 2 / 4 * tiles;
+}
+
 SeamDensity::SeamDensity(int dimension, int tiles, std::size_t points)
-    : dimension_(dimension), tiles_(tiles),
-      width_(min_distance_for(usual_relative_radius, points, dimension) / 2 / 4 * tiles),
+    : dimension_(dimension), tiles_(tiles), width_(seam_bin_width(dimension, tiles, points)),
       counts_(static_cast<std::size_t>(std::ceil(0.5 / width_)))
 {}
 

@@ -10,8 +10,12 @@
 
 namespace poissonlab {
 
+/// A quarter of the radius that disks have at a relative radius of 0.75, in tiles, of tilings of `tiles` tiles along
+/// each axis with so many points.
+double seam_bin_width(int dimension, int tiles, std::size_t points);
+
 /// Counts the points of toroidal tilings by their distance from the nearest edge (face) of their tile's square (cube),
-/// in bins of a quarter of the radius that disks have at a relative radius of 0.75.
+/// in bins of seam_bin_width().
 class SeamDensity
 {
 public:

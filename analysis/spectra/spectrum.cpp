@@ -1,6 +1,7 @@
 #include "analysis/spectra/spectrum.hpp"
 
 #include "analysis/spectra/fast_periodogram.hpp"
+#include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 
@@ -38,7 +39,7 @@ void SpectrumEstimate::add(const PointSet& points)
     if (power_.count() == 0) points_ = points.size();
     compute_periodogram(points);
     radial_curves_.push_back(radial_means(periodogram_));
-    radial_.add(bin_width_ == 1 ? radial_curves_.back() : radial_means(periodogram_, bin_width_));
+    if (bin_width_ != 1) wide_curves_.push_back(radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);
 }
 
@@ -61,8 +62,8 @@ void SpectrumEstimate::append(const SpectrumEstimate& other)
     check("realization " + std::to_string(power_.count()), other.dimension_, other.points_);
     if (power_.count() == 0) points_ = other.points_;
     power_.append(other.power_);
-    radial_.append(other.radial_);
     radial_curves_.insert(radial_curves_.end(), other.radial_curves_.begin(), other.radial_curves_.end());
+    wide_curves_.insert(wide_curves_.end(), other.wide_curves_.begin(), other.wide_curves_.end());
 }
 
 void SpectrumEstimate::compute_periodogram(const PointSet& points)
@@ -89,12 +90,16 @@ Spectrum SpectrumEstimate::mean() const
     return mean;
 }
 
-std::vector<double> SpectrumEstimate::radial_errors() const
+std::vector<double> SpectrumEstimate::radial_errors(std::size_t groups) const
 {
-    if (radial_.count() < 2) return {};
-    std::vector<double> errors;
-    for (const double squares : radial_.squares()) {
-        errors.push_back(std::sqrt(squares / (radial_.count() - 1) / radial_.count()));
+    const auto& each = bin_width_ == 1 ? radial_curves_ : wide_curves_;
+    const auto curves = groups > 1 ? group_means(each, groups) : each;
+    if (curves.size() < 2) return {};
+    std::vector<double> errors, powers;
+    for (std::size_t bin = 0; bin < curves.front().size(); ++bin) {
+        powers.clear();
+        for (const auto& curve : curves) powers.push_back(curve[bin]);
+        errors.push_back(standard_error_of_mean(powers));
     }
     return errors;
 }

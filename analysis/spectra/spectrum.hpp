@@ -89,8 +89,9 @@ public:
     Spectrum mean() const;
 
     /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from
-    /// its spread between realizations. Empty for K = 1.
-    std::vector<double> radial_errors() const;
+    /// its spread between realizations; where they share tile sets or the like, between these `groups`, see
+    /// group_means(). 1: each stands for itself. Empty where there is one only.
+    std::vector<double> radial_errors(std::size_t groups = 1) const;
 
     /// The radially averaged power of each realization, in the bins of radial_statistics() one sample wide.
     const std::vector<std::vector<double>>& radial_curves() const { return radial_curves_; }
@@ -102,7 +103,7 @@ public:
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(points_, power_, radial_, radial_curves_);
+        archive(points_, power_, radial_curves_, wide_curves_);
     }
 
 private:
@@ -116,8 +117,8 @@ private:
     std::size_t points_ = 0;   ///< of the first realization
     HalfSpectrum periodogram_; ///< of the last realization
     RunningMoments power_;     ///< of each frequency's power
-    RunningMoments radial_;    ///< of each bin's mean power
     std::vector<std::vector<double>> radial_curves_;
+    std::vector<std::vector<double>> wide_curves_; ///< in bins of bin_width; empty where that is 1
     std::unique_ptr<FastPeriodogram> fast_;
 };
 

@@ -1,5 +1,6 @@
 #include "analysis/statistics/jackknife.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -41,6 +42,33 @@ double standard_error_of_mean(const std::vector<double>& values)
     if (values.size() < 2) throw std::invalid_argument("standard_error_of_mean: one value alone has no error");
     const auto count = static_cast<double>(values.size());
     return std::sqrt(squared_deviations(values) / (count - 1) / count);
+}
+
+std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves, std::size_t groups)
+{
+    if (groups == 0) throw std::invalid_argument("group_means: there must be a group");
+    const std::size_t used = std::min(groups, curves.size());
+    std::vector<std::vector<double>> means(used);
+    std::vector<double> members(used);
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        std::vector<double>& mean = means[k % groups];
+        mean.resize(curves.front().size());
+        if (curves[k].size() != mean.size()) throw std::invalid_argument("group_means: curves differ in size");
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += curves[k][i];
+        ++members[k % groups];
+    }
+    for (std::size_t group = 0; group < used; ++group)
+        for (double& value : means[group]) value /= members[group];
+    return means;
+}
+
+std::vector<double> group_means(const std::vector<double>& values, std::size_t groups)
+{
+    std::vector<std::vector<double>> curves;
+    for (const double value : values) curves.push_back({value});
+    std::vector<double> means;
+    for (const auto& mean : group_means(curves, groups)) means.push_back(mean.front());
+    return means;
 }
 
 }

@@ -27,6 +27,7 @@ struct AnalyzeOptions
     std::string label;
     std::string domain; ///< as for parse_range(); empty: what the files say
     std::vector<std::string> overrides;
+    bool gallery = false;
     int threads = 0;
     bool quiet = false;
     std::string command;
@@ -49,7 +50,7 @@ void analyze(const AnalyzeOptions& options)
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
     run_experiment(experiment, out, progress);
-    finish_report({out}, out, progress);
+    finish_report({out}, out, progress, PrintPictures::none, options.gallery ? Gallery::laid_behind : Gallery::offered);
 }
 
 }
@@ -65,6 +66,7 @@ Command analyze_command(const std::string& typed)
              {"--label", &o->label, "What the report calls them; default: the first file's name", "TEXT"},
              {"--domain", &o->domain,
               "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
+             {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
              {"--set", &o->overrides, "Set a key of [analysis]; may be repeated", "analysis.KEY=VALUE"},
              {"--threads", &o->threads, "Use so many threads; default: all", "N"},
              {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},

@@ -18,14 +18,15 @@ struct ExportOptions
     std::filesystem::path out;
     bool plots = false;
     bool points = false;
+    bool gallery = false;
     bool quiet = false;
 };
 
 void export_files(const ExportOptions& options)
 {
     Progress progress(Progress::detect(options.quiet));
-    const bool all = !options.plots && !options.points;
-    export_results(options.folders, options.out, {all || options.plots, all || options.points},
+    const bool all = !options.plots && !options.points && !options.gallery;
+    export_results(options.folders, options.out, {all || options.plots, all || options.points, options.gallery},
                    [&](const std::string& step) { progress.step("export: " + step); });
     progress.report(options.out.string());
 }
@@ -41,6 +42,7 @@ Command export_command()
              {"--out", &o->out, "Where the files go", "DIR", required},
              {"--plots", &o->plots, "Only plots"},
              {"--points", &o->points, "Only point sets"},
+             {"--gallery", &o->gallery, "The tables of a gallery of reference curves instead"},
              {"--quiet", &o->quiet, "Print nothing but errors and the path"}},
             export_notes,
             action_on(o, export_files)};

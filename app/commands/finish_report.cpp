@@ -6,13 +6,13 @@
 namespace poissonlab {
 
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   Progress& progress, PrintPictures print)
+                   Progress& progress, PrintPictures print, Gallery gallery)
 {
     const auto say = [&](const std::string& step) {
         stop_if_interrupted();
         progress.step("report: " + step);
     };
-    write_report(folders, out, say, print);
+    write_report(folders, out, say, print, gallery);
     progress.report((out / "index.html").string());
 }
 

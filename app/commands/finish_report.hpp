@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/run/progress.hpp"
+#include "reports/gallery/gallery_use.hpp"
 #include "reports/plots/print_pictures.hpp"
 
 #include <filesystem>
@@ -11,6 +12,6 @@ namespace poissonlab {
 
 /// Writes the report and prints the path of its page.
 void finish_report(const std::vector<std::filesystem::path>& folders, const std::filesystem::path& out,
-                   Progress& progress, PrintPictures print = PrintPictures::none);
+                   Progress& progress, PrintPictures print = PrintPictures::none, Gallery gallery = Gallery::offered);
 
 }

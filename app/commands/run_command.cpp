@@ -2,10 +2,10 @@
 // report.
 #include "app/commands/command.hpp"
 #include "app/commands/finish_report.hpp"
-#include "app/commands/run_plan.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/crew/thread_limit.hpp"
+#include "host/run/run_plan.hpp"
 #include "host/run/runner.hpp"
 #include "host/store/file_lock.hpp"
 #include "host/store/unit_store.hpp"
@@ -182,6 +182,8 @@ void run(const RunOptions& options)
     }
 
     Progress progress(style_of(options, *crew));
+    for (const PlannedRun& run : plan.runs)
+        for (const std::string& word : run.experiment.left_out) progress.message(word);
     CollectionFile done{plan.title, options.command, {}};
     settings.announces_runs = plan.is_collection;
     if (plan.is_collection) settings.on_published = [&](const PlannedRun& run) { note_run(plan, done, run); };

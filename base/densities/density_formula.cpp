@@ -1,5 +1,6 @@
 #include "base/densities/density_formula.hpp"
 
+#include "base/densities/density_values.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +26,8 @@ bool has_assignment(const std::string& formula)
     return false;
 }
 
+std::string formula_name(const std::string& formula) { return fmt::format("formula \"{}\"", shortened(formula)); }
+
 }
 
 std::string formula_of(const std::string& name_or_text)
@@ -33,7 +36,7 @@ std::string formula_of(const std::string& name_or_text)
     return name_or_text;
 }
 
-Density density_of_formula(const std::string& formula, double width, double height)
+PixelValues formula_values(const std::string& formula, double width, double height)
 {
     const double longest = std::max(width, height);
     const auto pixels = [&](double side) {
@@ -43,7 +46,7 @@ Density density_of_formula(const std::string& formula, double width, double heig
     std::vector<double> values;
     values.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     double x = 0, y = 0;
-    const std::string name = fmt::format("formula \"{}\"", shortened(formula));
+    const std::string name = formula_name(formula);
     if (has_assignment(formula)) throw InputError(name + ": has an assignment; == compares");
     try {
         mu::Parser parser;
@@ -61,7 +64,13 @@ Density density_of_formula(const std::string& formula, double width, double heig
     } catch (const mu::Parser::exception_type& error) {
         throw InputError(fmt::format("{}: {}", name, printable(error.GetMsg())));
     }
-    return density_of_values(columns, rows, values, name);
+    return {columns, rows, std::move(values)};
+}
+
+Density density_of_formula(const std::string& formula, double width, double height)
+{
+    const PixelValues values = formula_values(formula, width, height);
+    return density_of_values(values.width, values.height, values.values, formula_name(formula));
 }
 
 }

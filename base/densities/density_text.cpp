@@ -1,6 +1,7 @@
 #include "base/densities/density_text.hpp"
 
 #include "base/densities/density_formula.hpp"
+#include "base/densities/density_values.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +24,7 @@ Density density_of_text(const std::string& text, const std::string& from, double
     try {
         return density_of_formula(text, width, height);
     } catch (const InputError& error) {
-        if (text.find('.') == std::string::npos && text.find('/') == std::string::npos) throw;
-        throw InputError(fmt::format("{}: no such file; as a {}", printable(text), error.what()));
+        throw formula_error(text, error);
     }
 }
 

@@ -50,7 +50,7 @@ private:
 std::string_view trimmed(std::string_view text);
 
 /// Reads all of `word` as a decimal number (a leading + is allowed). False when it is none or overflows.
-/// What is nearer to zero than every double becomes zero. "nan" and "inf" are numbers here.
+/// A number nearer to zero than every double becomes zero. "nan" and "inf" are numbers here.
 bool parse_number(std::string_view word, double& value);
 
 }

@@ -1,6 +1,6 @@
 #include "base/files/xxh64_bytes.hpp"
 
-// From the header alone: one library less to load at every start.
+// It comes from the header alone: one library less to load at every start.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

@@ -1,6 +1,6 @@
 // Delaunay triangulations of point sets on the unit torus, and the Voronoi cells that are dual to them.
 //
-// From CGAL's periodic triangulations, with exact predicates. The two files behind this header and the one behind
+// They are CGAL's periodic triangulations, with exact predicates. The two files behind this header and the one behind
 // plane_delaunay.hpp are the only ones that include CGAL: its templates take half a minute to compile.
 #pragma once
 

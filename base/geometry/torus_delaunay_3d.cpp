@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <list>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -30,6 +31,9 @@ Triangulation triangulation_of(const PointSet& points)
     return triangulation;
 }
 
+// The order in which CGAL holds the corners of tetrahedra, and tetrahedra around edges, depends on addresses in memory.
+// Rounding depends on the order: cells are computed, and shown, in an order of coordinates.
+
 /// The centre of the sphere through the vertices of a tetrahedron, relative to its vertex `site`.
 std::array<double, 3> centre_relative_to(const Triangulation& triangulation, Triangulation::Cell_handle cell,
                                          Triangulation::Vertex_handle site)
@@ -38,8 +42,18 @@ std::array<double, 3> centre_relative_to(const Triangulation& triangulation, Tri
     const int own = cell->index(site);
     const auto p = tetrahedron.vertex(own);
     const auto at = [&](int i) { return CGAL::ORIGIN + (tetrahedron.vertex((own + i) % 4) - p); };
-    const auto centre = CGAL::circumcenter(at(0), at(1), at(2), at(3));
+    std::array others{at(1), at(2), at(3)};
+    std::ranges::sort(others);
+    const auto centre = CGAL::circumcenter(at(0), others[0], others[1], others[2]);
     return {centre.x(), centre.y(), centre.z()};
+}
+
+/// The polygon from its least corner on, towards the lesser of the two beside it.
+TorusCell<3>::Polygon in_order(TorusCell<3>::Polygon polygon)
+{
+    std::ranges::rotate(polygon, std::ranges::min_element(polygon));
+    if (polygon.back() < polygon[1]) std::reverse(polygon.begin() + 1, polygon.end());
+    return polygon;
 }
 
 TorusCell<3> cell_of(const Triangulation& triangulation, Triangulation::Vertex_handle site)
@@ -50,13 +64,15 @@ TorusCell<3> cell_of(const Triangulation& triangulation, Triangulation::Vertex_h
     for (const Triangulation::Edge& edge : edges) {
         const auto segment = triangulation.construct_segment(triangulation.periodic_segment(edge));
         result.squared_near = std::min(result.squared_near, segment.squared_length());
-        auto& face = result.faces.emplace_back();
+        TorusCell<3>::Polygon face;
         auto cell = triangulation.incident_cells(edge);
         const auto first = cell;
         do {
             face.push_back(centre_relative_to(triangulation, cell, site));
         } while (++cell != first);
+        result.faces.push_back(in_order(std::move(face)));
     }
+    std::ranges::sort(result.faces);
     return result;
 }
 

@@ -27,13 +27,15 @@ fs::path own_file()
     return fs::read_symlink("/proc/self/exe", error); // a program's name alone may be relative to anything
 }
 
-/// Beside the program, or where it is when both are installed, or where it was built.
+/// Beside the program, or where it is when it is installed with the program or the Python package, or where it was
+/// built.
 fs::path module_file()
 {
     const fs::path built = POISSONLAB_PICTURE_MODULE;
     const fs::path folder = own_file().parent_path();
     std::error_code error;
-    for (const fs::path& place : {folder, folder / POISSONLAB_INSTALLED_MODULES})
+    for (const fs::path& place :
+         {folder, folder / POISSONLAB_INSTALLED_MODULES, folder / POISSONLAB_MODULES_FROM_PYTHON})
         if (fs::exists(place / built.filename(), error)) return place / built.filename();
     return built;
 }

@@ -88,7 +88,7 @@ private:
         return is_read ? "" : reason(input->geterror());
     }
 
-    /// From sRGB, but for alpha: IEC 61966-2-1.
+    /// Values become linear from sRGB, but for alpha: IEC 61966-2-1.
     static void make_linear(std::vector<float>& values, const OIIO::ImageSpec& spec)
     {
         for (std::size_t i = 0; i < values.size(); ++i) {

@@ -51,7 +51,7 @@ Vertices find_vertices(const PointFileContent& file, const PlyHeader& header)
 }
 
 /// Throws when a file of `bytes` cannot have the rows of a table, each `row_bytes` at least.
-/// Nothing is allocated for a count before it went through here.
+/// No memory is allocated for a count before it went through here.
 void check_room(const PointFileContent& file, const PlyElement& table, std::size_t bytes, std::size_t row_bytes)
 {
     if (row_bytes > 0 && table.count > bytes / row_bytes) fail_truncated(file, table);

@@ -1,6 +1,7 @@
 #include "base/programs/interrupt.hpp"
 
 #include "base/files/leftovers.hpp"
+#include "base/programs/interrupt_scope.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -85,6 +86,23 @@ void tell_of_interruption() noexcept
 void stop_if_interrupted()
 {
     if (signalled) throw Interrupted();
+}
+
+InterruptScope::InterruptScope()
+{
+    signalled = 0;
+    struct sigaction remembering = {};
+    remembering.sa_handler = [](int) { signalled = 1; };
+    remembering.sa_flags = SA_RESTART;
+    sigemptyset(&remembering.sa_mask);
+    sigaction(SIGINT, nullptr, &before_);
+    if (before_.sa_handler != SIG_IGN) sigaction(SIGINT, &remembering, nullptr);
+}
+
+InterruptScope::~InterruptScope()
+{
+    sigaction(SIGINT, &before_, nullptr);
+    signalled = 0;
 }
 
 }

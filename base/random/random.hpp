@@ -32,6 +32,7 @@ enum class Purpose : std::uint32_t
     wang_surroundings = 25,
     wang_tilings = 26,
     sector_darts = 27,
+    penrose_window = 28,
     polyomino_division = 30,
     polyomino_seed = 31,
     recursive_tile_darts = 32,
@@ -47,6 +48,8 @@ enum class Purpose : std::uint32_t
     ammann_tiling = 54,
     tiling_search = 55,
     edge_curves = 56,
+    isohedral_points = 57,
+    mesh_colors = 58,
 };
 
 /// The 64-bit key of one independent stream.

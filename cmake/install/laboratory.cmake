@@ -5,6 +5,12 @@ install(DIRECTORY configs DESTINATION ${data_folder})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
+if(POISSONLAB_PYTHON)
+  install(TARGETS poissonlab_python LIBRARY DESTINATION ${POISSONLAB_PYTHON_DIR}/poissonlab)
+  install(DIRECTORY python/poissonlab DESTINATION ${POISSONLAB_PYTHON_DIR} PATTERN __pycache__ EXCLUDE)
+  install(FILES python/examples/poisson_disk_sets.ipynb DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
+endif()
+
 install(FILES ${PROJECT_BINARY_DIR}/poissonlab.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 # cpack -G DEB. The libraries that the program is linked with are found by dpkg-shlibdeps; the rest is named here.
@@ -16,6 +22,14 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "pocl-opencl-icd | opencl-icd, gnuplot-nox | gnuplot, fonts-dejavu-core")
+if(POISSONLAB_PYTHON)
+  # The module is for the Python that it was built with.
+  find_package(Python REQUIRED COMPONENTS Interpreter)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+  string(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ", python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~)"
+    ", python3 (<< ${Python_VERSION_MAJOR}.${next_python})")
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/debian/postinst ${CMAKE_CURRENT_LIST_DIR}/debian/prerm)
+endif()
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 "Makes Poisson disk point sets and tile sets with OpenCL, measures them as the
 literature does, and writes reports. Has headers that evaluate Poisson disk

@@ -10,6 +10,13 @@ foreach(file IN LISTS files)
   endif()
   get_filename_component(folder ${installed} DIRECTORY)
   list(APPEND folders ${folder})
+  if(installed MATCHES "/([^/]+)[.]py$") # Python has compiled it where it was imported
+    file(GLOB compiled ${folder}/__pycache__/${CMAKE_MATCH_1}.*.pyc)
+    if(compiled)
+      file(REMOVE ${compiled})
+      list(PREPEND folders ${folder}/__pycache__)
+    endif()
+  endif()
 endforeach()
 
 # A folder that others use as well is not empty, and stays. Its parent is looked at when it went.

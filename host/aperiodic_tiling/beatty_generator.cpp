@@ -43,9 +43,10 @@ BeattyGenerator::BeattyGenerator(Device device, const BeattyTiling& tiling, std:
       make_tiles_(device_.kernel(kernel_program("beatty_tiling.cl", {}), "make_tiles"))
 {}
 
-DeviceMemory BeattyGenerator::memory(std::uint64_t width)
+DeviceMemory BeattyGenerator::memory(const TileWindow& window)
 {
-    return memory_of(Buffers{}.needed(static_cast<std::size_t>(width), rows_of_piece(width)));
+    const auto rows = std::min<std::uint64_t>(rows_of_piece(window.width), window.height);
+    return memory_of(Buffers{}.needed(static_cast<std::size_t>(window.width), static_cast<std::size_t>(rows)));
 }
 
 void BeattyGenerator::stream(const TileWindow& window,

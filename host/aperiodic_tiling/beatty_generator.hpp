@@ -18,8 +18,8 @@ public:
     /// `work_group_size` 0: the default.
     BeattyGenerator(Device device, const BeattyTiling& tiling, std::size_t work_group_size = 0);
 
-    /// The memory that stream() takes on any device for windows of such a width.
-    static DeviceMemory memory(std::uint64_t width);
+    /// The memory that stream() takes on any device for a window.
+    static DeviceMemory memory(const TileWindow& window);
 
     /// Hands whole rows of a window to `sink`, from north to south: positions in the set, west to east. Throws
     /// InputError for windows beyond the limits and of 2^31 columns or more, Interrupted, and std::logic_error for a

@@ -18,7 +18,9 @@ struct AnalysisOptions
     bool volume = false;            ///< whether the whole spectrum is stored; 3D only
     bool zone_plate = false;        ///< whether sets sample the zone plate; 2D only
     int tiles = 0;                  ///< tiles per unit length, for lattice peaks; 0: the sets are not tiled
+    std::uint32_t tile_sets = 1;    ///< that realizations take in turn: errors are then between sets
     bool window = false;            ///< sets are windows of the plane, not tori: see SeriesAnalysis
+    bool progressive = false;       ///< the first points of a set are a set of their own, which is measured
     bool distances_only = false;    ///< no measures that are slow for large sets: see SeriesAnalysis
     bool first_points_only = false; ///< of all realizations, only the points of the first are stored
 };

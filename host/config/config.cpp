@@ -4,6 +4,7 @@
 #include "host/config/config_values.hpp"
 #include "host/config/overrides.hpp"
 #include "host/config/toml_reader.hpp"
+#include "host/sampling/optimized/ordered_sampler.hpp"
 
 #include <limits>
 
@@ -34,7 +35,9 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
     MethodConfig method;
     method.where = node.location;
     method.sampler = &read_sampler(*table, node.location, "[[method]]", registry);
-    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points"}, registry, 0);
+    method.settings = read_settings(*table, *method.sampler, {"sampler", "label", "points", "order"}, registry, 0);
+    if (const ConfigNode* order = find(*table, "order"))
+        method.settings.push_back({&order_parameter(), parameter_choices(order_parameter(), *order)});
     if (const ConfigNode* points = find(*table, "points"))
         method.settings.insert(method.settings.begin(),
                                {&points_parameter(), parameter_choices(points_parameter(), *points)});
@@ -45,7 +48,8 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
 void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
-    if (!node && config.tilings.empty() && config.constructions.empty() && config.distributions.empty())
+    if (!node && config.tilings.empty() && config.constructions.empty() && config.distributions.empty() &&
+        config.schemes.empty() && config.textures.empty() && config.packings.empty())
         throw InputError::at({config.file}, "no [[method]] table: a config needs at least one");
     const auto* list = node ? node->get_if<ConfigList>() : nullptr;
     if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
@@ -61,7 +65,7 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
     check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
-                     "distribution", "include"});
+                     "distribution", "scheme", "texture", "packing", "include"});
     if (const ConfigNode* include = find(top, "include"))
         throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
@@ -77,6 +81,9 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     config.tilings = read_tilings(top, config.seed);
     config.constructions = read_constructions(top, config.seed);
     for (const ConfigNode* table : read_tables(top, "distribution")) config.distributions.push_back(*table);
+    for (const ConfigNode* table : read_tables(top, "scheme")) config.schemes.push_back(*table);
+    for (const ConfigNode* table : read_tables(top, "texture")) config.textures.push_back(*table);
+    for (const ConfigNode* table : read_tables(top, "packing")) config.packings.push_back(*table);
     read_methods(top, registry, config);
     return config;
 }

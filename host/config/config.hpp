@@ -25,7 +25,8 @@ struct MethodConfig
     const SamplerSpec* sampler = nullptr;
     std::string label; ///< empty: made from the sampler's title
     SourceLocation where;
-    std::vector<ParameterSetting> settings; ///< `points` first, then as the sampler declares its parameters
+    std::vector<ParameterSetting>
+        settings; ///< `points` first, then as the sampler declares its parameters, then `order`
 };
 
 struct Config
@@ -44,10 +45,13 @@ struct Config
     int dimension = 2;
     AnalysisOptions analysis;
     std::vector<MethodConfig> methods;
-    std::vector<TilingConfig>
-        tilings; ///< and tile sets; at least one of these, or one method, construction or distribution
+    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these, or one method, construction,
+                                       ///< distribution, texture or packing
     std::vector<ConstructionConfig> constructions;
     std::vector<ConfigNode> distributions; ///< tables, which read_distributions() checks
+    std::vector<ConfigNode> schemes;       ///< the same for read_schemes()
+    std::vector<ConfigNode> textures;      ///< read_textures()
+    std::vector<ConfigNode> packings;      ///< and read_packings()
 };
 
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.

@@ -83,7 +83,7 @@ const SamplerSpec* sampler_of(const ConfigTable& method, const SamplerRegistry& 
 /// True if a [[method]] table can have the key: it is one of every method, or a parameter of its sampler.
 bool method_takes(const ConfigTable& method, const std::string& key, const SamplerRegistry& registry)
 {
-    if (key == "sampler" || key == "label" || key == "points") return true;
+    if (key == "sampler" || key == "label" || key == "points" || key == "order") return true;
     const SamplerSpec* sampler = sampler_of(method, registry);
     // A sampler's name that is wrong is refused later, at its own line.
     if (!sampler) return true;
@@ -93,7 +93,7 @@ bool method_takes(const ConfigTable& method, const std::string& key, const Sampl
 /// The keys that at least one of the methods takes.
 std::vector<std::string> known_keys(const ConfigList& methods, const SamplerRegistry& registry)
 {
-    std::vector<std::string> known = {"sampler", "label", "points"};
+    std::vector<std::string> known = {"sampler", "label", "points", "order"};
     for (const ConfigNode& method : methods) {
         const SamplerSpec* sampler = sampler_of(*method.get_if<ConfigTable>(), registry);
         if (!sampler) continue;

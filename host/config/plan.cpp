@@ -1,5 +1,7 @@
 #include "host/config/plan.hpp"
 
+#include "host/sampling/optimized/ordered_sampler.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -97,7 +99,7 @@ std::size_t points_of(const Config& config, const MethodConfig& method, const Co
 
 bool same_series(const SeriesPlan& a, const SeriesPlan& b)
 {
-    return a.sampler == b.sampler && a.request.points == b.request.points &&
+    return a.sampler->name == b.sampler->name && a.request.points == b.request.points &&
            same_parameters(a.parameters, b.parameters);
 }
 
@@ -124,6 +126,10 @@ SeriesPlan make_series(const Config& config, std::size_t method_index, const Com
     series.request = {points_of(config, method, chosen, series.parameters), config.dimension, config.seed};
     check_sampler(sampler, series.parameters, series.request, method.where);
     series.label = series_label(method, chosen); // samplers make theirs of parameters that passed
+    if (is_ordered(series.parameters)) {
+        series.ordered = std::make_shared<const SamplerSpec>(in_progressive_order(sampler));
+        series.sampler = series.ordered.get();
+    }
 
     series.deterministic = is_deterministic(sampler, series.parameters);
     const auto asked = static_cast<std::size_t>(series.deterministic ? 1 : config.realizations);

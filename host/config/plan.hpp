@@ -5,6 +5,7 @@
 #include "results/method_grid.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SeriesPlan
     std::string label;    ///< for the report
     SourceLocation where; ///< of its [[method]]
     const SamplerSpec* sampler = nullptr;
+    std::shared_ptr<const SamplerSpec> ordered; ///< that sampler, where the config asks for another order of its sets
     Parameters parameters;
     SampleRequest request;
     bool deterministic = false;     ///< all realizations are one set

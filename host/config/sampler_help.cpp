@@ -3,6 +3,7 @@
 #include "host/config/parameter_values.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/config/sampler_table.hpp"
+#include "host/sampling/optimized/ordered_sampler.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -63,7 +64,7 @@ std::string samplers_text()
     std::string text = "Samplers of a [[method]] table, and their parameters. A list of values makes one series a "
                        "value.\nEvery table can have\n    label = a text in quotes\n        what the report calls the "
                        "series\n" +
-                       parameter_text(points_parameter());
+                       parameter_text(points_parameter()) + parameter_text(order_parameter());
     for (const SamplerSpec& sampler : sampler_registry()) {
         text += fmt::format("\n{}: {} ({})\n    {}\n", sampler.name, sampler.title, dimensions_of(sampler),
                             sampler.summary);

@@ -16,6 +16,7 @@
 #include "host/sampling/optimized/target_spectrum.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "host/sampling/voronoi_darts.hpp"
+#include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 #include "host/tile_sampling/polyominoes/polyomino_sampler.hpp"
 #include "host/tile_sampling/recursive/recursive_sampler.hpp"
@@ -57,6 +58,7 @@ const SamplerRegistry& sampler_registry()
         penrose_sampler(),
         recursive_wang_tile_sampler(),
         polyomino_sampler(),
+        isohedral_tile_sampler(),
         file_sampler(),
         command_sampler(),
     };

@@ -20,14 +20,24 @@ const std::vector<std::string>& tiling_algorithms(TileKind kind);
 /// corner tile set; and the words of aperiodic sets.
 const std::vector<std::string>& tile_set_names(TileKind kind);
 
+/// The word for tilings whose tiles are given one by one.
+inline constexpr auto given_tiles_word = "indices";
+
 struct TilingRequest
 {
     TileKind kind = TileKind::corner;
     Color colors = 2;
-    std::string algorithm = "direct"; ///< one of tiling_algorithms(kind)
+    Color vertical_colors = 0;        ///< of the vertical edges of Wang tiles; 0: as many as `colors`
+    std::string algorithm = "direct"; ///< one of tiling_algorithms(kind), or given_tiles_word
     HashKind hash = HashKind::long_period;
     std::uint64_t seed = 1;
     Period period;
+    std::vector<TileIndex> given{}; ///< rows of tiles from north to south, from (0, 0) on; or those of a set
+    std::uint64_t given_width = 0;
+
+    WangColors all_colors() const { return {colors, vertical_colors > 0 ? vertical_colors : colors}; }
+
+    bool is_given() const { return algorithm == given_tiles_word; }
 
     bool is_scanline() const { return algorithm.starts_with("scanline"); }
 
@@ -35,14 +45,22 @@ struct TilingRequest
     bool is_aperiodic() const;
 
     /// True for tilings by hash functions.
-    bool is_direct() const { return !is_scanline() && !is_aperiodic(); }
+    bool is_direct() const { return !is_scanline() && !is_aperiodic() && !is_given(); }
 };
 
 /// The only number of colours that a set or a tiling with this word can have; 0: there are several.
 Color own_colors(TileKind kind, const std::string& word);
 
 /// A set of tile_set_names(kind). Throws InputError for numbers of colours that it cannot have.
-TileSet make_tile_set(TileKind kind, Color colors, const std::string& name);
+TileSet make_tile_set(TileKind kind, WangColors colors, const std::string& name);
+
+/// Checks the tiles that a request gives: whole rows of tiles of the complete set whose neighbours fit. Throws
+/// InputError for the first that does not.
+void check_given_tiles(const TilingRequest& request);
+
+/// After how many lattice points the hash functions of a direct tiling repeat, both of them where there are two; 0:
+/// they never do, or after more than 2^64 - 1.
+HashPeriod hash_period_of(const TilingRequest& request);
 
 /// The set that the tiling takes its tiles from.
 TileSet tile_set_of(const TilingRequest& request);
@@ -51,8 +69,8 @@ TileSet tile_set_of(const TilingRequest& request);
 Tiling make_direct_tiling(const TilingRequest& request);
 
 /// Hands the tiles of a window to `sink`, rows from north to south, west to east, long rows in pieces; of
-/// cubes, layers from the bottom to the top. Of a scanline tiling the window must be at (0, 0). Depth and z
-/// are those of cubes only. Throws InputError.
+/// cubes, layers from the bottom to the top; of dominoes, one row. Of a scanline tiling the window must be at (0, 0),
+/// of given tiles it must be inside of them. Depth and z are those of cubes only. Throws InputError.
 void stream_tiles(const TilingRequest& request, const CubeWindow& window, const CubeSink& sink);
 
 }

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t max_shown_tiles = 20'000;
 
 struct TilingConfig
 {
-    std::string set; ///< one of tile_set_names(): a tile set; empty: a tiling
+    std::string set; ///< one of tile_set_names(), or given_tiles_word: a tile set; empty: a tiling
     TilingRequest request;
     CubeWindow window;  ///< of a tiling: what is drawn
     double regions = 0; ///< Poisson disk radius in units of the tile whose regions are drawn; 0: tiles are
@@ -25,6 +25,9 @@ struct TilingConfig
 
     bool is_set() const { return !set.empty(); }
 };
+
+/// The set that is drawn, or that the tiling takes its tiles from.
+TileSet tile_set_of(const TilingConfig& config);
 
 /// Reads both kinds of tables of a config, sets first. Throws InputError with the place of what is wrong.
 std::vector<TilingConfig> read_tilings(const ConfigTable& config, std::uint64_t seed);

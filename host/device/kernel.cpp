@@ -1,3 +1,4 @@
+#include "base/programs/interrupt.hpp"
 #include "host/device/opencl.hpp"
 
 namespace poissonlab {
@@ -28,6 +29,7 @@ void Kernel::set_bytes(unsigned index, std::size_t bytes, const void* value)
 void Kernel::enqueue(std::size_t items, std::size_t group_size)
 {
     if (items == 0) return;
+    stop_if_interrupted(); // methods that iterate enqueue kernels again and again
     const std::size_t groups = (items + group_size - 1) / group_size;
     checked(*impl_, "running", [&] {
         impl_->device->queue.enqueueNDRangeKernel(impl_->kernel, cl::NullRange, cl::NDRange(groups * group_size),

@@ -26,6 +26,7 @@ const std::vector<KernelFile>& kernel_files()
         {"repulsion.cl", {dimension}},
         {"sample_elimination.cl", {dimension}},
         {"self_similar.cl", {}},
+        {"texture_map.cl", {{"LOOKUP", {"0", "1", "2", "3"}}, {"CHANNELS", {"1", "3"}}}},
         {"tile_darts.cl", {dimension}},
         {"tile_finder.cl", {}},
         {"tile_points.cl",

@@ -1,4 +1,4 @@
-// How well points follow a density, and how evenly.
+// Measures of how well points follow a density, and how evenly.
 #pragma once
 
 #include "host/distribution/warp.hpp"

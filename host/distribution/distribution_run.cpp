@@ -3,6 +3,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/schemes/scheme_run.hpp"
 #include "results/file_names.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -30,7 +31,28 @@ struct MakeKind
     {
         return make_self_similar_tile(settings, place, files);
     }
+    DistributionResult operator()(const StippleSettings& settings) const
+    {
+        return make_stippled(settings, config.seed, place, files);
+    }
+    DistributionResult operator()(const IconSettings& settings) const
+    {
+        return make_icons(settings, config.seed, place, files);
+    }
+    DistributionResult operator()(const InstanceSettings& settings) const
+    {
+        return make_instances(settings, config.seed, place, files);
+    }
     DistributionResult operator()(const RankSettings& settings) const { return make_ranked(settings, files); }
+    DistributionResult operator()(const SchemeSettings& settings) const
+    {
+        return make_scheme(settings, config.seed, files);
+    }
+    DistributionResult operator()(const TextureSettings& settings) const
+    {
+        return make_texture(settings, place, files);
+    }
+    DistributionResult operator()(const PackingSettings& settings) const { return make_packing(settings, files); }
 };
 
 std::string numbers_text(const std::vector<DistributionNumber>& numbers)
@@ -40,13 +62,6 @@ std::string numbers_text(const std::vector<DistributionNumber>& numbers)
     return text;
 }
 
-}
-
-void DistributionFiles::add_marks(const std::string& name, const MarkPicture& picture, const std::string& caption,
-                                  DistributionResult& result)
-{
-    write_whole_file(add(name), mark_picture_json(picture));
-    result.pictures.push_back({name, caption});
 }
 
 DistributionResult make_distribution(const DistributionConfig& config, const DistributionPlace& place,
@@ -59,7 +74,9 @@ DistributionResult make_distribution(const DistributionConfig& config, const Dis
         return result;
     } catch (const InputError& error) {
         if (!error.place().file.empty()) throw;
-        throw InputError::at(config.where, fmt::format("[[distribution]]: {}", error.what()));
+        const bool has_own_table = config.kind == "texture" || config.kind == "packing";
+        const std::string table = config.is_scheme() ? "scheme" : has_own_table ? config.kind : "distribution";
+        throw InputError::at(config.where, fmt::format("[[{}]]: {}", table, error.what()));
     }
 }
 
@@ -69,7 +86,10 @@ EvenMethod chosen_method(const EvenMethodChoice& choice)
 {
     if (choice.sampler) return *choice.sampler;
     if (choice.tiles.empty()) return default_even_method();
-    return read_tile_set(choice.tiles);
+    PoissonTileSet tiles = read_tile_set(choice.tiles);
+    if (tiles.parameters.dimension != 2)
+        throw InputError(fmt::format("{}: are tiles in space; must be in the plane", choice.tiles.string()));
+    return tiles;
 }
 
 std::string method_words(const EvenMethodChoice& choice)

@@ -7,11 +7,14 @@
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "tiles/poisson/tile_regions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace poissonlab {
 namespace {
@@ -20,6 +23,7 @@ namespace {
 constexpr std::uint64_t tile_set_seed = 1;
 
 constexpr double most_tiles_along_a_side = 65'536;
+constexpr std::uint32_t tile_side = tile_units;
 
 /// A position within a side as a part of 2^32.
 std::uint32_t part_of_side(std::uint64_t place, std::uint32_t tiles)
@@ -27,26 +31,149 @@ std::uint32_t part_of_side(std::uint64_t place, std::uint32_t tiles)
     return static_cast<std::uint32_t>((place << 16) / tiles); // units of 1/65,536
 }
 
-SquarePoints tiling_points(const PoissonTileSet& tiles, std::size_t points, double width, double height,
-                           std::uint64_t seed, const DistributionPlace& place)
+void stream_tiling(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
+                   const DistributionPlace& place, const std::function<void(std::span<const std::uint32_t>)>& sink)
 {
-    const EvenTileGrid grid = tile_grid(points, tiles.parameters.points_per_tile, width, height);
+    if (place.engine == Engine::reference)
+        sink(reference::exact_tile_points(tiles, tiling, block));
+    else
+        TilePointGenerator(place.device(), tiles).stream(tiling, block, sink);
+}
+
+std::uint32_t tiling_seed(std::uint64_t seed) { return stream_key(seed, Purpose::tile_choice, 0)[0]; }
+
+/// All points of a torus.
+SquarePoints torus_square(const PoissonTileSet& tiles, const EvenTileGrid& grid, std::uint64_t seed,
+                          const DistributionPlace& place)
+{
     const TileBlock block{{}, {grid.columns, grid.rows, 1}};
-    const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0],
-                               static_cast<std::int32_t>(std::max(grid.columns, grid.rows))};
+    const PoissonTiling tiling{tiling_seed(seed), static_cast<std::int32_t>(std::max(grid.columns, grid.rows))};
     SquarePoints square;
-    const auto append = [&](std::span<const std::uint32_t> units) {
+    stream_tiling(tiles, tiling, block, place, [&](std::span<const std::uint32_t> units) {
         stop_if_interrupted();
         for (std::size_t i = 0; i < units.size(); ++i) {
             const std::uint32_t side = i % 2 == 0 ? grid.columns : grid.rows;
             square.push_back(part_of_side(torus_place(units[i], side), side));
         }
-    };
-    if (place.engine == Engine::reference)
-        append(reference::exact_tile_points(tiles, tiling, block));
-    else
-        TilePointGenerator(place.device(), tiles).stream(tiling, block, append);
+    });
     return square;
+}
+
+/// Points with the size of the smallest rectangle of given proportions, or the least height, that has them inside.
+struct SizedPoints
+{
+    std::vector<std::array<std::uint32_t, 2>> places; ///< in 1/65,536 of a tile
+    std::vector<std::uint64_t> sizes;
+};
+
+/// The points of the least sizes, in their order, and the size of the rectangle around them: in the middle between that
+/// of the largest one and of the next.
+struct SmallestPoints
+{
+    std::vector<std::size_t> points;
+    std::uint64_t whole = 1;
+};
+
+SmallestPoints smallest_points(const std::vector<std::uint64_t>& sizes, std::size_t count)
+{
+    std::vector<std::uint64_t> sorted = sizes;
+    const auto last = sorted.begin() + static_cast<std::ptrdiff_t>(count - 1);
+    std::ranges::nth_element(sorted, last);
+    const std::uint64_t largest = *last;
+    std::size_t of_largest = count; // that stay: several may be as large
+    for (const std::uint64_t size : sizes) of_largest -= size < largest ? 1 : 0;
+    SmallestPoints smallest{{}, largest + 1};
+    smallest.points.reserve(count);
+    if (const auto next = std::min_element(last + 1, sorted.end()); next != sorted.end())
+        smallest.whole = std::max(smallest.whole, largest + (*next - largest) / 2);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        if (sizes[i] > largest || (sizes[i] == largest && of_largest == 0)) continue;
+        of_largest -= sizes[i] == largest ? 1 : 0;
+        smallest.points.push_back(i);
+    }
+    return smallest;
+}
+
+/// A place as a part of a side, in 2^-32: below 1.
+std::uint32_t part_of_size(std::uint64_t place, std::uint64_t size)
+{
+    // One division of doubles, which all machines round alike.
+    const double part = static_cast<double>(place) / static_cast<double>(size) * 4294967296.0;
+    return static_cast<std::uint32_t>(std::min(part, 4294967295.0));
+}
+
+/// The first `points` points of a tiling that closes after so many columns, by their heights.
+SquarePoints strip_square(const PoissonTileSet& tiles, std::size_t points, std::uint32_t columns, std::uint64_t seed,
+                          const DistributionPlace& place)
+{
+    const std::uint64_t a_row = std::uint64_t{columns} * tiles.parameters.points_per_tile;
+    const TileBlock block{{}, {columns, static_cast<std::uint32_t>((points + a_row - 1) / a_row + 3), 1}};
+    SizedPoints sized;
+    stream_tiling(tiles, {tiling_seed(seed), static_cast<std::int32_t>(columns)}, block, place,
+                  [&](std::span<const std::uint32_t> units) {
+                      stop_if_interrupted();
+                      for (std::size_t i = 0; i < units.size(); i += 2) {
+                          const auto y = static_cast<std::int32_t>(units[i + 1] - tile_side); // from the second row on
+                          if (y < 0) continue;
+                          sized.places.push_back({part_of_side(torus_place(units[i], columns), columns), 0});
+                          sized.sizes.push_back(static_cast<std::uint64_t>(y));
+                      }
+                  });
+    const SmallestPoints kept = smallest_points(sized.sizes, points);
+    SquarePoints square;
+    for (const std::size_t i : kept.points)
+        square.insert(square.end(), {sized.places[i][0], part_of_size(sized.sizes[i], kept.whole)});
+    return square;
+}
+
+/// The first `points` points of a tiling without end, by the size of the rectangle from the corner of a tile that they
+/// are in.
+SquarePoints window_square(const PoissonTileSet& tiles, std::size_t points, std::array<std::uint64_t, 2> sides,
+                           std::uint64_t seed, const DistributionPlace& place)
+{
+    const double tile_count = static_cast<double>(points) / tiles.parameters.points_per_tile;
+    const double columns = std::sqrt(tile_count * static_cast<double>(sides[0]) / static_cast<double>(sides[1]));
+    const double rows = tile_count / columns;
+    for (double larger = 1;; larger *= 1.25) {
+        const auto wide = static_cast<std::uint32_t>(std::ceil(larger * columns) + 1);
+        const auto high = static_cast<std::uint32_t>(std::ceil(larger * rows) + 1);
+        const std::uint64_t most =
+            std::min(std::uint64_t{wide} * tile_side * sides[1], std::uint64_t{high} * tile_side * sides[0]);
+        SizedPoints sized;
+        stream_tiling(tiles, {tiling_seed(seed), 0}, {{}, {wide + 2, high + 2, 1}}, place,
+                      [&](std::span<const std::uint32_t> units) {
+                          stop_if_interrupted();
+                          for (std::size_t i = 0; i < units.size(); i += 2) {
+                              // Tiles around the rectangle reach into it.
+                              const std::uint32_t x = units[i] - tile_side, y = units[i + 1] - tile_side;
+                              const std::uint64_t size = std::max(x * sides[1], y * sides[0]);
+                              if (size >= most) continue; // below 0 as well, modulo 2^32
+                              sized.places.push_back({x, y});
+                              sized.sizes.push_back(size);
+                          }
+                      });
+        if (sized.sizes.size() < points) continue;
+        const SmallestPoints kept = smallest_points(sized.sizes, points);
+        SquarePoints square;
+        for (const std::size_t i : kept.points)
+            for (std::size_t axis = 0; axis < 2; ++axis)
+                square.push_back(part_of_size(sized.places[i][axis] * sides[1 - axis], kept.whole));
+        return square;
+    }
+}
+
+SquarePoints tiling_points(const PoissonTileSet& tiles, std::size_t points, int width, int height, std::uint64_t seed,
+                           const DistributionPlace& place, Seam seam)
+{
+    const EvenTileGrid grid = tile_grid(points, tiles.parameters.points_per_tile, width, height);
+    if (grid.tiles() * tiles.parameters.points_per_tile == points) return torus_square(tiles, grid, seed, place);
+    if (seam == Seam::closed) {
+        const double columns =
+            std::sqrt(static_cast<double>(points) / tiles.parameters.points_per_tile * width / height);
+        return strip_square(tiles, points, std::max(1U, static_cast<std::uint32_t>(std::lround(columns))), seed, place);
+    }
+    return window_square(tiles, points, {static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)}, seed,
+                         place);
 }
 
 SquarePoints sampled_points(const SamplerChoice& method, std::size_t points, double width, double height,
@@ -111,11 +238,11 @@ SamplerChoice default_even_method()
     return {&spec, parameters};
 }
 
-SquarePoints even_points(const EvenMethod& method, std::size_t points, double width, double height, std::uint64_t seed,
-                         const DistributionPlace& place)
+SquarePoints even_points(const EvenMethod& method, std::size_t points, int width, int height, std::uint64_t seed,
+                         const DistributionPlace& place, Seam seam)
 {
     if (const auto* tiles = std::get_if<PoissonTileSet>(&method))
-        return tiling_points(*tiles, points, width, height, seed, place);
+        return tiling_points(*tiles, points, width, height, seed, place, seam);
     const SamplerChoice& sampler = std::get<SamplerChoice>(method);
     const auto built = plane_tile_set(sampler.spec->name, sampler.parameters, tile_set_seed);
     if (!built || sampler.parameters.number("density") < 1)
@@ -123,7 +250,7 @@ SquarePoints even_points(const EvenMethod& method, std::size_t points, double wi
     if (sampler.spec->check) sampler.spec->check(sampler.parameters, {points, 2, tile_set_seed}, {sampler.spec->name});
     const CachedTileSet cached =
         cached_tile_set(*built, place.engine, place.device, tile_cache_folder(), place.on_step);
-    return tiling_points(cached.set, points, width, height, seed, place);
+    return tiling_points(cached.set, points, width, height, seed, place, seam);
 }
 
 PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionPlace& place)

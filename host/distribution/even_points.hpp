@@ -34,12 +34,20 @@ using EvenMethod = std::variant<PoissonTileSet, SamplerChoice>;
 /// Corner tiles of 3 colours and 32 points, the method where none is chosen.
 SamplerChoice default_even_method();
 
-/// About `points` points over a rectangle of these proportions, coordinates in parts of its sides. A tiling covers it
-/// as tile_grid() says and closes along the longer side; its number of points is exact. The sets of other methods are
-/// made for a square, of which the rectangle is the part from the lowest corner: they close along the longer side as
-/// well. Throws InputError where the method cannot make them.
-SquarePoints even_points(const EvenMethod& method, std::size_t points, double width, double height, std::uint64_t seed,
-                         const DistributionPlace& place);
+/// The left and the right border of a rectangle: strangers, or the same line, as in a map of all longitudes.
+enum class Seam
+{
+    open,
+    closed
+};
+
+/// Points over a rectangle of these proportions, coordinates in parts of its sides. Tilings give exactly `points` of
+/// them. Where tile_grid() has so many, the rectangle is that torus; else it is the part of a tiling from a corner that
+/// holds so many, and with a closed seam as wide as whole tiles. The sets of other methods are made for a square, of
+/// which the rectangle is the part from the lowest corner: they close along the longer side, and have about `points`.
+/// Throws InputError where the method cannot make them.
+SquarePoints even_points(const EvenMethod& method, std::size_t points, int width, int height, std::uint64_t seed,
+                         const DistributionPlace& place, Seam seam = Seam::open);
 
 /// Warps points by the engine of the workplace. Throws InputError where its device has no memory for that.
 PixelPlaces warp_points(const Density& density, const SquarePoints& points, const DistributionPlace& place);

@@ -37,7 +37,7 @@ double star_radius(double angle)
 {
     const double fifth = 2 * pi / 5;
     const double from_point = std::abs(std::remainder(angle - pi / 2, fifth));
-    // From the point at distance 1 to the notch at this distance, half a fifth farther.
+    // The edge leads from the point at distance 1 to the notch at this distance, half a fifth farther.
     const double notch = 0.381966;
     const double x = std::cos(fifth / 2) * notch, y = std::sin(fifth / 2) * notch;
     return y / (y * std::cos(from_point) + (1 - x) * std::sin(from_point));

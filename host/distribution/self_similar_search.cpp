@@ -19,7 +19,7 @@ namespace {
 using namespace contract::self_similar;
 
 constexpr std::uint32_t found_capacity = 1'000'000;
-constexpr std::size_t items_at_once = std::size_t{1} << 16; ///< a second of work or less
+constexpr std::size_t items_at_once = std::size_t{1} << 13; ///< a second of work or less
 
 std::uint32_t rotated(std::uint32_t word, std::uint32_t bits)
 {

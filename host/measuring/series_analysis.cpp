@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace poissonlab {
@@ -47,6 +48,7 @@ void SeriesAnalysis::start()
     has_started_ = true;
     if (has_spectrum()) start_spectrum();
     if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
+    if (options_.tiles > 0 && dimension_ == 2) folded_.emplace(options_.tiles, begin_.points);
     if (options_.distances_only) return;
     if (!options_.window) integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
     if (has_pairs_) start_pairs();
@@ -85,15 +87,19 @@ void SeriesAnalysis::add(const PointSet& points)
     SetMeasures set{n};
     set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
     set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
+    set.mean_nearest = (options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points)) /
+                       max_min_distance(n, points.dimension);
     set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
     if (estimate_) {
         estimate_->add(points);
         if (options_.tiles > 0)
             set.mean_lattice_peak = lattice_peaks(estimate_->last_periodogram(), n, options_.tiles).mean_ratio;
     }
+    if (options_.progressive) set.prefix_radius = prefix_radius(points);
     sets_.push_back(set);
     if (integration_) integration_->add(points);
     if (seams_) seams_->add(points);
+    if (folded_) folded_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -116,6 +122,7 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (pairs_) pairs_->append(*next.pairs_);
     if (integration_) integration_->append(next.integration_.value());
     if (seams_) seams_->append(next.seams_.value());
+    if (folded_) folded_->append(next.folded_.value());
     seconds_ += next.seconds_;
 }
 
@@ -124,6 +131,33 @@ std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) 
     std::vector<double> each;
     for (const SetMeasures& set : sets_) each.push_back(set.*member);
     return statistic_of(each);
+}
+
+/// The mean over the sets, and its standard error where there are several.
+Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
+{
+    std::vector<double> each;
+    for (const SetMeasures& set : sets_) each.push_back(set.*member);
+    Estimate mean{std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()), {}};
+    const auto groups = options_.tile_sets > 1 ? group_means(each, options_.tile_sets) : each;
+    if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
+    return mean;
+}
+
+/// The smallest relative radius of the first half, the first quarter and the first eighth of a set, as sets of so many
+/// points; parts of one point have none.
+double SeriesAnalysis::prefix_radius(const PointSet& points) const
+{
+    double smallest = 1;
+    for (std::size_t n = points.size() / 2; n > 1 && 8 * n + 8 > points.size(); n /= 2) {
+        PointSet part{points.dimension, {}};
+        const auto begin = points.coordinates.begin();
+        part.coordinates.assign(begin,
+                                begin + static_cast<std::ptrdiff_t>(n * static_cast<std::size_t>(part.dimension)));
+        const double distance = options_.window ? min_distance_in_window(part) : min_toroidal_distance(part);
+        smallest = std::min(smallest, relative_radius(distance, n, part.dimension));
+    }
+    return smallest;
 }
 
 Series SeriesAnalysis::result() const
@@ -137,6 +171,8 @@ Series SeriesAnalysis::result() const
     series.covered_fraction = statistic(&SetMeasures::covered_fraction);
     series.measures = measures_;
     series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
+    if (series.relative_radius) series.measures.numbers["mean_nearest_distance"] = mean_of(&SetMeasures::mean_nearest);
+    if (options_.progressive) series.measures.numbers["prefix_relative_radius"] = mean_of(&SetMeasures::prefix_radius);
     if (integration_) series.measures.integration = integration_->mean();
     if (seams_)
         if (const auto deviation = seams_->largest_deviation())
@@ -144,6 +180,7 @@ Series SeriesAnalysis::result() const
     series.is_window = options_.window;
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
+    if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
     series.analysis_seconds = seconds_;
     return series;
 }
@@ -168,7 +205,9 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
     measures_.oscillation = oscillation(radial, n, mean.dimension);
     measures_.peak_anisotropy = peak_anisotropy(radial, realizations);
-    measures_.low_frequency_power = low_frequency_power(radial, low_frequency_range(n, mean.dimension));
+    const FrequencyRange low = low_frequency_range(n, mean.dimension);
+    measures_.low_frequency_power = low_frequency_power(radial, low);
+    if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -181,12 +220,14 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     if (realizations > 1) measure_errors(radial, mean.dimension);
 }
 
-/// Standard errors from how much the measures depend on single realizations.
+/// Standard errors from how much the measures depend on single realizations, or on single tile sets.
 void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension)
 {
     const std::size_t n = sets_.front().points;
+    const auto& each = estimate_.value().radial_curves();
+    const auto curves = options_.tile_sets > 1 ? group_means(each, options_.tile_sets) : each;
     const auto error_of = [&](const auto& measure) {
-        return jackknife_error(estimate_.value().radial_curves(), [&](const std::vector<double>& power) {
+        return jackknife_error(curves, [&](const std::vector<double>& power) {
             for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
             return measure(radial);
         });
@@ -195,10 +236,12 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
         error_of([&](const std::vector<RadialBin>& curve) { return effective_nyquist_frequency(curve, n, dimension); });
     measures_.oscillation->standard_error =
         error_of([&](const std::vector<RadialBin>& curve) { return oscillation(curve, n, dimension).value; });
+    if (const auto low = measures_.numbers.find("low_frequency_mean"); low != measures_.numbers.end())
+        low->second.standard_error = error_of([&](const std::vector<RadialBin>& curve) {
+            return mean_power_in(curve, low_frequency_range(n, dimension)).value();
+        });
     if (!measures_.lattice_peaks) return;
-    std::vector<double> ratios;
-    for (const SetMeasures& set : sets_) ratios.push_back(set.mean_lattice_peak);
-    measures_.lattice_peaks->mean_ratio_standard_error = standard_error_of_mean(ratios);
+    measures_.lattice_peaks->mean_ratio_standard_error = mean_of(&SetMeasures::mean_lattice_peak).standard_error;
 }
 
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
@@ -206,12 +249,17 @@ std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
     return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
 }
 
+std::optional<SquareImage> SeriesAnalysis::folded_density() const
+{
+    return folded_ ? std::optional(folded_->densities()) : std::nullopt;
+}
+
 Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean(); }
 
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
     std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
-    const std::vector<double> errors = estimate_.value().radial_errors();
+    const std::vector<double> errors = estimate_.value().radial_errors(options_.tile_sets);
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;
 }

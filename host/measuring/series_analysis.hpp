@@ -1,6 +1,7 @@
 // The analysis of a series: of its realizations one after the other, or of parts of it that are put together.
 #pragma once
 
+#include "analysis/measures/folded_density.hpp"
 #include "analysis/measures/integration_error.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/measures/seam_density.hpp"
@@ -23,6 +24,9 @@ namespace poissonlab {
 ///
 /// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
 /// the largest empty circle and Voronoi cells.
+///
+/// With options.tile_sets, realization k has tile set k % tile_sets, and errors are the spread between these sets, in
+/// which their tilings are contained.
 ///
 /// With options.window sets are windows of the plane, not tori: no distance goes across a border, pairs are counted as
 /// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
@@ -66,6 +70,9 @@ public:
     /// it; empty where a set has one point only.
     std::vector<PairCorrelationBin> pair_correlation() const;
 
+    /// The density over the tile, of tilings of the plane.
+    std::optional<SquareImage> folded_density() const;
+
     /// Adds the measures of the mean spectrum to the result.
     void measure_spectrum(const Spectrum& mean);
 
@@ -86,6 +93,7 @@ public:
         if (pairs_) archive(*pairs_);
         if (integration_) archive(*integration_);
         if (seams_) archive(*seams_);
+        if (folded_) archive(*folded_);
     }
 
 private:
@@ -97,15 +105,20 @@ private:
         double relative_radius = 0;
         double covered_fraction = 0;
         double mean_lattice_peak = 0; ///< of tiled sets
+        double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
+        double prefix_radius = 0;     ///< of sets in progressive order
 
         template <class Archive>
         void serialize(Archive& archive)
         {
-            archive(points, min_distance, relative_radius, covered_fraction, mean_lattice_peak);
+            archive(points, min_distance, relative_radius, covered_fraction, mean_lattice_peak, mean_nearest,
+                    prefix_radius);
         }
     };
 
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
+    Estimate mean_of(double SetMeasures::*member) const;
+    double prefix_radius(const PointSet& points) const;
     void check(int dimension, std::size_t points, std::size_t realization) const;
     void start();
     void start_spectrum();
@@ -129,7 +142,8 @@ private:
     PointSet first_; ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;
     std::optional<IntegrationErrorEstimate> integration_;
-    std::optional<SeamDensity> seams_; ///< of tilings
+    std::optional<SeamDensity> seams_;    ///< of tilings
+    std::optional<FoldedDensity> folded_; ///< of tilings of the plane
 };
 
 }

@@ -150,6 +150,22 @@ void check_memory_of_device(const DeviceInfo& device, const std::vector<SeriesPl
     check_device_memory(config.constructions, share);
 }
 
+/// Takes the series out of a plan that cannot be made on this machine; says which, and why. Throws InputError where
+/// the experiment has nothing else.
+std::vector<std::string> leave_out(std::vector<SeriesPlan>& plan, const Config& config)
+{
+    std::vector<std::string> left_out;
+    std::erase_if(plan, [&](const SeriesPlan& series) {
+        const auto why = series.sampler->absence ? series.sampler->absence(series.parameters) : std::nullopt;
+        if (why) left_out.push_back(fmt::format("{}: left out: {}", series.label, *why));
+        return why.has_value();
+    });
+    if (plan.empty() && !left_out.empty() && config.tilings.empty() && config.constructions.empty() &&
+        config.distributions.empty())
+        throw InputError::at({config.file}, "no series is left. " + left_out.front());
+    return left_out;
+}
+
 /// The name of a folder that no other has.
 std::string unused_name(const std::string& base, std::set<std::string>& names)
 {
@@ -183,10 +199,19 @@ std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<
 std::vector<DistributionTask> distribution_tasks(const Config& config, std::set<std::string>& names)
 {
     std::vector<DistributionTask> tasks;
-    for (DistributionConfig& distribution : read_distributions(config.distributions, config.seed)) {
-        const std::string name = unused_name("distribution-" + distribution.kind, names);
+    std::vector<DistributionConfig> all = read_distributions(config.distributions, config.seed);
+    std::ranges::move(read_schemes(config.schemes, config.seed), std::back_inserter(all));
+    for (DistributionConfig& distribution : all) {
+        const std::string name =
+            unused_name((distribution.is_scheme() ? "scheme-" : "distribution-") + distribution.kind, names);
         tasks.push_back({name, std::move(distribution)});
     }
+    for (auto* const read : {read_textures, read_packings})
+        for (DistributionConfig& pictures :
+             read(read == read_textures ? config.textures : config.packings, config.seed)) {
+            const std::string name = unused_name(safe_name(pictures.kind + "-" + pictures.label), names);
+            tasks.push_back({name, std::move(pictures)});
+        }
     return tasks;
 }
 
@@ -207,7 +232,8 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.realizations = static_cast<std::uint32_t>(config.realizations);
     experiment.timing_runs = static_cast<std::uint32_t>(config.timing_runs);
     experiment.methods = method_grids(config);
-    const std::vector<SeriesPlan> plan = make_plan(config);
+    std::vector<SeriesPlan> plan = make_plan(config);
+    experiment.left_out = leave_out(plan, config);
     const std::optional<DeviceInfo> info = device_of_plan(plan, config, device);
     if (info) check_memory_of_device(*info, plan, config);
     for (const SeriesPlan& series : plan) {

@@ -78,6 +78,7 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
         if (!file.empty()) file = folder + file;
     };
     in_folder(series.pair_correlation_file);
+    if (series.folded_density) in_folder(series.folded_density->file);
     if (series.iterations) in_folder(series.iterations->file);
     if (series.zone_plate) in_folder(series.zone_plate->file);
     if (series.zone_plate) in_folder(series.zone_plate->error_file);
@@ -85,24 +86,17 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     return series;
 }
 
-/// After how many tiles the hash function of a direct tiling repeats.
-HashPeriod hash_period(const TilingRequest& request)
-{
-    return period_of(request.kind == TileKind::cube ? make_color_hash(request.hash, request.colors, request.seed)
-                                                    : make_direct_tiling(request).hash());
-}
-
 TilingResult tiling_of(const TilingTask& task, const std::optional<TilingStatistics>& statistics)
 {
     const TilingConfig& config = task.config;
     const TilingRequest& request = config.request;
-    const TileSet set =
-        config.is_set() ? make_tile_set(request.kind, request.colors, config.set) : tile_set_of(request);
+    const TileSet set = tile_set_of(config);
     TilingResult result;
     result.name = task.name;
     result.label = config.label;
     result.kind = request.kind;
     result.colors = set.colors().horizontal;
+    if (set.colors().vertical != result.colors) result.vertical_colors = set.colors().vertical;
     result.tiles = set.size();
     result.file = task.name + "/" + file_names::tiles;
     result.regions = config.regions;
@@ -111,9 +105,9 @@ TilingResult tiling_of(const TilingTask& task, const std::optional<TilingStatist
     const CubeWindow& w = config.window;
     result.algorithm = request.algorithm;
     result.origin = {w.x, w.y, w.z};
-    result.size = {w.width, w.height, request.kind == TileKind::cube ? w.depth : 1};
+    result.size = {w.width, w.height, w.depth};
     if (request.is_direct()) {
-        const HashPeriod period = hash_period(request);
+        const HashPeriod period = hash_period_of(request);
         result.hash = hash_names().at(static_cast<std::size_t>(request.hash));
         result.hash_period = {period.x, period.y};
         for (const std::int64_t along : {request.period.x, request.period.y, request.period.z})
@@ -181,7 +175,8 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
     for (std::size_t i = 0; i < experiment.constructions.size(); ++i)
         run.constructions.push_back(construction_of(experiment.constructions[i], results.scenes.at(i)));
     for (std::size_t i = 0; i < experiment.distributions.size(); ++i)
-        run.distributions.push_back(distribution_of(experiment.distributions[i], results.distributions.at(i)));
+        (experiment.distributions[i].config.is_scheme() ? run.schemes : run.distributions)
+            .push_back(distribution_of(experiment.distributions[i], results.distributions.at(i)));
     return run;
 }
 

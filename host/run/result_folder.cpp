@@ -37,7 +37,7 @@ std::vector<std::string> series_in(const fs::path& folder)
     try {
         const auto json = nlohmann::json::parse(read_whole_file(folder / file_names::results));
         if (json.at("format") != "poissonlab-results") return {};
-        for (const char* member : {"series", "tilings", "constructions", "distributions"})
+        for (const char* member : {"series", "tilings", "constructions", "distributions", "schemes"})
             for (const auto& series : json.value(member, nlohmann::json::array())) {
                 const std::string name = series.at("name");
                 // A name that leads elsewhere is not one that this program wrote.

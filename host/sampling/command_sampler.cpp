@@ -15,6 +15,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -23,6 +24,7 @@ namespace {
 
 constexpr const char* command_key = "command";
 constexpr const char* limit_key = "time_limit";
+constexpr const char* needs_key = "needs";
 constexpr std::size_t lines_shown = 8; ///< of what a program said
 
 constexpr const char* known_fields = "{points}, {dimension}, {seed}, {realization} and {out}";
@@ -203,6 +205,37 @@ std::uint64_t program_hash(const Parameters& parameters)
     return hash.value();
 }
 
+/// "there is no program x in the folders of PATH"; empty: it is there.
+std::string missing_program(const std::string& program, const fs::path& folder)
+{
+    if (find_program(program, folder)) return {};
+    return fmt::format("there is no program {}{}", program,
+                       program.find('/') != std::string::npos ? " (paths are relative to the folder of the config)"
+                                                              : " in the folders of PATH");
+}
+
+/// The words of the command that finds out whether the program can run. Throws InputError.
+std::vector<std::string> words_of_needs(const Parameters& parameters)
+{
+    const auto words = split_shell_words(parameters.text(needs_key));
+    if (!words) throw parameters.error(needs_key, "a quote or backslash at the end is left open");
+    if (words->empty()) throw parameters.error(needs_key, "must name a program, such as \"python3 -c 'import scipy'\"");
+    return *words;
+}
+
+/// Why the program cannot run here; nothing without `needs`, and where all is there.
+std::optional<std::string> absence_of_program(const Parameters& parameters)
+{
+    if (!parameters.is_given(needs_key)) return std::nullopt;
+    const fs::path folder = folder_of(parameters);
+    const auto words = words_of_needs(parameters);
+    for (const std::string& program : {words[0], command_words(parameters.text(command_key), {})[0]})
+        if (std::string missing = missing_program(program, folder); !missing.empty()) return missing;
+    const ProgramOutcome outcome = run_program(words, folder, parameters.number(limit_key), stop_if_interrupted);
+    if (outcome.succeeded()) return std::nullopt;
+    return fmt::format("what it needs is not there: {}", parameters.text(needs_key));
+}
+
 void check_command(const Parameters& parameters, const SampleRequest&, const SourceLocation& where)
 {
     if (!parameters.is_given(command_key))
@@ -210,14 +243,12 @@ void check_command(const Parameters& parameters, const SampleRequest&, const Sou
                              "sampler = \"command\": needs command, such as \"mysampler {points} {seed} {out}\"");
     try {
         const auto words = command_words(parameters.text(command_key), {});
-        if (!find_program(words[0], folder_of(parameters)))
-            throw InputError(fmt::format("there is no program {}{}", words[0],
-                                         words[0].find('/') != std::string::npos
-                                             ? " (paths are relative to the folder of the config)"
-                                             : " in the folders of PATH"));
+        const std::string missing = missing_program(words[0], folder_of(parameters));
+        if (!missing.empty() && !parameters.is_given(needs_key)) throw InputError(missing);
     } catch (const InputError& error) {
         throw parameters.error(command_key, error.what());
     }
+    if (parameters.is_given(needs_key)) words_of_needs(parameters);
 }
 
 }
@@ -263,9 +294,15 @@ SamplerSpec command_sampler()
          .maximum = 1e6,
          .exclusive_minimum = true,
          .otherwise = 60.0},
+        {.key = needs_key,
+         .kind = ParameterSpec::Kind::text,
+         .help = "a command that ends with status 0 where the program can run, such as \"python3 -c 'import scipy'\"; "
+                 "where it cannot, the series is left out, with a word",
+         .unless_given = "by default a missing program is an error"},
     };
     spec.label = [](const Parameters& parameters) { return program_name(parameters.text(command_key)); };
     spec.check = check_command;
+    spec.absence = absence_of_program;
     spec.outside_input = program_hash;
     spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
         return std::make_unique<CommandSampler>(parameters, request);

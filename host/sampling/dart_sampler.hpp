@@ -1,4 +1,5 @@
-// What the config can ask of methods that follow the law of dart throwing, and what it is told when that is impossible.
+// The questions that the config can ask of methods that follow the law of dart throwing, and what it is told when that
+// is impossible.
 #pragma once
 
 #include "host/sampling/dart_throwing.hpp"

@@ -35,7 +35,7 @@ std::vector<ParameterSpec> density_parameters()
              .unless_given = "the same everywhere"},
             {.key = channel_key,
              .kind = Kind::text,
-             .help = "what of a picture: light, ink or a channel's name",
+             .help = "light, ink or a channel of a picture",
              .otherwise = std::string("light")}};
 }
 

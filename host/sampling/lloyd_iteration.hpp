@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 
 #include <cmath>
@@ -31,6 +32,7 @@ LloydResult run_iterations(State& state, std::size_t points, int dimension, cons
     LloydResult result;
     double best = -1;
     for (std::size_t iteration = 0;; ++iteration) {
+        stop_if_interrupted();
         const IterateMeasure measure = state.measure();
         const double radius = relative_radius(std::sqrt(measure.squared_near), points, dimension);
         result.iterations.push_back({radius, measure.energy});

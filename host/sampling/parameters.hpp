@@ -72,7 +72,7 @@ public:
 
     Parameters() = default;
 
-    /// Nothing given: the defaults alone.
+    /// No value is given: the defaults alone.
     explicit Parameters(const std::vector<ParameterSpec>& specs);
 
     /// Gives a value.

@@ -15,7 +15,7 @@ public:
 
     static DeviceMemory memory(std::size_t points) { return memory_of(Buffers{}.needed(points)); }
 
-    /// Of a value for each point. Sums are taken in the same order on every device.
+    /// The summary of a value for each point. Sums are taken in the same order on every device.
     IterateMeasure summarize(const Buffer<double>& energies, const Buffer<double>& squared_near);
 
 private:

@@ -65,6 +65,8 @@ public:
         return std::move(darts.points);
     }
 
+    bool is_progressive() const override { return true; }
+
 private:
     RelaxationDartThrowingRequest request_;
     std::uint64_t seed_;

@@ -56,6 +56,9 @@ public:
     /// True where sets are windows of the plane: what lies beside the right border is not what lies at the left one.
     virtual bool is_window() const { return false; }
 
+    /// True where the first points of a set are a set of their own, however many they are.
+    virtual bool is_progressive() const { return false; }
+
     /// The iterations of the last sample(); empty for methods without any.
     virtual std::vector<IterationRecord> iterations() const { return {}; }
 
@@ -74,6 +77,9 @@ public:
 
     /// The number of tiles along each axis of which the sets are made; 0: they are not made of tiles.
     virtual std::uint32_t tiles_along_axis() const { return 0; }
+
+    /// The number of tile sets that realizations take in turn, realization k set k % tile_sets().
+    virtual std::uint32_t tile_sets() const { return 1; }
 };
 
 /// Gives the OpenCL device, opened at the first call. Throws DeviceError when there is none.
@@ -109,6 +115,10 @@ struct SamplerSpec
     /// `where` is the place of the [[method]] table, or of the parameter that has the sampler as its value.
     /// Samplers among the parameters have passed their own checks before.
     std::function<void(const Parameters&, const SampleRequest&, const SourceLocation& where)> check;
+
+    /// Why its sets cannot be had on this machine, where the user has said that series are left out then; nothing: they
+    /// can. Empty: they always can. Asked before work begins.
+    std::function<std::optional<std::string>(const Parameters&)> absence;
 
     /// A hash of what decides its sets beside its parameters, such as the contents of files; empty: nothing does.
     std::function<std::uint64_t(const Parameters&)> outside_input;

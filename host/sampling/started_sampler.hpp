@@ -20,7 +20,7 @@ std::size_t most_started_points(const Parameters& parameters, const SampleReques
 /// The memory that a method takes for sets of so many points.
 using MemoryOfPoints = std::function<DeviceMemory(const Parameters&, std::size_t points, int dimension)>;
 
-/// What a description of such a method needs beside its name, parameters and create().
+/// The parts of a description of such a method beside its name, parameters and create().
 void describe_start(SamplerSpec& spec, const MemoryOfPoints& memory);
 
 class StartedSampler : public DeviceSampler

@@ -22,7 +22,7 @@ contract::voronoi_darts::Torus voronoi_dart_torus(double min_distance);
 /// The cells around a cell by their gap to it, then by rows; itself first.
 std::vector<contract::voronoi_darts::Offset> offsets_by_gap();
 
-/// How many darts a batch has, and where they fall; the same for both engines.
+/// The number of darts in a batch, and where they fall; the same for both engines.
 class VoronoiDartBatches
 {
 public:

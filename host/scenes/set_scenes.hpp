@@ -1,4 +1,4 @@
-// How methods make a point set, step by step: a panel a step.
+// The steps in which methods make a point set: a panel a step.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 4.2.4: dart throwing, relaxation dart throwing and
 // Lloyd's method.

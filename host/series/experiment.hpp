@@ -4,6 +4,8 @@
 
 #include "host/config/analysis_options.hpp"
 #include "host/config/distributions/distribution_table.hpp"
+#include "host/config/distributions/packing_table.hpp"
+#include "host/config/distributions/texture_table.hpp"
 #include "host/config/tiling_table.hpp"
 #include "host/distribution/distribution_place.hpp"
 #include "host/sampling/sampler.hpp"
@@ -98,6 +100,7 @@ struct Experiment
     std::uint32_t timing_runs = 1;   ///< the least number of times that each series is timed
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
+    std::vector<std::string> left_out; ///< series that cannot be made on this machine, each with why: a sentence
     std::vector<TilingTask> tilings;
     std::vector<ConstructionTask> constructions;
     std::vector<DistributionTask> distributions;

@@ -50,12 +50,46 @@ UnitKey identity_of(const std::vector<PointSet>& sets, const std::vector<std::st
     return key.add("coordinates", hash.value());
 }
 
+void check_count(std::size_t sets, const std::string& place)
+{
+    if (sets > static_cast<std::size_t>(max_realizations))
+        throw InputError(fmt::format("{}: there are more than {} realizations", place, max_realizations));
+}
+
 /// A folder name that is not one of the output folder's files.
 std::string series_folder_name(const std::string& label)
 {
     const std::string name = safe_name(label).substr(0, 100);
     const bool is_taken = name == "site" || name == file_names::results || name.ends_with(".html");
     return is_taken ? "points-" + name : name;
+}
+
+/// The experiment of sets that were checked. `paths` are the files that they come from.
+Experiment experiment_of(std::shared_ptr<const std::vector<PointSet>> sets, const std::string& label,
+                         const std::vector<std::string>& paths)
+{
+    SeriesTask task;
+    task.label = label;
+    task.name = series_folder_name(label);
+    task.sampler = "file";
+    if (!paths.empty()) task.parameters.set("path", paths);
+    task.is_timed = false;
+    task.realizations = static_cast<std::uint32_t>(sets->size());
+    task.points = sets->front().size();
+    task.identity = [sets, paths] { return identity_of(*sets, paths); };
+    task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
+
+    Experiment experiment;
+    experiment.title = task.label;
+    experiment.dimension = sets->front().dimension;
+    experiment.realizations = task.realizations;
+    experiment.series.push_back(std::move(task));
+    experiment.workplace->machine = [](bool) {
+        Machine machine;
+        machine.threads = ThreadLimit::current();
+        return machine;
+    };
+    return experiment;
 }
 
 }
@@ -76,34 +110,18 @@ Experiment import_points(const std::vector<std::filesystem::path>& files, const 
             sets->push_back(std::move(read[i]));
             check_set(sets->back(), places.back(), sets->front(), places.front());
         }
-        if (sets->size() > static_cast<std::size_t>(max_realizations))
-            throw InputError(
-                fmt::format("{}: with this file there are more than {} realizations", file.string(), max_realizations));
+        check_count(sets->size(), file.string());
         paths.push_back(file.string());
     }
+    return experiment_of(sets, label.empty() ? files.front().stem().string() : label, paths);
+}
 
-    SeriesTask task;
-    task.label = label.empty() ? files.front().stem().string() : label;
-    task.name = series_folder_name(task.label);
-    task.sampler = "file";
-    task.parameters.set("path", paths);
-    task.is_timed = false;
-    task.realizations = static_cast<std::uint32_t>(sets->size());
-    task.points = sets->front().size();
-    task.identity = [sets, paths] { return identity_of(*sets, paths); };
-    task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
-
-    Experiment experiment;
-    experiment.title = task.label;
-    experiment.dimension = sets->front().dimension;
-    experiment.realizations = task.realizations;
-    experiment.series.push_back(std::move(task));
-    experiment.workplace->machine = [](bool) {
-        Machine machine;
-        machine.threads = ThreadLimit::current();
-        return machine;
-    };
-    return experiment;
+Experiment import_sets(const std::vector<PointSet>& sets, const std::string& label)
+{
+    check_count(sets.size(), label);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        check_set(sets[i], fmt::format("{}: realization {}", label, i), sets.front(), label + ": realization 0");
+    return experiment_of(std::make_shared<const std::vector<PointSet>>(sets), label, {});
 }
 
 }

@@ -17,4 +17,7 @@ namespace poissonlab {
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
                          std::optional<CoordinateRange> domain = {});
 
+/// The same for sets that are in memory, at least one. Throws InputError where one is of another size than the first.
+Experiment import_sets(const std::vector<PointSet>& sets, const std::string& label);
+
 }

@@ -9,6 +9,7 @@
 #include "version.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace poissonlab {
 namespace {
@@ -18,7 +19,12 @@ std::string window_text(const CubeWindow& w)
     return fmt::format("{} {} {} {} {} {}", w.x, w.y, w.z, w.width, w.height, w.depth);
 }
 
-bool has_statistics(const TilingConfig& config) { return !config.is_set() && config.request.period == Period{}; }
+/// Tilings of the plane or of space without end: those that close repeat, and given ones are too small.
+bool has_statistics(const TilingConfig& config)
+{
+    return !config.is_set() && config.request.period == Period{} && !config.request.is_given() &&
+           config.request.kind != TileKind::domino;
+}
 
 std::map<std::string, std::string> image_metadata(const TilingConfig& config)
 {
@@ -41,7 +47,9 @@ UnitKey PictureWork::key_of(const TilingTask& task) const
         .add("set", config.set)
         .add("kind", static_cast<int>(request.kind))
         .add("colors", request.colors)
+        .add("vertical colors", request.vertical_colors)
         .add("algorithm", request.algorithm)
+        .add("given", fmt::format("{}", fmt::join(request.given, " ")))
         .add("hash", static_cast<int>(request.hash))
         .add("seed", request.seed)
         .add("period", fmt::format("{} {} {}", request.period.x, request.period.y, request.period.z))

@@ -1,6 +1,8 @@
 #include "host/series/sample_unit.hpp"
 
+#include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/tile_sampling/tile_set_owner.hpp"
 #include "results/records/archive.hpp"
 
 #include <algorithm>
@@ -10,6 +12,21 @@ namespace poissonlab {
 namespace {
 
 constexpr const char* points_file = "points.dat";
+constexpr const char* tile_set_file = "tile-set.ptiles";
+
+std::string tile_set_of(const Sampler& sampler)
+{
+    const auto* owner = dynamic_cast<const TileSetOwner*>(&sampler);
+    std::string bytes = owner ? owner->tile_set_file() : "";
+    return bytes.size() <= most_tile_set_bytes ? bytes : "";
+}
+
+std::optional<std::filesystem::path> stored_file(const UnitStore& store, const UnitKey& key, const char* name)
+{
+    const auto unit = store.find(key);
+    if (!unit || !unit->files.contains(name)) return std::nullopt;
+    return unit->files.at(name);
+}
 
 }
 
@@ -35,7 +52,9 @@ Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, cons
     record.on_device = workplace.is_device_open && workplace.is_device_open();
     record.sizes_vary = sampler_->sizes_vary();
     record.is_window = sampler_->is_window();
+    record.is_progressive = sampler_->is_progressive();
     record.tiles_along_axis = sampler_->tiles_along_axis();
+    record.tile_sets = sampler_->tile_sets();
     record.iterations = sampler_->iterations();
     record.tile_set = sampler_->tile_set();
     record.proven_relative_radius = sampler_->proven_relative_radius();
@@ -43,6 +62,7 @@ Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, cons
     record.preparation_seconds = prepared - preparation_seconds_;
     build_seconds_ = built;
     preparation_seconds_ = prepared;
+    if (realization == 0) sample.tile_set = tile_set_of(*sampler_);
     return sample;
 }
 
@@ -61,6 +81,10 @@ void store_sample(UnitStore& store, const UnitKey& key, const Sample& sample, bo
         write_points(store.file(key, points_file), sample.points, comment);
         files.emplace_back(points_file);
     }
+    if (!sample.tile_set.empty()) {
+        write_whole_file(store.file(key, tile_set_file), sample.tile_set);
+        files.emplace_back(tile_set_file);
+    }
     store.store(key, to_bytes(sample.record), files);
 }
 
@@ -75,9 +99,12 @@ std::optional<SampleRecord> stored_sample(const UnitStore& store, const UnitKey&
 
 std::optional<std::filesystem::path> stored_points(const UnitStore& store, const UnitKey& key)
 {
-    const auto unit = store.find(key);
-    if (!unit || !unit->files.contains(points_file)) return std::nullopt;
-    return unit->files.at(points_file);
+    return stored_file(store, key, points_file);
+}
+
+std::optional<std::filesystem::path> stored_tile_set(const UnitStore& store, const UnitKey& key)
+{
+    return stored_file(store, key, tile_set_file);
 }
 
 }

@@ -23,7 +23,9 @@ struct SampleRecord
     bool on_device = false; ///< whether a device was open
     bool sizes_vary = false;
     bool is_window = false;
+    bool is_progressive = false;
     std::uint32_t tiles_along_axis = 0;
+    std::uint32_t tile_sets = 1;
     std::vector<IterationRecord> iterations;
     std::optional<TileSetRecord> tile_set;
     std::optional<double> proven_relative_radius; ///< Sampler::proven_relative_radius()
@@ -33,8 +35,8 @@ struct SampleRecord
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(points, seconds, conditions, on_device, sizes_vary, is_window, tiles_along_axis, iterations, tile_set,
-                proven_relative_radius, build_seconds, preparation_seconds);
+        archive(points, seconds, conditions, on_device, sizes_vary, is_window, is_progressive, tiles_along_axis,
+                tile_sets, iterations, tile_set, proven_relative_radius, build_seconds, preparation_seconds);
     }
 };
 
@@ -43,7 +45,11 @@ struct Sample
 {
     PointSet points;
     SampleRecord record;
+    std::string tile_set; ///< of realization 0, where it is a tiling: the bytes of the tile set's file, unless too many
 };
+
+/// Larger tile sets, in bytes, are not results: a page could not hold them either.
+inline constexpr std::size_t most_tile_set_bytes = std::size_t{8} << 20;
 
 /// The sampler at hand: of one series at a time, as samplers hold large buffers on devices.
 class SamplerSlot
@@ -65,6 +71,9 @@ private:
 /// Stores a realization, with or without its points. Throws StorageError.
 void store_sample(UnitStore& store, const UnitKey& key, const Sample& sample, bool with_points,
                   const std::string& comment);
+
+/// The file of the tile set of realization 0; nothing where it is not there or without one.
+std::optional<std::filesystem::path> stored_tile_set(const UnitStore& store, const UnitKey& key);
 
 /// The record of a stored realization; nothing where it is not there.
 std::optional<SampleRecord> stored_sample(const UnitStore& store, const UnitKey& key);

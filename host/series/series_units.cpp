@@ -54,6 +54,7 @@ UnitKey SeriesUnits::analysis_of(const char* kind, const RealizationRange& range
         .add("volume", options_.volume)
         .add("zone_plate", options_.zone_plate)
         .add("tiles", options_.tiles)
+        .add("tile_sets", options_.tile_sets)
         .add("window", options_.window)
         .add("distances_only", options_.distances_only);
 }

@@ -28,7 +28,9 @@ std::string parameters_text(const Parameters& parameters)
 AnalysisOptions analysis_of(const SampleRecord& record, AnalysisOptions options)
 {
     if (options.tiles == 0 && record.tiles_along_axis > 1) options.tiles = static_cast<int>(record.tiles_along_axis);
+    options.tile_sets = record.tile_sets;
     options.window = options.window || record.is_window;
+    options.progressive = record.is_progressive;
     return options;
 }
 
@@ -305,6 +307,7 @@ std::map<std::string, std::filesystem::path> SeriesWork::files() const
         if (!points) throw is_gone(fmt::format("realization {} of {}", k, task_.label));
         files[file_names::realization(k)] = *points;
     }
+    if (const auto set = stored_tile_set(store_, units_.sample_key(0))) files[file_names::tile_set] = *set;
     return files;
 }
 

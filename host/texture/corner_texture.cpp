@@ -106,7 +106,7 @@ SourceCanvas quartered_canvas(const Patches& patches, const CornerTile& tile)
     return canvas;
 }
 
-/// How badly patches fit where they meet at the middles of edges, along so many pixels, and how far their mean colours
+/// The misfit of patches where they meet at the middles of edges, along so many pixels, and how far their mean colours
 /// are from the exemplar's.
 class PatchScore
 {
@@ -162,6 +162,31 @@ private:
     std::vector<double> means_;
 };
 
+/// The columns of the exemplar for marked colours, and for others.
+ColumnRange columns_of(const PngPixels& exemplar, const TextureRequest& request, bool is_marked)
+{
+    if (request.classes() == 1) return {0, exemplar.width};
+    return is_marked ? ColumnRange{request.split, exemplar.width} : ColumnRange{0, request.split};
+}
+
+bool is_marked_color(const TextureRequest& request, Color color)
+{
+    return request.classes() == 2 && color >= request.colors.horizontal / 2;
+}
+
+/// Where a piece over patches of these colours comes from: the exemplar of most of them, or either.
+std::vector<ColumnRange> ranges_for(const PngPixels& exemplar, const TextureRequest& request,
+                                    const std::vector<Color>& colors)
+{
+    if (request.classes() == 1) return {};
+    const auto marked = std::ranges::count_if(colors, [&](Color color) { return is_marked_color(request, color); });
+    const auto others = std::ssize(colors) - marked;
+    std::vector<ColumnRange> ranges;
+    if (others >= marked) ranges.push_back(columns_of(exemplar, request, false));
+    if (marked >= others) ranges.push_back(columns_of(exemplar, request, true));
+    return ranges;
+}
+
 /// The best of several sets of random patches.
 Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request, int distance)
 {
@@ -173,7 +198,8 @@ Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request,
                           0);
         UsedWindows used(distance);
         for (Color color = 0; color < request.colors.horizontal; ++color)
-            used.add(used.draw(exemplar, request.size, words));
+            used.add(used.draw(exemplar, columns_of(exemplar, request, is_marked_color(request, color)), request.size,
+                               words));
         const double its_score = score(used.windows());
         if (attempt > 0 && its_score >= best_score) continue;
         best = used.windows();
@@ -228,7 +254,13 @@ public:
         const bool has_edges = request_.stages == 3;
         const std::size_t windows =
             request_.colors.horizontal + tiles_.size() + (has_edges ? vertical.size() + horizontal.size() : 0);
-        const int distance = window_distance(exemplar_, request_.size, windows, request_.diversity);
+        // The narrower one of two exemplars side by side has to have room for all windows.
+        const PngPixels room{std::min(columns_of(exemplar_, request_, false).end,
+                                      exemplar_.width - columns_of(exemplar_, request_, true).first),
+                             exemplar_.height,
+                             exemplar_.channels,
+                             {}};
+        const int distance = window_distance(room, request_.size, windows, request_.diversity);
         used_ = UsedWindows(distance);
         patches_ = chosen_patches(exemplar_, request_, distance);
         for (const ExemplarWindow& patch : patches_) used_.add(patch);
@@ -244,8 +276,10 @@ private:
     EdgePieces fitted_edges(const std::set<EdgeColors>& edges, bool is_vertical)
     {
         std::vector<SourceCanvas> canvases;
-        for (const auto& [first, second] : edges)
+        for (const auto& [first, second] : edges) {
             canvases.push_back(edge_canvas(patches_[first], patches_[second], is_vertical));
+            canvases.back().ranges = ranges_for(exemplar_, request_, {first, second});
+        }
         const auto pieces =
             fitted(canvases, edge_roles(request_, is_vertical), is_vertical ? "vertical edges" : "horizontal edges");
         EdgePieces by_colors;
@@ -260,6 +294,8 @@ private:
         const int half = request_.size / 2, reach = edge_half(request_.size);
         for (const CornerTile& tile : corners_) {
             SourceCanvas& canvas = canvases.emplace_back(quartered_canvas(patches_, tile));
+            canvas.ranges =
+                ranges_for(exemplar_, request_, {tile.north_west, tile.north_east, tile.south_west, tile.south_east});
             if (vertical.empty()) continue;
             const auto [west, east, north, south] = edges_of(tile);
             overlay(canvas, vertical.at(west), -reach, half - reach);
@@ -268,7 +304,7 @@ private:
             overlay(canvas, horizontal.at(south), half - reach, request_.size - reach);
         }
         auto pieces = fitted(canvases, interior_roles(request_), "interiors");
-        TextureSources result{{}, cost_, used_.windows(), {}};
+        TextureSources result{{}, cost_, used_.windows(), {}, {}};
         for (std::size_t i = 0; i < canvases.size(); ++i) {
             put_piece(canvases[i], pieces[i]);
             result.sources.insert(result.sources.end(), canvases[i].sources.begin(), canvases[i].sources.end());

@@ -12,6 +12,14 @@
 
 namespace poissonlab {
 
+/// Which samples lie where in a Wang tile, T^2 pixels a tile: for smoothing, which the papers tried and which fails.
+struct BowTies
+{
+    std::vector<std::uint8_t> shown;     ///< 1 where a vertical edge's sample is shown
+    std::vector<SourcePixel> vertical;   ///< the source in that sample, whether it is shown or not
+    std::vector<SourcePixel> horizontal; ///< the same of the horizontal edge's
+};
+
 /// The sources of all tiles, tile after tile, and what all cuts cost.
 struct TextureSources
 {
@@ -19,6 +27,7 @@ struct TextureSources
     std::int64_t cost = 0;
     std::vector<ExemplarWindow> windows; ///< all that are used, patches first
     std::vector<FittedPiece> middles{};  ///< the pieces in the middles of tiles with corners
+    BowTies bow_ties{};                  ///< of Wang tiles
 };
 
 /// `request` is checked, and the exemplar has room for a window. `tiles` are requested_tiles(). Throws InputError where

@@ -53,4 +53,16 @@ PngPixels read_exemplar(const std::filesystem::path& file)
     return exemplar;
 }
 
+PngPixels side_by_side(const PngPixels& first, const PngPixels& second)
+{
+    if (first.channels != second.channels)
+        throw InputError("the exemplar of marked corners must have colours as the other one has, or none");
+    PngPixels both{first.width + second.width, std::min(first.height, second.height), first.channels, {}};
+    for (int row = 0; row < both.height; ++row)
+        for (const PngPixels* one : {&first, &second})
+            both.values.insert(both.values.end(), one->values.begin() + static_cast<std::ptrdiff_t>(one->at(0, row, 0)),
+                               one->values.begin() + static_cast<std::ptrdiff_t>(one->at(0, row + 1, 0)));
+    return both;
+}
+
 }

@@ -13,4 +13,8 @@ namespace poissonlab {
 /// numbers that are not finite, or sides of more than most_exemplar_pixels.
 PngPixels read_exemplar(const std::filesystem::path& file);
 
+/// Two exemplars side by side, the second one for marked corners: it begins at the width of the first one. What is
+/// higher than the other loses its lowest rows. Throws InputError where one is grey and the other has colours.
+PngPixels side_by_side(const PngPixels& first, const PngPixels& second);
+
 }

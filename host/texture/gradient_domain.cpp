@@ -69,6 +69,31 @@ GradientDomain gradient_domain(const PngPixels& exemplar, const std::vector<PngP
     return domain;
 }
 
+GradientDomain bow_tie_domain(const PngPixels& exemplar, int size, const BowTies& ties)
+{
+    GradientDomain domain{size, exemplar.channels, {}, {}};
+    const auto pixels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    for (std::size_t first = 0; first < ties.shown.size(); first += pixels) {
+        const std::vector<std::uint8_t> shown(ties.shown.begin() + static_cast<std::ptrdiff_t>(first),
+                                              ties.shown.begin() + static_cast<std::ptrdiff_t>(first + pixels));
+        const auto is_border = [&](int x, int y) { return x == 0 || y == 0 || x == size - 1 || y == size - 1; };
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                domain.inside.push_back(shown[static_cast<std::size_t>(y * size + x)] != 0 && !is_border(x, y));
+        for (int c = 0; c < domain.channels; ++c)
+            for (int y = 0; y < size; ++y)
+                for (int x = 0; x < size; ++x) {
+                    const auto pixel = static_cast<std::size_t>(y * size + x);
+                    const bool is_known = shown[pixel] != 0 ? is_border(x, y) : is_beside(shown, size, x, y);
+                    const SourcePixel around = ties.horizontal[first + pixel], own = ties.vertical[first + pixel];
+                    domain.values.push_back(is_known ? exemplar.values[exemplar.at(around.x, around.y, c)] -
+                                                           exemplar.values[exemplar.at(own.x, own.y, c)]
+                                                     : 0);
+                }
+    }
+    return domain;
+}
+
 void add_to_tiles(const GradientDomain& domain, std::vector<PngPixels>& tiles)
 {
     const std::size_t pixels = pixels_of(domain);

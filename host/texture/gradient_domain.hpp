@@ -6,6 +6,7 @@
 // and clamped at the end. The region stays inside of the ring, so that tiles still fit.
 #pragma once
 
+#include "host/texture/corner_texture.hpp"
 #include "host/texture/piece_fitting.hpp"
 
 #include <cstdint>
@@ -35,9 +36,14 @@ void relax_on(Device& device, GradientDomain& domain, std::size_t work_group_siz
 /// The same in plain C++.
 void relax_reference(GradientDomain& domain);
 
-/// What is known of tiles with these pieces in their middles: `tiles` have the pieces in them. All have one size.
+/// The known pixels of tiles with these pieces in their middles: `tiles` have the pieces in them. All have one size.
 GradientDomain gradient_domain(const PngPixels& exemplar, const std::vector<PngPixels>& tiles,
                                const std::vector<FittedPiece>& pieces);
+
+/// The same of Wang tiles in the manner of Ng's figure 6b: the bow tie of the samples of vertical edges takes on the
+/// colours of the horizontal edges' samples around it, and at the western and eastern sides their colours there. Tiles
+/// that share a vertical edge then differ beside it: only the outermost pixels are left alone.
+GradientDomain bow_tie_domain(const PngPixels& exemplar, int size, const BowTies& ties);
 
 /// Adds the functions to the taken pixels of the tiles.
 void add_to_tiles(const GradientDomain& domain, std::vector<PngPixels>& tiles);

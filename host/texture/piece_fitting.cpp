@@ -7,7 +7,7 @@
 namespace poissonlab {
 namespace {
 
-/// How far apart windows must be to be cut both: nearer ones give nearly the same cut.
+/// The distance that windows must have to be cut both: nearer ones give nearly the same cut.
 constexpr int candidates_apart = 4;
 
 /// So many pieces have their sums in memory at a time.
@@ -69,7 +69,8 @@ std::vector<FittedPiece> fit_pieces(const PngPixels& exemplar, const std::vector
             sums[i] = squares.sums(pixels[i]);
         });
         for (std::size_t i = 0; i < count; ++i) {
-            const auto windows = used.best(sums[i], size, request.candidates, candidates_apart);
+            const auto windows =
+                used.best(sums[i], size, request.candidates, candidates_apart, canvases[first + i].ranges);
             pieces.push_back(cheapest_piece(exemplar, pixels[i], roles, windows, request.weight));
             used.add(pieces.back().window);
             progress(stage, pieces.size(), canvases.size());

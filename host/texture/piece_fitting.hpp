@@ -17,6 +17,7 @@ struct SourceCanvas
 {
     int size = 0;
     std::vector<SourcePixel> sources;
+    std::vector<ColumnRange> ranges{}; ///< of the exemplar, that new pieces may come from; none: all
 
     SourcePixel& at(int x, int y) { return sources[static_cast<std::size_t>(y * size + x)]; }
     const SourcePixel& at(int x, int y) const { return sources[static_cast<std::size_t>(y * size + x)]; }
@@ -25,7 +26,7 @@ struct SourceCanvas
 /// The colours of a canvas.
 PngPixels canvas_pixels(const PngPixels& exemplar, const SourceCanvas& canvas);
 
-/// What came of cutting a window into a canvas.
+/// The outcome of cutting a window into a canvas.
 struct FittedPiece
 {
     ExemplarWindow window;

@@ -23,7 +23,7 @@ enum class SeamWeight
 inline constexpr WordTable<SeamWeight, 2> seam_weights{
     {{{SeamWeight::gradient, "gradient"}, {SeamWeight::plain, "plain"}}}};
 
-/// What a cut may do with a pixel.
+/// The choices of a cut for a pixel.
 enum class PixelRole : std::uint8_t
 {
     kept,  ///< shows the picture below

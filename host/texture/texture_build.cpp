@@ -2,6 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "host/texture/corner_texture.hpp"
+#include "host/texture/cross_texture.hpp"
 #include "host/texture/wang_texture.hpp"
 
 #include <fmt/format.h>
@@ -21,10 +22,11 @@ std::vector<PngPixels> tiles_of_sources(const PngPixels& exemplar, const Texture
     return tiles;
 }
 
-void smooth(const PngPixels& exemplar, const std::vector<FittedPiece>& pieces, const HarmonicSolver& solve,
+void smooth(const PngPixels& exemplar, const TextureSources& made, const HarmonicSolver& solve,
             std::vector<PngPixels>& tiles)
 {
-    GradientDomain domain = gradient_domain(exemplar, tiles, pieces);
+    GradientDomain domain = made.bow_ties.shown.empty() ? gradient_domain(exemplar, tiles, made.middles)
+                                                        : bow_tie_domain(exemplar, tiles[0].width, made.bow_ties);
     solve(domain);
     add_to_tiles(domain, tiles);
 }
@@ -44,18 +46,22 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
     set.colors = request.colors;
     set.size = request.size;
     set.ring = request.ring_pixels();
+    set.classes = request.classes();
     set.is_smoothed = request.smooth;
+    if (request.smooth && !request.has_corners()) set.ring = 1; // which is all that smoothing leaves alone there
     set.exemplar = exemplar;
     set.tiles = requested_tiles(request);
     set.parameters = parameters_of(request);
 
-    const auto make = request.has_corners() ? make_corner_texture : make_wang_texture;
+    const auto make = !request.has_corners() ? make_wang_texture
+                      : request.stages == 0  ? make_cross_texture
+                                             : make_corner_texture;
     TextureSources made = make(exemplar, request, set.tiles, progress);
     built.cost = made.cost;
     built.windows = std::move(made.windows);
     set.sources = std::move(made.sources);
     std::vector<PngPixels> tiles = tiles_of_sources(exemplar, set);
-    if (request.smooth) smooth(exemplar, made.middles, solve, tiles);
+    if (request.smooth) smooth(exemplar, made, solve, tiles);
     for (const PngPixels& tile : tiles) set.values.insert(set.values.end(), tile.values.begin(), tile.values.end());
     return built;
 }

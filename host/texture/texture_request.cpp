@@ -107,13 +107,19 @@ void check(const TextureRequest& r)
     // The disks around the middles of edges reach to 0.3 T, those around the middle up to the ring.
     const int most_ring = std::max(1, r.size / 5 - 1);
     check_range("ring", r.ring_pixels(), r.has_corners() && r.stages == 1 ? 0 : 1, most_ring);
-    if (r.stages != 1 && r.stages != 3) refuse("stages", std::to_string(r.stages), "must be 1 or 3");
+    if (r.stages != 0 && r.stages != 1 && r.stages != 3)
+        refuse("stages", std::to_string(r.stages), "must be 0, 1 or 3");
+    if (!(r.overlap >= 0.03 && r.overlap <= 0.5))
+        refuse("overlap", fmt::format("{}", r.overlap), "must be a number from 0.03 to 0.5");
     check_range("candidates", r.candidates, 1, 256);
     if (r.diversity) check_range("diversity", *r.diversity, 0, r.size);
     check_range("attempts", r.attempts, 1, 100'000);
     if (!(r.core_radius() >= 0 && r.core_radius() <= 0.4))
         refuse("core", fmt::format("{}", r.core_radius()), "must be a number from 0 to 0.4");
-    if (r.smooth && !r.has_corners()) refuse("smooth", "true", "is not for Wang tiles, whose cuts reach the border");
+    if (r.split > 0 && (r.kind != TextureKind::corner || r.stages == 0 || r.colors.horizontal % 2 != 0))
+        refuse("colors", std::to_string(r.colors.horizontal),
+               "with marked corners there are corner tiles over an even number, made with stages 1 or 3");
+    if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
     const std::size_t pixels =
         requested_tiles(r).size() * static_cast<std::size_t>(r.size) * static_cast<std::size_t>(r.size);
@@ -143,9 +149,11 @@ std::map<std::string, std::string> parameters_of(const TextureRequest& r)
     };
     if (r.kind == TextureKind::wang) {
         parameters["cut"] = quilting_cuts[r.cut];
+        parameters["overlap"] = fmt::format("{}", r.overlap);
     } else {
         parameters["stages"] = std::to_string(r.stages);
         parameters["candidates"] = std::to_string(r.candidates);
+        if (r.stages == 0) parameters["overlap"] = fmt::format("{}", r.overlap);
         parameters["core"] = fmt::format("{}", r.core_radius());
     }
     return parameters;

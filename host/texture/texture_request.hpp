@@ -5,6 +5,7 @@
 #include "host/texture/seam_cut.hpp"
 #include "tiles/texture/texture_set.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,7 +13,7 @@
 
 namespace poissonlab {
 
-/// How the two samples of a quarter of a Wang tile are cut.
+/// The ways to cut the two samples of a quarter of a Wang tile.
 enum class QuiltingCut
 {
     minimum_cut, ///< any curve (Ng and others 2005, section 5)
@@ -28,21 +29,31 @@ struct TextureRequest
     std::string tiles;            ///< complete, compact (wang), 4, 8, 16, 32, 16b (omega); empty: the kind's first
     int size = 64;                ///< T
     std::optional<int> ring;      ///< w; T / 16 unless given
-    int stages = 3;               ///< corner and omega: 3, or 1 as Ng and others have it
+    int stages = 3;               ///< corner and omega: 3, 1 as Ng and others have it, or 0: no new piece in a tile
     int candidates = 8;           ///< windows that are cut for a piece
     std::optional<int> diversity; ///< pixels between any two windows; T / 4 or what fits unless given
     SeamWeight weight = SeamWeight::gradient;
     QuiltingCut cut = QuiltingCut::minimum_cut; ///< wang
+    /// Part of T: half of the width of the band in which two samples overlap and are cut; Wang tiles, and corner tiles
+    /// without new pieces. 0.125 is like Cohen's placement, 0.5 Burke's: samples overlap everywhere (D. figure 5.4).
+    double overlap = 0.125;
     int attempts = 100; ///< sets of patches or samples that are drawn, of which the best is taken
     /// Part of T: the radius of a disk that the middle of a tile covers in any case, and twice that of the disk
     /// that a piece around the middle of an edge does. A minimum cut likes to be short, and would leave of a piece no
     /// more than what hides the joint. Unless given 0.3 with three stages, 0 with one.
     std::optional<double> core;
+    /// Corner: the exemplar's column where that of marked corners begins. The second half of the colours is theirs, and
+    /// their patches come from there; a new piece comes from the exemplar of most of its corners, and where there are
+    /// as many of both, from either. 0: no corners are marked.
+    int split = 0;
     bool smooth = false; ///< corner and omega: the middles of tiles take on the colours around them
     std::uint64_t seed = 1;
 
+    /// Classes of colours: marked or not.
+    int classes() const { return split > 0 ? 2 : 1; }
     double core_radius() const { return core.value_or(stages == 3 ? 0.3 : 0); }
     int ring_pixels() const { return ring.value_or(std::max(1, size / 16)); }
+    int band() const { return std::max(2, static_cast<int>(overlap * size)); }
     bool has_corners() const { return kind != TextureKind::wang; }
 };
 

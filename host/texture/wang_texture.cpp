@@ -42,13 +42,11 @@ PngPixels quarter_pixels(const PngPixels& exemplar, const ExemplarWindow& sample
     return canvas_pixels(exemplar, canvas);
 }
 
-int band_of(int size) { return std::max(1, size / 8); }
-
 /// Free pixels near the diagonal, but for the ring and the lines through the middle of the tile; "taken" is the sample
 /// of the vertical edge.
 std::vector<PixelRole> quarter_roles(const TextureRequest& request)
 {
-    const int half = request.size / 2, band = band_of(request.size);
+    const int half = request.size / 2, band = request.band();
     std::vector<PixelRole> roles;
     for (int y = 0; y < half; ++y)
         for (int x = 0; x < half; ++x) {
@@ -76,7 +74,7 @@ SeamCut quarter_path(const PngPixels& horizontal, const PngPixels& vertical, con
         }
         return sum;
     };
-    const DiagonalPath path = minimum_error_path(half, band_of(request.size), ring, error);
+    const DiagonalPath path = minimum_error_path(half, request.band(), ring, error);
     SeamCut cut;
     cut.cost = path.error;
     for (int y = 0; y < half; ++y)
@@ -178,14 +176,14 @@ private:
             cuts[i] = cut_of(samples[i / 4 / request_.colors.vertical],
                              samples[horizontal_ + i / 4 % request_.colors.vertical], quarters[i % 4]);
         });
-        TextureSources result{{}, 0, samples, {}};
+        TextureSources result{{}, 0, samples, {}, {}};
         for (const SeamCut& cut : cuts) result.cost += cut.cost;
         for (const TextureTile& tile : tiles_)
-            append_tile(result.sources, samples, cuts, wang_tile(tile.index, request_.colors));
+            append_tile(result, samples, cuts, wang_tile(tile.index, request_.colors));
         return result;
     }
 
-    void append_tile(std::vector<SourcePixel>& sources, const Samples& samples, const std::vector<SeamCut>& cuts,
+    void append_tile(TextureSources& result, const Samples& samples, const std::vector<SeamCut>& cuts,
                      const WangTile& tile) const
     {
         const int size = request_.size, half = size / 2;
@@ -197,8 +195,11 @@ private:
                 const int x = quarter.is_west ? column : size - 1 - column, y = quarter.is_north ? row : size - 1 - row;
                 const SeamCut& cut = cuts[(std::size_t{h} * request_.colors.vertical + v) * 4 + number];
                 const bool is_vertical = cut.taken[static_cast<std::size_t>(y * half + x)];
-                sources.push_back(source_in_quarter(is_vertical ? samples[horizontal_ + v] : samples[h], !is_vertical,
-                                                    quarter, x, y));
+                result.bow_ties.shown.push_back(is_vertical);
+                result.bow_ties.vertical.push_back(source_in_quarter(samples[horizontal_ + v], false, quarter, x, y));
+                result.bow_ties.horizontal.push_back(source_in_quarter(samples[h], true, quarter, x, y));
+                result.sources.push_back(is_vertical ? result.bow_ties.vertical.back()
+                                                     : result.bow_ties.horizontal.back());
             }
     }
 

@@ -3,8 +3,8 @@
 // Cohen, Shade, Hiller, Deussen, Wang Tiles for Image and Texture Generation, 2003, section 3.2: a sample of the
 // exemplar a colour of edges, centred on the edge; each quarter of a tile is cut between the samples of two edges,
 // along the diagonal. The article leaves open how wide the overlap is (here an eighth of the tile on both sides of the
-// diagonal), how samples are drawn, and when to stop: the best of some random sets, whose samples are then replaced one
-// by one where that is better.
+// diagonal unless another overlap is asked for), how samples are drawn, and when to stop: the best of some random sets,
+// whose samples are then replaced one by one where that is better.
 //
 // The ring: pixels near the border belong to the nearest edge, those on the diagonal to north and south.
 #pragma once

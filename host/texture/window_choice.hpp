@@ -26,6 +26,13 @@ struct ExemplarWindow
 /// The pixels of a window.
 PngPixels window_pixels(const PngPixels& exemplar, const ExemplarWindow& window);
 
+/// Columns of the exemplar, from the first one to before the end, within which a window must lie.
+struct ColumnRange
+{
+    int first = 0;
+    int end = 0;
+};
+
 /// The windows of a set, and what is free beside them: middles of any two differ by the distance along an axis at
 /// least.
 class UsedWindows
@@ -38,11 +45,16 @@ public:
     const std::vector<ExemplarWindow>& windows() const { return windows_; }
 
     /// A free window of this size, all of them equally likely as long as many are free.
-    ExemplarWindow draw(const PngPixels& exemplar, int size, RandomWords& words) const;
+    ExemplarWindow draw(const PngPixels& exemplar, ColumnRange columns, int size, RandomWords& words) const;
+    ExemplarWindow draw(const PngPixels& exemplar, int size, RandomWords& words) const
+    {
+        return draw(exemplar, {0, exemplar.width}, size, words);
+    }
 
     /// The free windows with the smallest sums, `apart` pixels from each other along an axis, the best first; ties by
-    /// place. Fewer where there are no more.
-    std::vector<ExemplarWindow> best(const SquareSums& sums, int size, int count, int apart) const;
+    /// place. Fewer where there are no more. `ranges`: those that are allowed; none: all.
+    std::vector<ExemplarWindow> best(const SquareSums& sums, int size, int count, int apart,
+                                     std::span<const ColumnRange> ranges = {}) const;
 
 private:
     int distance_;

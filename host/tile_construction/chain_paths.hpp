@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// How many points' worth of area a chain leaves to the tile above it (to its left, if it goes up), less half of its
+/// The area, in points, that a chain leaves to the tile above it (to its left, if it goes up), less half of its
 /// own points. Tiles have room for exactly their number of points where all chains of a direction have the same
 /// balance.
 double chain_balance(const ChainPieces& pieces, std::size_t direction, std::uint32_t lower, std::uint32_t upper,

@@ -91,7 +91,7 @@ private:
                 {0, 0}};
     }
 
-    /// How far each chain goes sideways, towards the mean balance; units.
+    /// The way of each chain sideways, towards the mean balance; units.
     std::vector<double> shifts_of(std::size_t direction) const
     {
         std::vector<double> balances;

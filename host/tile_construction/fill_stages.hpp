@@ -1,4 +1,4 @@
-// How often fillings are tried, and which random numbers they have: every stage of a construction has its own.
+// The number of tries of fillings, and their random numbers: every stage of a construction has its own.
 #pragma once
 
 #include <cstdint>

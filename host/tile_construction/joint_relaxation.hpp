@@ -52,7 +52,7 @@ class JointEngine
 public:
     virtual ~JointEngine() = default;
 
-    /// From each copy to the centroid of its Voronoi cell, as a part of the torus.
+    /// The displacement from each copy to the centroid of its Voronoi cell, as a part of the torus.
     virtual std::vector<double> centroid_displacements(const PointSet& points) = 0;
 
     /// The mean displacement of each stored point's copies, in their order; 0 without any.

@@ -6,7 +6,9 @@
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
+#include "host/tile_sampling/tile_set_owner.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 
@@ -18,6 +20,7 @@ namespace poissonlab {
 namespace {
 
 constexpr double max_tiles = 1'048'576;
+constexpr double most_sets = 64;
 
 bool knows_chains(const PoissonTileFamily& family)
 {
@@ -52,36 +55,55 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
 
 double density_of(const Parameters& given) { return given.number("density"); }
 
-class TileSampler final : public DeviceSampler
+std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
+
+/// The tile sets of a series: `sets` of them, with seeds that follow one another.
+struct TileSetChoice
+{
+    PoissonTileParameters first;
+    std::uint32_t sets = 1;
+    double density = 1; ///< part of the points that is kept
+};
+
+class TileSampler final : public DeviceSampler, public TileSetOwner
 {
 public:
-    TileSampler(const PoissonTileParameters& parameters, double density, const SampleRequest& request, Engine engine,
-                const DeviceProvider& device)
-        : DeviceSampler(engine, device), seed_(request.seed), density_(density),
-          side_(tiling_side(request.points, density * parameters.points_per_tile, parameters.dimension))
+    TileSampler(const TileSetChoice& choice, const SampleRequest& request, Engine engine, const DeviceProvider& device)
+        : DeviceSampler(engine, device), seed_(request.seed), density_(choice.density),
+          side_(tiling_side(request.points, choice.density * choice.first.points_per_tile, choice.first.dimension))
     {
         const auto begin = std::chrono::steady_clock::now();
-        CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
-        tiles_ = std::move(cached.set);
-        tile_set_ = std::move(cached.record);
-        if (device_) generator_.emplace(*device_, tiles_);
+        double waiting_seconds = 0;
+        for (std::uint32_t i = 0; i < choice.sets; ++i) {
+            PoissonTileParameters parameters = choice.first;
+            parameters.seed += i;
+            CachedTileSet cached = cached_tile_set(parameters, engine, device, tile_cache_folder(), request.on_step);
+            tiles_.push_back(std::move(cached.set));
+            if (i == 0) tile_set_ = std::move(cached.record);
+            waiting_seconds += cached.waiting_seconds;
+        }
+        if (device_)
+            for (const PoissonTileSet& set : tiles_) generators_.emplace_back(*device_, set);
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
-        preparation_seconds_ = all.count() - build_seconds() - cached.waiting_seconds;
+        preparation_seconds_ = all.count() - build_seconds() - waiting_seconds;
     }
 
     PointSet sample(std::uint32_t realization) override
     {
+        const std::size_t set = realization % tiles_.size();
         const std::uint32_t tiling = stream_key(seed_, Purpose::tile_choice, realization)[0];
-        PointSet points =
-            generator_ ? generator_->generate_torus(tiling, side_) : reference::torus_points(tiles_, tiling, side_);
-        return at_density(std::move(points), density_, tiles_, tiling, side_);
+        PointSet points = generators_.empty() ? reference::torus_points(tiles_[set], tiling, side_)
+                                              : generators_[set].generate_torus(tiling, side_);
+        return at_density(std::move(points), density_, tiles_[set], tiling, side_);
     }
 
     std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
+    std::string tile_set_file() const override { return encode_tile_set(tiles_.front()); }
     std::uint32_t tiles_along_axis() const override { return side_; }
+    std::uint32_t tile_sets() const override { return static_cast<std::uint32_t>(tiles_.size()); }
 
     /// Chance leaves out about as many points.
-    bool sizes_vary() const override { return density_ < 1 && !tiles_.parameters.ranked; }
+    bool sizes_vary() const override { return density_ < 1 && !tiles_.front().parameters.ranked; }
 
     double preparation_seconds() const override { return preparation_seconds_; }
 
@@ -90,9 +112,9 @@ private:
     double density_;
     std::uint32_t side_;
     double preparation_seconds_ = 0;
-    PoissonTileSet tiles_;
-    TileSetRecord tile_set_;
-    std::optional<TilePointGenerator> generator_;
+    std::vector<PoissonTileSet> tiles_;
+    TileSetRecord tile_set_; ///< of the first
+    std::vector<TilePointGenerator> generators_;
 };
 
 /// The size of the tile set is what every config has to name.
@@ -181,6 +203,14 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
                      .kind = Kind::boolean,
                      .help = "in these, make the mean tile even, so that tilings show less of their lattice",
                      .unless_given = "true where there are joint iterations"});
+    specs.push_back({.key = "sets",
+                     .kind = Kind::integer,
+                     .help = "tile sets, of this seed and those after it, that realizations take in turn: errors are "
+                             "then between sets",
+                     .minimum = 1,
+                     .maximum = most_sets,
+                     .symbol = "sets",
+                     .otherwise = std::int64_t{1}});
     return specs;
 }
 
@@ -223,12 +253,20 @@ std::uint64_t tiles_of_sets(const PoissonTileParameters& tiles, double density, 
     return lattice_cells(tiling_side(points, density * tiles.points_per_tile, tiles.dimension), tiles.dimension);
 }
 
-/// Building the tile set, then taking points from it.
-DeviceMemory device_memory(const PoissonTileParameters& tiles, double density, std::size_t points,
-                           const DeviceInfo& device)
+/// Building the tile sets, one after the other, then taking points from them.
+DeviceMemory device_memory(const TileSetChoice& choice, std::size_t points, const DeviceInfo& device)
 {
-    return either(construction_memory(tiles, device),
-                  TilePointGenerator::memory(tiles, tiles_of_sets(tiles, density, points), device));
+    DeviceMemory taking;
+    const std::uint64_t tiles = tiles_of_sets(choice.first, choice.density, points);
+    for (std::uint32_t i = 0; i < choice.sets; ++i)
+        taking = taking + TilePointGenerator::memory(choice.first, tiles, device);
+    return either(construction_memory(choice.first, device), taking);
+}
+
+TileSetChoice tile_set_choice(const PoissonTileFamily& family, const Parameters& parameters,
+                              const SampleRequest& request)
+{
+    return {tile_parameters(family, parameters, request.seed), sets_of(parameters), density_of(parameters)};
 }
 
 std::string sampler_name(const PoissonTileFamily& family)
@@ -255,18 +293,17 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
     };
     spec.device_memory = [family](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
-        return device_memory(tile_parameters(family, parameters, request.seed), density_of(parameters), request.points,
-                             device);
+        return device_memory(tile_set_choice(family, parameters, request), request.points, device);
     };
     // A set of one tile has one tiling, but for what chance leaves out of it.
     spec.is_deterministic = [family](const Parameters& parameters) {
-        return parameters.integer(size_key(family)) == 1 && (parameters.flag("ranked") || density_of(parameters) == 1);
+        return parameters.integer(size_key(family)) == 1 && sets_of(parameters) == 1 &&
+               (parameters.flag("ranked") || density_of(parameters) == 1);
     };
     spec.create = [family](const Parameters& parameters, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {
-            return std::make_unique<TileSampler>(tile_parameters(family, parameters, request.seed),
-                                                 density_of(parameters), request, engine, device);
+            return std::make_unique<TileSampler>(tile_set_choice(family, parameters, request), request, engine, device);
         } catch (const InputError& error) { // the radius could not be reached
             throw error.moved_to(place_of(parameters, "relative_radius", family));
         }

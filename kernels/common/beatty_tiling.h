@@ -1,4 +1,4 @@
-// What beatty_tiling.cl and its host code, host/aperiodic_tiling/beatty_generator.cpp, agree on.
+// The contract of beatty_tiling.cl and its host code, host/aperiodic_tiling/beatty_generator.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -8,7 +8,7 @@ CONTRACT(beatty_tiling)
 /// Tiles that a work-item makes, one after the other.
 DERIVED(RUN_TILES, (), 256)
 
-/// What is written where the set has no tile.
+/// The number that stands where the set has no tile.
 DERIVED(NO_TILE, (), 255)
 
 /// alpha and beta of the digits on the north of a row, modulo 2^32 in units of 2^-96, and which machine it has.
@@ -19,7 +19,7 @@ struct Row
     ulong machine;
 };
 
-/// How a machine multiplies: a carry's number is factor floor(x) - divisor floor(q x) + shift.
+/// A machine's multiplication: a carry's number is factor floor(x) - divisor floor(q x) + shift.
 struct Machine
 {
     uint factor, divisor, shift;

@@ -1,5 +1,5 @@
-// What the headers that a kernel and its host code share are written with: constants, counters and record layouts in C
-// that is OpenCL C 1.2 as well as C++20.
+// The words in which headers that a kernel and its host code share are written: constants, counters and record layouts
+// in C that is OpenCL C 1.2 as well as C++20.
 //
 //     CONTRACT(dart_throwing)                                   C++: namespace poissonlab::contract::dart_throwing
 //     DERIVED(DART_WORDS, (size_t DIMENSION), DIMENSION + 2)    C: a constant, as DIMENSION is; C++: a function

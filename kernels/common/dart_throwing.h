@@ -1,4 +1,4 @@
-// What dart_throwing.cl and its host code, host/sampling/dart_throwing.cpp, agree on.
+// The contract of dart_throwing.cl and its host code, host/sampling/dart_throwing.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -39,7 +39,7 @@ enum
     GROUP_WORDS = 4
 };
 
-/// What throw_darts is told. Capacities are numbers of cells and of darts.
+/// The arguments of throw_darts. Capacities are numbers of cells and of darts.
 struct Batch
 {
     ulong step; ///< cell width of level 0, units of 2^-64

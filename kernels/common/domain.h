@@ -1,4 +1,4 @@
-// What domain.clh and its host code, host/sampling/cells/domain.cpp and domain_buffers.cpp, agree on.
+// The contract of domain.clh and its host code, host/sampling/cells/domain.cpp and domain_buffers.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// What gaussian_blue_noise.cl, its host code, host/sampling/optimized/gaussian_blue_noise.cpp, and its twin agree on.
+// The contract of gaussian_blue_noise.cl, its host code, host/sampling/optimized/gaussian_blue_noise.cpp, and its twin.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -11,7 +11,7 @@ enum
     SUM_LANES = 8     ///< sums that are kept apart until all neighbours are added
 };
 
-/// What sum_gaussians is told. Lengths are in mean distances of points, N^(-1/dimension).
+/// The arguments of sum_gaussians. Lengths are in mean distances of points, N^(-1/dimension).
 struct Gaussians
 {
     double step;       ///< displacement for a unit of force; of the torus' side

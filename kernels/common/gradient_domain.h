@@ -1,4 +1,4 @@
-// What gradient_domain.cl and its host code, host/texture/gradient_domain.cpp, agree on.
+// The contract of gradient_domain.cl and its host code, host/texture/gradient_domain.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// What masked_squares.cl and its host code, host/texture/masked_squares_kernel.cpp, agree on.
+// The contract of masked_squares.cl and its host code, host/texture/masked_squares_kernel.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// How objects of a distribution look: sizes, turns and colours by their identity, shapes as radii by direction. Kernel
+// The looks of objects of a distribution: sizes, turns and colours by their identity, shapes as radii by direction. Kernel
 // and plain twin share it; it comes after runtime/object_distribution.h or, in kernels, object_distribution_gpu.h.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 7.6.1 and 7.6.2. Nothing here calls a library: cosines
@@ -151,7 +151,7 @@ LOOKS_FUNCTION uint mixed(uint first, uint second, float share)
     return color;
 }
 
-/// Whether the place u of a body of flat faces is inside it: faces look in random directions, at distances from 1/2 on.
+/// True if the place u of a body of flat faces is inside it: faces look in random directions, at distances from 1/2 on.
 LOOKS_FUNCTION int in_body(uint id, uint faces, float scale, float x, float y, float z)
 {
     for (uint face = 0; face < faces; ++face) {

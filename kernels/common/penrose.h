@@ -1,4 +1,4 @@
-// What penrose.cl and its host code, host/tile_sampling/penrose/, agree on.
+// The contract of penrose.cl and its host code, host/tile_sampling/penrose/.
 #pragma once
 
 #include "kernels/common/contract.h"

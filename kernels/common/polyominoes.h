@@ -1,4 +1,4 @@
-// What polyominoes.cl and its host code, host/tile_sampling/polyominoes/polyomino_kernel.cpp, agree on.
+// The contract of polyominoes.cl and its host code, host/tile_sampling/polyominoes/polyomino_kernel.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

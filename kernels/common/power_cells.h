@@ -1,4 +1,4 @@
-// What power_cells.cl, its host code, host/sampling/optimized/power_cells.cpp, and its twin agree on.
+// The contract of power_cells.cl, its host code, host/sampling/optimized/power_cells.cpp, and its twin.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// What relaxation_dart_throwing.cl and its host code, host/sampling/relaxation_dart_throwing.cpp, agree on.
+// The contract of relaxation_dart_throwing.cl and its host code, host/sampling/relaxation_dart_throwing.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -31,7 +31,7 @@ enum State
     STATE_WORDS
 };
 
-/// What settle_candidates is told.
+/// The arguments of settle_candidates.
 struct Settling
 {
     ulong first_level; ///< of the thresholds

@@ -1,4 +1,4 @@
-// What sample_elimination.cl and its host code, host/sampling/optimized/sample_elimination.cpp, agree on.
+// The contract of sample_elimination.cl and its host code, host/sampling/optimized/sample_elimination.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -8,7 +8,7 @@ CONTRACT(sample_elimination)
 /// Weights are integers, in units of which the largest of a pair has so many: sums are exact, in any order.
 REAL(WEIGHT_UNITS, 0x1p40)
 
-/// What the kernels are told of a set. Lengths are in units of 2^-32.
+/// The arguments of the kernels, about a set. Lengths are in units of 2^-32.
 struct Elimination
 {
     ulong squared_reach; ///< nearer pairs have a weight

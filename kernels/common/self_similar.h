@@ -1,4 +1,4 @@
-// What self_similar.cl and its host code, host/distribution/self_similar_search.cpp, agree on.
+// The contract of self_similar.cl and its host code, host/distribution/self_similar_search.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -7,8 +7,8 @@ CONTRACT(self_similar)
 
 enum
 {
-    MAX_BITS = 24,   ///< points of a tile, and bits of a start
-    SECOND_STARTS = 512 ///< that a work-item pairs with its first one
+    MAX_BITS = 24,       ///< points of a tile, and bits of a start
+    SECOND_STARTS = 4096 ///< that a work-item pairs with its first one
 };
 
 struct StartSearch

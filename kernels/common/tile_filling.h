@@ -36,7 +36,7 @@ struct Tori
     uint keep_tiles; ///< points do not leave the tile that they are in
 };
 
-/// What throw_tile_darts is told.
+/// The arguments of throw_tile_darts.
 struct Darts
 {
     struct Tori tori;
@@ -47,7 +47,7 @@ struct Darts
     uint attempts;                    ///< failures in a row before the next
 };
 
-/// What relax_tiles is told.
+/// The arguments of relax_tiles.
 struct Relaxation
 {
     struct Tori tori;
@@ -62,7 +62,7 @@ struct Relaxation
     uint max_moving; ///< points of a torus
 };
 
-/// What repel_tiles is told.
+/// The arguments of repel_tiles.
 struct Repulsion
 {
     struct Tori tori;

@@ -1,4 +1,4 @@
-// What tile_finder.cl and its host code, host/isohedral_tiling/tile_finder.cpp, agree on.
+// The contract of tile_finder.cl and its host code, host/isohedral_tiling/tile_finder.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

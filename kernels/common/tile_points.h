@@ -1,4 +1,4 @@
-// What tile_points.cl and its host code, host/tile_points/tile_points.cpp, agree on.
+// The contract of tile_points.cl and its host code, host/tile_points/tile_points.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

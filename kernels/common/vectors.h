@@ -1,4 +1,4 @@
-// How many points kernels look at as one vector, and how much farther than the last point they read.
+// The number of points that kernels look at as one vector, and how much farther than the last point they read.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -1,4 +1,4 @@
-// What voronoi_darts.cl, its host code, host/sampling/voronoi_darts.cpp, and its twin agree on.
+// The contract of voronoi_darts.cl, its host code, host/sampling/voronoi_darts.cpp, and its twin.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -40,7 +40,7 @@ struct Torus
     uint unused;
 };
 
-/// What throw_darts is told.
+/// The arguments of throw_darts.
 struct Batch
 {
     ulong free_area; ///< of all sites; 0: darts fall anywhere

@@ -1,4 +1,4 @@
-// What warp.cl and its host code, host/distribution/warp.cpp, agree on.
+// The contract of warp.cl and its host code, host/distribution/warp.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

@@ -68,7 +68,15 @@ std::optional<double> power_at(const std::vector<RadialBin>& bins, double freque
 
 }
 
-ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std::move(series))
+std::optional<double> ClaimSeries::scheme_number(const std::string& kind, const std::string& key) const
+{
+    for (const DistributionResult* scheme : distributions(kind))
+        if (const auto number = number_of(*scheme, key)) return number;
+    return std::nullopt;
+}
+
+ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series, std::vector<const DistributionResult*> distributions)
+    : series_(std::move(series)), distributions_(std::move(distributions))
 {
     std::vector<const ReportSeries*> plates;
     std::ranges::copy_if(series_, std::back_inserter(plates), [](const auto* s) {
@@ -89,6 +97,21 @@ ClaimSeries::ClaimSeries(std::vector<const ReportSeries*> series) : series_(std:
         found[i] = {rings.strength, rings.at_the_plate, false_rings_bound(picture.pixels.size())};
     });
     for (std::size_t i = 0; i < plates.size(); ++i) rings_[plates[i]] = found[i];
+}
+
+std::vector<const DistributionResult*> ClaimSeries::distributions(const std::string& kind) const
+{
+    std::vector<const DistributionResult*> found;
+    std::ranges::copy_if(distributions_, std::back_inserter(found),
+                         [&](const DistributionResult* distribution) { return distribution->kind == kind; });
+    return found;
+}
+
+std::optional<double> number_of(const DistributionResult& distribution, const std::string& key)
+{
+    const auto found = std::ranges::find(distribution.numbers, key, &DistributionNumber::key);
+    if (found == distribution.numbers.end()) return std::nullopt;
+    return found->value;
 }
 
 std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) const

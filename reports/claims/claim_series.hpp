@@ -2,6 +2,7 @@
 #pragma once
 
 #include "reports/layout/report_layout.hpp"
+#include "results/pictures/distribution_result.hpp"
 
 #include <cstddef>
 #include <map>
@@ -15,7 +16,7 @@ namespace poissonlab {
 inline constexpr std::size_t usual_points = 16384;
 inline constexpr std::size_t plate_points = 262144;
 
-/// What a claim is about.
+/// The series that a claim is about.
 struct SeriesQuery
 {
     enum class Needs
@@ -33,17 +34,27 @@ struct SeriesQuery
     Needs needs = Needs::anything;
 };
 
-/// All series of a report.
+/// All series, distributions and schemes of a report.
 class ClaimSeries
 {
 public:
     /// Looks for false rings in all pictures of the zone plate. Throws InputError for those that cannot be read.
-    explicit ClaimSeries(std::vector<const ReportSeries*> series);
+    explicit ClaimSeries(std::vector<const ReportSeries*> series,
+                         std::vector<const DistributionResult*> distributions = {});
+
+    /// Every series, whichever its method.
+    const std::vector<const ReportSeries*>& series() const { return series_; }
 
     std::vector<const ReportSeries*> all(const SeriesQuery& query) const;
 
     /// The first one, or nullptr.
     const ReportSeries* one(const SeriesQuery& query) const;
+
+    /// The distributions (schemes) of a kind.
+    std::vector<const DistributionResult*> distributions(const std::string& kind) const;
+
+    /// A number of the first scheme of a kind that has it.
+    std::optional<double> scheme_number(const std::string& kind, const std::string& key) const;
 
     /// The strength of the false rings in the zone plate of a series; empty where there is no plate of enough pixels.
     struct Rings
@@ -54,8 +65,12 @@ public:
 
 private:
     std::vector<const ReportSeries*> series_;
+    std::vector<const DistributionResult*> distributions_;
     std::map<const ReportSeries*, Rings> rings_;
 };
+
+/// A number of a distribution by its key.
+std::optional<double> number_of(const DistributionResult& distribution, const std::string& key);
 
 /// A parameter as a number: what was given, or the stored default.
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace poissonlab {
 
@@ -18,31 +19,51 @@ std::string Tally::words() const
     return cases_ < 2 ? std::string() : fmt::format("holds in {} of {} cases", held_, cases_);
 }
 
-const std::vector<PaperClaim>& paper_claims()
+namespace {
+
+Paper dissertation()
 {
-    static const std::vector<PaperClaim> claims = [] {
-        auto all = claims_about_untiled_sets();
-        std::ranges::move(claims_about_accelerated_darts(), std::back_inserter(all));
-        std::ranges::move(claims_about_early_tiles(), std::back_inserter(all));
-        std::ranges::move(claims_about_recursive_tiles(), std::back_inserter(all));
-        std::ranges::move(claims_about_penrose_tilings(), std::back_inserter(all));
-        std::ranges::move(claims_about_tiles(), std::back_inserter(all));
-        std::ranges::move(claims_about_patterns(), std::back_inserter(all));
-        std::ranges::move(recommendations(), std::back_inserter(all));
-        // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
-        const auto section = [](const PaperClaim& claim) { return std::stoi(claim.section.substr(2)); };
-        std::ranges::stable_sort(all, {}, section);
-        return all;
-    }();
-    return claims;
+    auto all = claims_about_tilings();
+    std::ranges::move(claims_about_untiled_sets(), std::back_inserter(all));
+    std::ranges::move(claims_about_aperiodic_sets(), std::back_inserter(all));
+    std::ranges::move(claims_about_textures(), std::back_inserter(all));
+    std::ranges::move(claims_about_building(), std::back_inserter(all));
+    std::ranges::move(claims_about_accelerated_darts(), std::back_inserter(all));
+    std::ranges::move(claims_about_early_tiles(), std::back_inserter(all));
+    std::ranges::move(claims_about_recursive_tiles(), std::back_inserter(all));
+    std::ranges::move(claims_about_penrose_tilings(), std::back_inserter(all));
+    std::ranges::move(claims_about_tiles(), std::back_inserter(all));
+    std::ranges::move(claims_about_patterns(), std::back_inserter(all));
+    std::ranges::move(recommendations(), std::back_inserter(all));
+    std::ranges::move(claims_about_applications(), std::back_inserter(all));
+    // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
+    const auto section = [](const PaperClaim& claim) {
+        return std::pair(std::stoi(claim.section), std::stoi(claim.section.substr(2)));
+    };
+    std::ranges::stable_sort(all, {}, section);
+    return {"lagae-2007", "Ares Lagae, <cite>Tile-Based Methods in Computer Graphics</cite> (2007)", std::move(all)};
 }
 
-std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& series)
+}
+
+const std::vector<Paper>& papers()
 {
-    const ClaimSeries finder(series);
+    static const std::vector<Paper> all = [] {
+        std::vector<Paper> list{dissertation()};
+        std::ranges::move(later_papers(), std::back_inserter(list));
+        return list;
+    }();
+    return all;
+}
+
+std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& series,
+                                      const std::vector<const DistributionResult*>& distributions)
+{
+    const ClaimSeries finder(series, distributions);
     std::vector<JudgedClaim> judged;
-    for (const auto& claim : paper_claims())
-        if (auto outcome = claim.measure(finder)) judged.push_back({&claim, std::move(*outcome)});
+    for (const Paper& paper : papers())
+        for (const PaperClaim& claim : paper.claims)
+            if (auto outcome = claim.measure(finder)) judged.push_back({&paper, &claim, std::move(*outcome)});
     return judged;
 }
 

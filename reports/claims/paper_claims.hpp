@@ -1,5 +1,6 @@
-// Claims that chapter 6 of Lagae's Tile-Based Methods in Computer Graphics (2007) makes in words about the methods of
-// this laboratory, judged by the results of a report.
+// Claims that papers make about the methods of this laboratory, judged by the results of a report: Lagae's Tile-Based
+// Methods in Computer Graphics (2007), with the articles on texture tiles that it follows, and papers that came after
+// it.
 //
 // A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
 // series. Criteria are standard errors where there are some, and else numbers that are stated. Times of 2006 are shown
@@ -23,6 +24,8 @@ enum class Agreement
     not_judged, ///< shown side by side
 };
 
+inline Agreement agreement_if(bool holds) { return holds ? Agreement::agrees : Agreement::disagrees; }
+
 struct ClaimOutcome
 {
     Agreement agreement = Agreement::not_judged;
@@ -31,24 +34,40 @@ struct ClaimOutcome
 
 struct PaperClaim
 {
-    std::string id;      ///< "6.3-radius", unique
-    std::string section; ///< "6.3"
+    std::string id;      ///< "6.3-radius", unique among all papers
+    std::string section; ///< "6.3"; empty: the paper as a whole
     std::string says;
     std::string criterion;
-    std::function<std::optional<ClaimOutcome>(const ClaimSeries&)> measure; ///< empty: the report has no series for it
+    std::function<std::optional<ClaimOutcome>(const ClaimSeries&)> measure; ///< empty: the report has nothing for it
 };
 
-/// All claims, in the order of the sections.
-const std::vector<PaperClaim>& paper_claims();
+struct Paper
+{
+    std::string key;   ///< "lagae-2007", for links
+    std::string title; ///< as HTML: authors, title, year
+    std::vector<PaperClaim> claims;
+};
+
+/// All papers, the dissertation first, with their claims in the order of the sections.
+const std::vector<Paper>& papers();
 
 struct JudgedClaim
 {
+    const Paper* paper = nullptr;
     const PaperClaim* claim = nullptr;
     ClaimOutcome outcome;
 };
 
-/// The claims that the series can answer. Throws InputError for pictures of the zone plate that cannot be read.
-std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& series);
+/// The claims that series, distributions and schemes can answer, paper by paper. Throws InputError for pictures of the
+/// zone plate that cannot be read.
+std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& series,
+                                      const std::vector<const DistributionResult*>& distributions = {});
+
+/// The claims about tiles, tilings and hash functions (2.6, 3.2 to 3.5).
+std::vector<PaperClaim> claims_about_tilings();
+
+/// The claims about aperiodic sets (3.1, 8.3).
+std::vector<PaperClaim> claims_about_aperiodic_sets();
 
 /// The claims about methods without tiles (6.2 to 6.5, 6.15) and with tiles (6.7 to 6.11, 6.15).
 std::vector<PaperClaim> claims_about_untiled_sets();
@@ -59,8 +78,20 @@ std::vector<PaperClaim> claims_about_penrose_tilings();
 std::vector<PaperClaim> claims_about_tiles();
 std::vector<PaperClaim> claims_about_patterns();
 
-/// What section 6.16 recommends.
+/// The claims about how long tile sets and large sets take to make (4.5, 6.3).
+std::vector<PaperClaim> claims_about_building();
+
+/// The claims about what tiles are for (4.7 and chapter 7).
+std::vector<PaperClaim> claims_about_applications();
+
+/// Claims about texture tiles: chapter 5, and the articles that it follows.
+std::vector<PaperClaim> claims_about_textures();
+
+/// The recommendations of section 6.16.
 std::vector<PaperClaim> recommendations();
+
+/// Papers of 2006 and later about methods that optimise sets, and point sets that were published.
+std::vector<Paper> later_papers();
 
 /// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
 class Tally

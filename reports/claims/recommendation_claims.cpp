@@ -41,6 +41,7 @@ std::optional<double> excess_anisotropy(const ReportSeries& series)
 {
     if (series.curve.bins.empty() || (series.stored->realizations < 2 && !series.stored->deterministic))
         return std::nullopt;
+    if (tiles_of_set(series) == 1) return std::nullopt; // a lattice: beside its peaks there is no power at all
     return mean_excess_anisotropy(series);
 }
 

@@ -31,13 +31,15 @@ std::map<std::string, const Run*> by_name(const std::vector<Run>& runs)
     return named;
 }
 
-const Series* find_series(const Run& run, const std::string& name)
+/// The entry of that name; nullptr where there is none.
+template <class Entry>
+const Entry* find_named(const std::vector<Entry>& entries, const std::string& name)
 {
-    const auto found = std::ranges::find(run.series, name, &Series::name);
-    return found == run.series.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(entries, name, &Entry::name);
+    return found == entries.end() ? nullptr : &*found;
 }
 
-//// Adds remarks that a reader of two runs needs before their numbers.
+/// Adds remarks that a reader of two runs needs before their numbers.
 void add_remarks(const std::string& name, const Run& before, const Run& after, std::vector<std::string>& remarks)
 {
     const auto add = [&](const std::string& what, const std::string& a, const std::string& b) {
@@ -61,18 +63,29 @@ void add_remarks(const std::string& name, const Run& before, const Run& after, s
         remarks.push_back((name.empty() ? "the configs" : name + ": the configs") + " differ");
 }
 
-void match_series(const std::string& name, const Run& before, const Run& after, RunComparison& comparison)
+/// Pairs the entries of two runs, series or distributions, by their names. `entries` is the list of a run, `first` and
+/// `second` are the members of a pair that hold them.
+template <class Entry>
+void match_entries(const std::string& name, const Run& before, const Run& after, std::vector<Entry> Run::*entries,
+                   const Entry* SeriesComparison::*first, const Entry* SeriesComparison::*second,
+                   RunComparison& comparison)
 {
-    for (const auto& series : before.series) {
-        const auto* other = find_series(after, series.name);
+    for (const Entry& entry : before.*entries) {
+        const Entry* other = find_named(after.*entries, entry.name);
         if (other == nullptr) {
-            comparison.missing.push_back(joined(name, series.name));
+            comparison.missing.push_back(joined(name, entry.name));
             continue;
         }
-        comparison.series.push_back({name, &before, &after, &series, other, {}});
+        SeriesComparison& pair = comparison.series.emplace_back();
+        pair.run = name;
+        pair.series = entry.name;
+        pair.run_before = &before;
+        pair.run_after = &after;
+        pair.*first = &entry;
+        pair.*second = other;
     }
-    for (const auto& series : after.series)
-        if (find_series(before, series.name) == nullptr) comparison.added.push_back(joined(name, series.name));
+    for (const Entry& entry : after.*entries)
+        if (find_named(before.*entries, entry.name) == nullptr) comparison.added.push_back(joined(name, entry.name));
 }
 
 void match_runs(RunComparison& comparison)
@@ -86,7 +99,10 @@ void match_runs(RunComparison& comparison)
             continue;
         }
         add_remarks(name, *run, *other->second, comparison.remarks);
-        match_series(name, *run, *other->second, comparison);
+        match_entries(name, *run, *other->second, &Run::series, &SeriesComparison::before, &SeriesComparison::after,
+                      comparison);
+        match_entries(name, *run, *other->second, &Run::distributions, &SeriesComparison::distribution_before,
+                      &SeriesComparison::distribution_after, comparison);
     }
     for (const auto& [name, run] : after)
         if (!before.contains(name)) comparison.added.push_back(joined(name, "(all of it)"));
@@ -94,7 +110,7 @@ void match_runs(RunComparison& comparison)
 
 }
 
-std::string SeriesComparison::name() const { return joined(run, before->name); }
+std::string SeriesComparison::name() const { return joined(run, series); }
 
 bool SeriesComparison::changed() const
 {
@@ -122,7 +138,9 @@ RunComparison compare_results(const std::filesystem::path& before, const std::fi
     comparison.before = read_runs(before);
     comparison.after = read_runs(after);
     match_runs(comparison);
-    tbb::parallel_for_each(comparison.series, [](SeriesComparison& pair) { pair.numbers = compare_series(pair); });
+    tbb::parallel_for_each(comparison.series, [](SeriesComparison& pair) {
+        pair.numbers = pair.before ? compare_series(pair) : compare_distributions(pair);
+    });
     std::vector<NumberComparison*> numbers;
     for (auto& pair : comparison.series)
         for (auto& number : pair.numbers) numbers.push_back(&number);

@@ -15,14 +15,17 @@
 
 namespace poissonlab {
 
-/// A series that both have. The runs outlive it.
+/// A series or distribution that both have. The runs outlive it.
 struct SeriesComparison
 {
-    std::string run; ///< the folder of its run in a collection; empty: there is one run
+    std::string run;    ///< the folder of its run in a collection; empty: there is one run
+    std::string series; ///< its own folder
     const Run* run_before = nullptr;
     const Run* run_after = nullptr;
     const Series* before = nullptr;
     const Series* after = nullptr;
+    const DistributionResult* distribution_before = nullptr; ///< instead of series
+    const DistributionResult* distribution_after = nullptr;
     std::vector<NumberComparison> numbers;
 
     /// "run/series", or the series alone where there is one run.
@@ -47,5 +50,8 @@ RunComparison compare_results(const std::filesystem::path& before, const std::fi
 
 /// The numbers of one series in both runs, not yet settled. Reads the tables of curves. Throws InputError.
 std::vector<NumberComparison> compare_series(const SeriesComparison& pair);
+
+/// The same of a distribution: those of textures by their catalogue.
+std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair);
 
 }

@@ -1,4 +1,4 @@
-// How the measures and curves of two series are compared.
+// The comparison of the measures and curves of two series.
 #include "reports/diff/run_comparison.hpp"
 #include "results/curve_tables.hpp"
 #include "results/measures.hpp"

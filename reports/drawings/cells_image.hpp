@@ -1,7 +1,7 @@
 // The picture of Voronoi cells, coloured by their number of neighbours: where a set is ordered, and where order breaks.
 //
-// As in studies of two-dimensional crystals: cells with 6 neighbours are pale, those with fewer blue, with more orange.
-// Colours after Okabe and Ito, which people with colour deficiencies tell apart.
+// The colours are those of studies of two-dimensional crystals: cells with 6 neighbours are pale, those with fewer
+// blue, with more orange. Colours after Okabe and Ito, which people with colour deficiencies tell apart.
 #pragma once
 
 #include "base/geometry/point_set.hpp"

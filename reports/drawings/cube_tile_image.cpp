@@ -2,7 +2,7 @@
 
 #include "base/errors/errors.hpp"
 #include "reports/drawings/square_regions.hpp"
-#include "reports/drawings/tile_image.hpp"
+#include "tiles/tilings/tile_shapes.hpp"
 
 #include <fmt/format.h>
 
@@ -36,13 +36,15 @@ const std::array<Side, 3> sides{{
     {0.16, {{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {1, 0, 1}}}}, // east
 }};
 
-/// A face in sight: where in the drawing, its corners' colours and lattice points.
+/// A face in sight: where in the drawing, its corners' colours and lattice points; of a Wang cube its own colour and
+/// that of the face behind it.
 struct Face
 {
     const Side* side = nullptr;
     DrawnSquare square{};
     std::array<Color, 4> colors{};
     std::array<Place, 4> lattice{};
+    Color own = 0, behind = 0;
 };
 
 /// A tile or a block, drawn on its own: its lattice point (0, 0, 0) is at `origin`.
@@ -51,6 +53,7 @@ struct Block
     Place size{1, 1, 1};
     DrawingPoint origin{};
     const TileIndex* cubes = nullptr;
+    TileKind kind = TileKind::cube;
 };
 
 DrawingPoint project(const DrawingPoint& origin, const Place& place)
@@ -78,15 +81,24 @@ Color color_at(const CornerCube& cube, const Place& corner)
     return corner_colors(corner[2] == 1 ? cube.top : cube.bottom)[corner[1] == 0 ? corner[0] : 3 - corner[0]];
 }
 
+void color_face(Face& face, const WangCube& cube)
+{
+    const bool is_top = face.side == &sides[0], is_south = face.side == &sides[1];
+    face.own = is_top ? cube.top : is_south ? cube.south : cube.east;
+    face.behind = is_top ? cube.bottom : is_south ? cube.north : cube.west;
+}
+
 Face face_of(const Block& block, const Side& side, const Place& cube, Color colors)
 {
     const TileIndex index = block.cubes[(cube[2] * block.size[1] + cube[1]) * block.size[0] + cube[0]];
-    const CornerCube tile = cube_tile(index, colors);
-    Face face{&side, {}, {}, {}};
-    for (std::size_t i = 0; i < 4; ++i) {
+    Face face;
+    face.side = &side;
+    for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) face.lattice[i][axis] = cube[axis] + side.corners[i][axis];
-        face.colors[i] = color_at(tile, side.corners[i]);
-    }
+    if (block.kind == TileKind::wang_cube)
+        color_face(face, wang_cube(index, colors));
+    else
+        for (std::size_t i = 0; i < 4; ++i) face.colors[i] = color_at(cube_tile(index, colors), side.corners[i]);
     const DrawingPoint corner = project(block.origin, face.lattice[0]);
     face.square = {corner, difference(project(block.origin, face.lattice[1]), corner),
                    difference(project(block.origin, face.lattice[3]), corner)};
@@ -126,7 +138,8 @@ std::vector<Block> blocks_of(const CubeGrid& grid, Drawing& drawing)
         blocks.push_back({grid.has_gaps ? Place{1, 1, 1} : grid.size,
                           {cube_margin + column * (extent.width + gap_size),
                            cube_margin + row * (extent.height + gap_size) + extent.ascent},
-                          grid.cubes.data() + i});
+                          grid.cubes.data() + i,
+                          grid.kind});
     }
     return blocks;
 }
@@ -169,10 +182,38 @@ void add_face_outlines(std::vector<Shape>& shapes, const std::vector<Face>& face
     for (const Face& face : faces) shapes.push_back({face.square.outline(), {}, "#000000", width});
 }
 
+/// A parallelogram in the middle of a face, of this part of its sides.
+Polygon middle_of(const DrawnSquare& square, double part)
+{
+    const double low = (1 - part) / 2, high = (1 + part) / 2;
+    return {square.at(low, low), square.at(high, low), square.at(high, high), square.at(low, high)};
+}
+
+Drawing draw_wang_cubes(const CubeGrid& grid)
+{
+    constexpr double behind_part = 0.4;
+    Drawing drawing;
+    std::vector<Shape> fills, outlines;
+    for (const Block& block : blocks_of(grid, drawing))
+        for (const Face& face : faces_of(block, grid.colors)) {
+            fills.push_back({face.square.outline(), shaded(tile_color(face.own), *face.side), {}});
+            outlines.push_back({face.square.outline(), {}, "#000000", 1});
+            if (!grid.has_gaps) continue;
+            const Polygon middle = middle_of(face.square, behind_part);
+            outlines.push_back({middle, shaded(tile_color(face.behind), *face.side), {}});
+            outlines.push_back({middle, {}, "#000000", 0.6});
+        }
+    group_by_fill(fills);
+    drawing.shapes = std::move(fills);
+    drawing.shapes.insert(drawing.shapes.end(), outlines.begin(), outlines.end());
+    return drawing;
+}
+
 }
 
 Drawing draw_cubes(const CubeGrid& grid)
 {
+    if (grid.kind == TileKind::wang_cube) return draw_wang_cubes(grid);
     Drawing drawing;
     std::vector<Face> faces;
     Disks rings, disks;

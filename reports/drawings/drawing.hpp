@@ -92,7 +92,7 @@ std::string mixed_color(const std::string& first, const std::string& second, dou
 /// The points that say where a shape is: corners, middle, start.
 std::vector<DrawingPoint> points_of(const Shape& shape);
 
-/// How far a shape can reach beyond its points to any side.
+/// The reach of a shape beyond its points to any side.
 double reach_of(const Shape& shape);
 
 /// Throws std::logic_error for what no writer can draw.

@@ -84,7 +84,7 @@ void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int col
 
 constexpr int smooth_samples = 4; // a pixel in each direction, where there are polygons
 
-/// Of a pixel.
+/// The colour of a pixel.
 int samples_a_side(const Drawing& drawing)
 {
     const auto is_polygon = [](const Shape& shape) { return std::holds_alternative<Polygon>(shape.form); };

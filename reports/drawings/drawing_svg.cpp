@@ -65,7 +65,8 @@ std::string steps(const std::vector<DrawingPoint>& points, bool backwards = fals
 /// A disk without a stroke is a line of no length with round ends: the shortest way to write many.
 bool is_dot(const Shape& shape) { return std::holds_alternative<Disk>(shape.form) && shape.stroke.empty(); }
 
-/// What a path draws. All polygons run the same way round, so that a path of several covers what each of them covers.
+/// The shapes that a path draws. All polygons run the same way round, so that a path of several covers what each of
+/// them covers.
 std::string path_data(const Shape& shape)
 {
     if (const auto* corners = std::get_if<Polygon>(&shape.form))

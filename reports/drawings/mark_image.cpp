@@ -1,5 +1,7 @@
 #include "reports/drawings/mark_image.hpp"
 
+#include <utility>
+
 namespace poissonlab {
 
 Drawing draw_marks(const MarkPicture& picture, const std::filesystem::path& folder)
@@ -10,6 +12,11 @@ Drawing draw_marks(const MarkPicture& picture, const std::filesystem::path& fold
     if (!picture.ground.empty())
         drawing.shapes.push_back({Image{{0, 0}, drawing.width, read_png(folder / picture.ground)}, {}, {}});
     for (const MarkGroup& group : picture.groups) {
+        for (const auto& corners : group.polygons) {
+            Polygon polygon;
+            for (const auto& [x, y] : corners) polygon.push_back(place(x, y));
+            drawing.shapes.push_back({std::move(polygon), group.color, {}});
+        }
         for (const auto& [x, y, radius] : group.disks)
             drawing.shapes.push_back({Disk{place(x, y), scale * radius}, group.color, {}});
         for (const auto& [x1, y1, x2, y2, width] : group.strokes)

@@ -1,6 +1,7 @@
 #include "reports/drawings/region_colors.hpp"
 
-#include "reports/drawings/tile_image.hpp"
+#include "reports/drawings/drawing.hpp"
+#include "tiles/tilings/tile_shapes.hpp"
 
 #include <algorithm>
 

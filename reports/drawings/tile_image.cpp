@@ -1,60 +1,31 @@
 #include "reports/drawings/tile_image.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
 constexpr double tile_size = 32;
 constexpr double tile_gap = 8;
-constexpr double tile_disk_radius = 11 / tile_size;
-constexpr std::size_t arc_steps = 8; // of a quarter of a disk: it is within 0.06 units of round
-
-/// One channel of a saturated colour; `turns` around the colour circle.
-int channel(double turns)
-{
-    const double distance = std::abs(turns - std::floor(turns) - 0.5) * 6; // 3 at the channel's own hue
-    return static_cast<int>(std::lround(255 * std::min(1.0, std::max(0.0, distance - 1))));
-}
 
 /// The distance from one tile to the next.
 double pitch(const TileGrid& grid) { return tile_size + (grid.has_gaps ? tile_gap : 0); }
 
-/// Four triangles that meet in the middle.
-void add_wang_tile(std::vector<Shape>& shapes, const WangTile& tile, const DrawnSquare& square)
+void add_tile(std::vector<Shape>& shapes, const auto& tile, const DrawnSquare& square)
 {
-    const auto colors = edge_colors(tile);
-    for (std::size_t edge = 0; edge < 4; ++edge)
-        shapes.push_back({Polygon{square.beside_edge(edge, 0, 0), square.beside_edge(edge, 1, 0), square.at(0.5, 0.5)},
-                          tile_color(colors[edge]),
-                          {}});
-}
-
-/// A quarter of a disk around each corner.
-void add_corner_tile(std::vector<Shape>& shapes, const CornerTile& tile, const DrawnSquare& square)
-{
-    const auto colors = corner_colors(tile);
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        Polygon quarter{square.beside_edge(corner, 0, 0)};
-        for (std::size_t step = 0; step <= arc_steps; ++step) {
-            const double angle = std::numbers::pi / 2 * static_cast<double>(step) / arc_steps;
-            quarter.push_back(
-                square.beside_edge(corner, tile_disk_radius * std::cos(angle), tile_disk_radius * std::sin(angle)));
-        }
-        shapes.push_back({std::move(quarter), tile_color(colors[corner]), {}});
+    for (const TileShape& shape : shapes_of(tile)) {
+        Polygon polygon;
+        for (const auto& [x, y] : shape.corners) polygon.push_back(square.at(x, y));
+        shapes.push_back({std::move(polygon), tile_color(shape.color), {}});
     }
 }
 
 /// Tiles at their places, with their borders.
 template <class Tile>
-Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles,
-              void (*add_tile)(std::vector<Shape>&, const Tile&, const DrawnSquare&))
+Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles)
 {
     Drawing drawing = empty_tile_drawing(grid);
     for (std::size_t i = 0; i < tiles.size(); ++i) add_tile(drawing.shapes, tiles[i], tile_square(grid, i));
@@ -65,19 +36,9 @@ Drawing drawn(const TileGrid& grid, std::span<const Tile> tiles,
 
 }
 
-std::string tile_color(Color color)
-{
-    static const std::array<std::string, 8> known{"#ff0000", "#ffff00", "#00ff00", "#00ffff",
-                                                  "#0000ff", "#ff00ff", "#ff8000", "#808080"};
-    if (color < known.size()) return known[color];
-    const double turns = color * 0.6180339887498949; // golden section: far from those before
-    return fmt::format("#{:02x}{:02x}{:02x}", channel(turns), channel(turns - 1.0 / 3), channel(turns - 2.0 / 3));
-}
-
 Drawing empty_tile_drawing(const TileGrid& grid)
 {
-    if (grid.kind != TileKind::wang && grid.kind != TileKind::corner)
-        throw std::logic_error("only Wang and corner tiles are drawn");
+    if (axes_of(grid.kind) == 3) throw std::logic_error("cubes are no flat tiles");
     const auto length = [&](std::size_t tiles) {
         return 2 * tile_gap + static_cast<double>(tiles) * pitch(grid) - (pitch(grid) - tile_size);
     };
@@ -100,24 +61,21 @@ void add_tile_borders(std::vector<Shape>& shapes, const TileGrid& grid, double w
         shapes.push_back({tile_square(grid, i).outline(), {}, "#000000", width});
 }
 
-Drawing draw_tiles(const TileGrid& grid, std::span<const WangTile> tiles) { return drawn(grid, tiles, add_wang_tile); }
+Drawing draw_tiles(const TileGrid& grid, std::span<const WangTile> tiles) { return drawn(grid, tiles); }
 
-Drawing draw_tiles(const TileGrid& grid, std::span<const CornerTile> tiles)
-{
-    return drawn(grid, tiles, add_corner_tile);
-}
+Drawing draw_tiles(const TileGrid& grid, std::span<const CornerTile> tiles) { return drawn(grid, tiles); }
 
 Drawing draw_tiles(const TileGrid& grid)
 {
-    std::vector<WangTile> wang;
-    std::vector<CornerTile> corners;
-    for (const TileIndex tile : grid.tiles) {
-        if (grid.kind == TileKind::wang)
-            wang.push_back(wang_tile(tile, grid.colors));
-        else
-            corners.push_back(corner_tile(tile, grid.colors.horizontal));
-    }
-    return grid.kind == TileKind::wang ? draw_tiles(grid, wang) : draw_tiles(grid, corners);
+    const auto drawn_as = [&](const auto& tile_of) {
+        std::vector<std::decay_t<decltype(tile_of(0))>> tiles;
+        for (const TileIndex tile : grid.tiles) tiles.push_back(tile_of(tile));
+        return drawn<typename decltype(tiles)::value_type>(grid, tiles);
+    };
+    const Color colors = grid.colors.horizontal;
+    if (grid.kind == TileKind::wang) return drawn_as([&](TileIndex tile) { return wang_tile(tile, grid.colors); });
+    if (grid.kind == TileKind::domino) return drawn_as([&](TileIndex tile) { return domino(tile, colors); });
+    return drawn_as([&](TileIndex tile) { return corner_tile(tile, colors); });
 }
 
 }

@@ -1,13 +1,13 @@
 // Pictures of tile sets and tilings, in the papers' colours.
 //
-// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 2.3 to 2.7 and 3.1 to 3.8: Wang tiles
-// are four triangles in the colours of their edges, corner tiles have a quarter of a disk in the colour of
-// each corner.
+// After Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 2.3 to 2.7 and 3.1 to 3.8; tile_shapes.hpp has
+// the shapes.
 #pragma once
 
 #include "reports/drawings/drawing.hpp"
 #include "reports/drawings/square_regions.hpp"
 #include "tiles/tilings/tile_set.hpp"
+#include "tiles/tilings/tile_shapes.hpp"
 
 #include <cstddef>
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace poissonlab {
 
-/// Wang or corner tiles in rows, the first row at the top.
+/// Wang tiles, corner tiles or dominoes in rows, the first row at the top.
 struct TileGrid
 {
     TileKind kind = TileKind::corner;
@@ -26,11 +26,7 @@ struct TileGrid
     bool has_gaps = false;        ///< between tiles: a set, not a tiling
 };
 
-/// "#ff0000" and so on: red, yellow, green, cyan, blue for 0 to 4, as in the papers; then magenta, orange,
-/// grey, and from 8 on shades all around the colour circle.
-std::string tile_color(Color color);
-
-/// Wang or corner tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
+/// Tiles with black borders on white. Tiles are 32 units wide, gaps and margins 8. Throws
 /// std::logic_error for other tiles.
 Drawing draw_tiles(const TileGrid& grid);
 

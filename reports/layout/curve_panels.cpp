@@ -39,6 +39,33 @@ Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots&
             .thumbnail = Thumbnail{"radial", "Radial power"}};
 }
 
+std::string slope_caption(const ReportSeries& series)
+{
+    const auto& fit = series.stored->measures.low_frequency_power;
+    if (!fit) return "Too few rings at low frequencies for a slope.";
+    return fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {} ± {}.",
+                       format_exact(fit->begin), format_exact(fit->end), format_fixed(fit->exponent, 2),
+                       format_fixed(fit->exponent_standard_error, 2));
+}
+
+Panel structure_factor_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    return {.stem = "structure-factor",
+            .picture = structure_factor_alone(plots.structure, index, series.curve,
+                                              series.stored->measures.low_frequency_power),
+            .title = "Structure factor",
+            .caption = slope_caption(series),
+            .guide =
+                "The same power with both axes logarithmic, where power laws are straight lines. A set is "
+                "<b>hyperuniform</b> where the power vanishes towards frequency 0: a slope that goes on falling to "
+                "the left; the steeper, the faster errors of integrals fall with <i>N</i>. A level that it reaches "
+                "instead, however low, is noise that stays at all scales, as random points (1) and dart throwing "
+                "(0.06) have it. <b>Stealthy</b> sets have no power at all up to a frequency: a cliff instead of a "
+                "slope, to which no exponent belongs; in practice one of 10<sup>−3</sup> or less. The slope's "
+                "error is that of a straight line: where the curve bends, the slope is only its mean.",
+            .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
+}
+
 Panel anisotropy_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
 {
     const bool in_space = series.run->dimension == 3;
@@ -174,6 +201,7 @@ void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPl
 {
     if (series.stored->has_spectrum()) {
         panels.push_back(power_panel(series, index, plots));
+        panels.push_back(structure_factor_panel(series, index, plots));
         panels.push_back(anisotropy_panel(series, index, plots));
     }
     if (!series.pair_correlation.empty()) panels.push_back(pair_correlation_panel(series, index, plots));

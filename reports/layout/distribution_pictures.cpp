@@ -6,6 +6,11 @@
 
 namespace poissonlab {
 
+bool is_of_textures(const ReportDistribution& distribution)
+{
+    return distribution.stored->is_texture() || distribution.stored->kind == "packing";
+}
+
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture)
 {
     const std::filesystem::path stored = distribution.run->folder / picture.file;

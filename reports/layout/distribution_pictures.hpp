@@ -17,6 +17,9 @@ struct ReportDistribution
     std::filesystem::path pictures; ///< folder of its pictures
 };
 
+/// Texture tiles and tile packings, which have a section of their own.
+bool is_of_textures(const ReportDistribution& distribution);
+
 /// The PNG of a picture: drawn, or the stored one.
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture);
 

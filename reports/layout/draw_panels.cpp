@@ -1,5 +1,6 @@
 #include "reports/layout/draw_panels.hpp"
 
+#include "analysis/spectra/autocorrelation.hpp"
 #include "analysis/spectra/spectrum_file.hpp"
 #include "analysis/spectra/spectrum_planes.hpp"
 #include "base/errors/errors.hpp"
@@ -9,8 +10,10 @@
 #include "reports/drawings/drawing_pictures.hpp"
 #include "reports/drawings/plane_image.hpp"
 #include "reports/images/cube_image.hpp"
+#include "reports/images/density_image.hpp"
 #include "reports/images/spectrum_image.hpp"
 #include "reports/images/zone_plate_image.hpp"
+#include "reports/layout/series_panels.hpp"
 #include "reports/layout/thumbnails.hpp"
 #include "reports/plots/gnuplot_text.hpp"
 #include "reports/plots/plot_thumbnail.hpp"
@@ -28,6 +31,7 @@ namespace {
 constexpr int thumbnail_size = 256; // pixels
 constexpr int points_pixels = 1024;
 constexpr int cells_pixels = 1024;
+constexpr int density_pixels = 512;
 
 /// The planes that results.json promises: one of a 2D spectrum, several of a 3D one.
 std::vector<Spectrum> read_planes(const SpectrumPicture& picture)
@@ -62,6 +66,15 @@ Drawing draw_close_ups(const std::vector<Spectrum>& planes)
     return draw_plane_row(middles, {"xy", "xz", "yz"}, report_tone_mapping);
 }
 
+/// The whole number of pixels for a small image's pixel.
+int magnification(int size) { return std::max(1, density_pixels / size); }
+
+GreyImage draw_autocorrelation(const Spectrum& spectrum)
+{
+    const SquareImage image = autocorrelation(spectrum, autocorrelation_reach(spectrum.points));
+    return draw_density(image, magnification(image.size));
+}
+
 /// The picture at full size, as the page shows it, and the thumbnail.
 void draw_whole_spectrum(const SpectrumPicture& picture, const Panel& panel, const fs::path& folder)
 {
@@ -91,15 +104,17 @@ void draw_spectrum_picture(const SpectrumPicture& picture, const Panel& panel, c
     if (picture.part == Part::cube) write_png(file, draw_spectrum_cube(planes, report_tone_mapping));
     if (picture.part == Part::slices) write_in_pixels(file, draw_slices(planes));
     if (picture.part == Part::close_ups) write_in_pixels(file, draw_close_ups(planes));
+    if (picture.part == Part::autocorrelation) write_png(file, draw_autocorrelation(planes.front()));
 }
 
-GreyImage draw_zone_plate_picture(const ZonePlatePicture& picture)
+/// The image of a file, which results.json promises to have that size.
+SquareImage read_image(const fs::path& file, int size)
 {
-    const auto image = read_square_image(picture.file);
-    if (image.size != picture.size)
-        throw InputError(fmt::format("{}: must be an image of {} x {}, as results.json says", picture.file.string(),
-                                     picture.size, picture.size));
-    return draw_zone_plate(image);
+    SquareImage image = read_square_image(file);
+    if (image.size != size)
+        throw InputError(
+            fmt::format("{}: must be an image of {} x {}, as results.json says", file.string(), size, size));
+    return image;
 }
 
 /// Draws a panel by the kind of its picture.
@@ -141,9 +156,18 @@ struct Draw
         const auto png = folder / print_file(panel);
         const auto thumbnail = folder / thumbnail_file(panel);
         store.draw_once({png, thumbnail}, input, [&] {
-            const GreyImage image = draw_zone_plate_picture(picture);
+            const GreyImage image = draw_zone_plate(read_image(picture.file, picture.size));
             write_png(png, image);
             write_thumbnail(thumbnail, drawing_of({image.width, image.height, 1, image.pixels}), thumbnail_size);
+        });
+    }
+
+    void operator()(const DensityPicture& picture) const
+    {
+        const auto png = folder / print_file(panel);
+        const auto input = fmt::format("density {}\n", picture.size) + read_whole_file(picture.file);
+        store.draw_once({png}, input, [&] {
+            write_png(png, draw_density(read_image(picture.file, picture.size), magnification(picture.size)));
         });
     }
 };

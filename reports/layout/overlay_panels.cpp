@@ -35,6 +35,12 @@ void add_frequency_panels(const SeriesList& series, std::vector<Panel>& panels)
                           "frequencies, so that it adds no coarse noise to a picture, rises once around its principal "
                           "frequency, and settles at 1. The flatter it is after the rise, the less its errors form "
                           "patterns."});
+        panels.push_back(
+            {"structure-factor-all", together(structure_factor_plot(curves, unit)), "Structure factor",
+             over + ", both axes logarithmic",
+             "The same power where power laws are straight lines. A curve that goes on falling to the left "
+             "is hyperuniform, one that falls off a cliff is stealthy, one that levels out keeps noise at "
+             "all scales."});
         panels.push_back({"anisotropy-all", together(anisotropy_plot(curves, unit)), "Anisotropy", over,
                           "A curve on its dashed line looks the same in every direction, as far as <i>K</i> sets can "
                           "tell. Where it climbs above the line, directions differ: the mark of a grid or of repeated "
@@ -102,6 +108,22 @@ std::vector<Panel> overlay_panels(const SeriesList& series)
     add_iteration_panels(named, panels);
     add_zone_plate_panel(named, panels);
     return panels;
+}
+
+std::vector<Panel> gallery_panels(const SeriesList& series, const std::vector<const GalleryMethod*>& gallery)
+{
+    auto curves = frequency_curves(series);
+    if (curves.empty() || gallery.empty()) return {};
+    for (std::size_t i = 0; i < gallery.size() && series.size() + i < most_series_overlaid; ++i)
+        curves.push_back({series.size() + i, gallery[i]->label, &gallery[i]->curve});
+    const std::string beside = "beside the gallery, over frequency in cycles per mean spacing of the points";
+    const char* guide = "The first curves are those of the series, the others those of the gallery: the laboratory's "
+                        "methods, measured in the same way. Sets of different sizes compare per mean spacing.";
+    const LengthUnit unit = LengthUnit::spacing;
+    return {{"radial-gallery", together(power_plot(curves, unit)), "Radially averaged power", beside, guide},
+            {"structure-factor-gallery", together(structure_factor_plot(curves, unit)), "Structure factor",
+             beside + ", both axes logarithmic", guide},
+            {"anisotropy-gallery", together(anisotropy_plot(curves, unit)), "Anisotropy", beside, guide}};
 }
 
 std::vector<Panel> integration_panels(const SeriesList& series)

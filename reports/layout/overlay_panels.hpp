@@ -2,6 +2,7 @@
 // sizes.
 #pragma once
 
+#include "reports/gallery/gallery.hpp"
 #include "reports/layout/series_curves.hpp"
 
 #include <cstddef>
@@ -14,6 +15,10 @@ inline constexpr std::size_t most_series_overlaid = 24;
 
 /// Curves of all series, each where several series have one. None for too many series.
 std::vector<Panel> overlay_panels(const SeriesList& series);
+
+/// The curves of series with those of the gallery behind them, over frequencies in cycles per mean spacing. Methods of
+/// the gallery are numbered on from the series.
+std::vector<Panel> gallery_panels(const SeriesList& series, const std::vector<const GalleryMethod*>& gallery);
 
 /// Errors of integrals against the number of points, one plot an integrand.
 std::vector<Panel> integration_panels(const SeriesList& series);

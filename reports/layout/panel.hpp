@@ -24,6 +24,7 @@ struct SpectrumPicture
         cube,
         slices,
         close_ups,
+        autocorrelation, ///< of a 2D spectrum: its transform
     };
     std::filesystem::path file;
     int size = 0; ///< frequencies along each axis, as results.json says
@@ -33,6 +34,13 @@ struct SpectrumPicture
 
 /// A picture of the stored samples of the zone plate.
 struct ZonePlatePicture
+{
+    std::filesystem::path file;
+    int size = 0; ///< pixels along each axis, as results.json says
+};
+
+/// A picture of a stored image whose mean is 1.
+struct DensityPicture
 {
     std::filesystem::path file;
     int size = 0; ///< pixels along each axis, as results.json says
@@ -55,7 +63,7 @@ struct Thumbnail
 struct Panel
 {
     std::string stem; ///< name of its files, without extension
-    std::variant<Plot, PointsView, CellsView, SpectrumPicture, ZonePlatePicture> picture;
+    std::variant<Plot, PointsView, CellsView, SpectrumPicture, ZonePlatePicture, DensityPicture> picture;
     std::string title;
     std::string caption = {};
     std::string guide = {}; ///< how to read it, as HTML; empty: that is said elsewhere

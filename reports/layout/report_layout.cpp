@@ -50,6 +50,7 @@ ReportRun lay_out_run(const Run& run, const fs::path& root)
     for (const auto& stored : run.constructions)
         result.constructions.push_back({&run, &stored, read_scene(run.folder / stored.file), root / stored.name});
     for (const auto& stored : run.distributions) result.distributions.push_back({&run, &stored, root / stored.name});
+    for (const auto& stored : run.schemes) result.schemes.push_back({&run, &stored, root / stored.name});
     return result;
 }
 

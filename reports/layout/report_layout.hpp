@@ -29,6 +29,7 @@ struct ReportSeries
     std::filesystem::path pictures; ///< folder of its pictures and its page
     Curve curve;
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
+    IterationRecords iterations;                      ///< empty for methods without any
     std::vector<ErrorBin> zone_plate;                 ///< empty for series without the sampling test
     std::vector<Panel> panels;                        ///< its pictures, in the order of its page
 };
@@ -42,6 +43,7 @@ struct ReportRun
     std::vector<ReportTiling> tilings;
     std::vector<ReportConstruction> constructions; ///< with what they show, which lay_out() reads
     std::vector<ReportDistribution> distributions;
+    std::vector<ReportDistribution> schemes;
     std::vector<Panel> overlays;    ///< plots of all series
     std::vector<Panel> integration; ///< errors of integrals against N, one an integrand
     std::vector<Panel> regions;     ///< points in regions of tiles, where sets differ in size: one plot

@@ -12,7 +12,7 @@ namespace poissonlab {
 
 namespace {
 
-/// What series that differ only in N have in common.
+/// The label that series have in common that differ only in N.
 auto method_of(const NamedSeries& named)
 {
     const ReportSeries& series = *named.series;

@@ -77,6 +77,7 @@ RunPlots run_plots(const ReportRun& run)
     const auto series = series_of(run);
     const auto frequencies = frequency_curves(series);
     RunPlots plots{power_plot(frequencies, LengthUnit::absolute),
+                   structure_factor_plot(frequencies, LengthUnit::absolute),
                    anisotropy_plot(frequencies, LengthUnit::absolute),
                    pair_correlation_plot(pair_correlation_curves(series), packing_distance),
                    {},
@@ -99,6 +100,8 @@ std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const 
     std::vector<Panel> panels{points_panel(series, points)};
     add_spectrum_panel(series, panels);
     add_curve_panels(series, index, plots, panels);
+    add_autocorrelation_panel(series, panels);
+    add_folded_density_panel(series, panels);
     if (points.dimension == 2) panels.push_back(cells_panel(series, points));
     add_space_panels(series, panels);
     add_iteration_panels(series, index, plots, panels);

@@ -12,7 +12,7 @@ namespace poissonlab {
 /// its axes compare with those of the others.
 struct RunPlots
 {
-    Plot power, anisotropy, pairs;
+    Plot power, structure, anisotropy, pairs;
     std::optional<Plot> radius, energy, own_energy, plate; ///< where a series has these curves
 };
 
@@ -24,11 +24,16 @@ std::vector<Panel> series_panels(const ReportRun& run, std::size_t index, const 
 
 /// The parts of these, each for what a series has.
 void add_spectrum_panel(const ReportSeries& series, std::vector<Panel>& panels);
+void add_autocorrelation_panel(const ReportSeries& series, std::vector<Panel>& panels);
+void add_folded_density_panel(const ReportSeries& series, std::vector<Panel>& panels);
 void add_space_panels(const ReportSeries& series, std::vector<Panel>& panels);
 void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels);
 void add_iteration_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots,
                           std::vector<Panel>& panels);
 void add_zone_plate_panels(const ReportRun& run, std::size_t index, const RunPlots& plots, std::vector<Panel>& panels);
+
+/// The displacements along each axis up to which the autocorrelation of so many points is shown: 16 mean spacings.
+double autocorrelation_reach(std::size_t points);
 
 /// " (first of 10 realizations)" where there are several.
 std::string first_of_several(const ReportSeries& series);

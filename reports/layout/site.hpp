@@ -1,6 +1,8 @@
 // A report as a small site: which pages there are, and what all of them share.
 #pragma once
 
+#include "reports/gallery/gallery.hpp"
+#include "reports/gallery/gallery_use.hpp"
 #include "reports/layout/series_curves.hpp"
 
 #include <filesystem>
@@ -22,13 +24,18 @@ struct Site
     std::filesystem::path out; ///< the report's folder
     std::string title;
     std::vector<ReportRun> runs;
-    std::vector<Panel> overlays; ///< plots of the series of all runs; of one run, those of the run
-    std::vector<SitePage> pages; ///< in the order of the navigation
+    std::vector<Panel> overlays;                    ///< plots of the series of all runs; of one run, those of the run
+    std::vector<SitePage> pages;                    ///< in the order of the navigation
+    std::vector<const GalleryMethod*> gallery = {}; ///< of the dimensions that the series with spectra have
+    Gallery gallery_use = Gallery::offered;
 
     bool has_several_runs() const { return runs.size() > 1; }
     std::vector<const ReportSeries*> series() const;
 
-    /// True if there is a compare page: at least two series have curves.
+    /// The distributions and schemes of all runs.
+    std::vector<const DistributionResult*> distributions() const;
+
+    /// True if there is a compare page: at least two series have curves, or one that the gallery can lie behind.
     bool has_curves_to_compare() const;
 };
 
@@ -45,7 +52,8 @@ std::filesystem::path page_of(const ReportSeries& series);
 std::filesystem::path page_of(const ReportRun& run);
 
 /// The runs laid out, with all that is to be drawn. `title` may be empty: it is made of the runs'. Throws InputError.
-Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title);
+Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, const std::string& title,
+               Gallery gallery = Gallery::offered);
 
 /// The series of all runs under names that tell them apart.
 SeriesList series_of(const Site& site);

@@ -16,6 +16,7 @@ namespace {
 constexpr int run_thumbnail_size = 144;
 
 /// The file of the run's picture: the first small picture of the series in the middle, which a grid's extremes are not.
+/// Empty where a run has tables only.
 fs::path run_picture(const ReportRun& run)
 {
     if (!run.series.empty()) {
@@ -24,8 +25,11 @@ fs::path run_picture(const ReportRun& run)
     }
     if (!run.tilings.empty()) return run.tilings.front().pictures / "tiles.png";
     if (!run.constructions.empty()) return run.constructions.front().pictures / "construction.png";
-    const ReportDistribution& distribution = run.distributions.front();
-    return png_of(distribution, distribution.stored->pictures.back());
+    for (const auto* all : {&run.distributions, &run.schemes})
+        for (const ReportDistribution& distribution : *all)
+            if (!distribution.stored->pictures.empty())
+                return png_of(distribution, distribution.stored->pictures.back());
+    return {};
 }
 
 }
@@ -47,7 +51,9 @@ void write_thumbnail(const fs::path& path, Drawing drawing, int largest)
 
 void draw_run_thumbnail(const ReportRun& run)
 {
-    write_thumbnail(run.root / run_thumbnail, drawing_of(read_png(run_picture(run))), run_thumbnail_size);
+    const fs::path picture = run_picture(run);
+    const PngPixels pixels = picture.empty() ? PngPixels{1, 1, 1, {255}} : read_png(picture);
+    write_thumbnail(run.root / run_thumbnail, drawing_of(pixels), run_thumbnail_size);
 }
 
 }

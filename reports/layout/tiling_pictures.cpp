@@ -25,9 +25,9 @@ CubeGrid cube_grid(const TilingResult& tiling, const std::vector<TileIndex>& til
     if (!tiling.set.empty()) {
         const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
         std::vector<TileIndex> cubes = tiles;
-        return {tiling.colors, {side, (tiles.size() + side - 1) / side, 1}, cubes, true};
+        return {tiling.colors, {side, (tiles.size() + side - 1) / side, 1}, cubes, true, tiling.kind};
     }
-    CubeGrid grid{tiling.colors, tiling.size, {}, false};
+    CubeGrid grid{tiling.colors, tiling.size, {}, false, tiling.kind};
     const auto [width, height, depth] = tiling.size;
     for (std::size_t z = 0; z < depth; ++z)
         for (std::size_t y = 0; y < height; ++y)
@@ -38,7 +38,7 @@ CubeGrid cube_grid(const TilingResult& tiling, const std::vector<TileIndex>& til
 
 TileGrid square_grid(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
 {
-    const WangColors colors{tiling.colors, tiling.colors};
+    const WangColors colors = tiling.all_colors();
     if (tiling.set.empty()) return {tiling.kind, colors, tiling.size[0], tiles, false};
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tiles.size()))));
     return {tiling.kind, colors, columns, tiles, true};
@@ -47,7 +47,7 @@ TileGrid square_grid(const TilingResult& tiling, const std::vector<TileIndex>& t
 Drawing drawing_of(const TilingResult& tiling, const std::vector<TileIndex>& tiles)
 {
     const bool regions = tiling.regions > 0;
-    if (tiling.kind == TileKind::cube) {
+    if (axes_of(tiling.kind) == 3) {
         const CubeGrid grid = cube_grid(tiling, tiles);
         return regions ? draw_cube_regions(grid, tiling.regions) : draw_cubes(grid);
     }

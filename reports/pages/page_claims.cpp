@@ -1,4 +1,4 @@
-// The page that holds the paper's claims against what was measured.
+// The page that holds the claims of papers against what was measured.
 #include "reports/claims/paper_claims.hpp"
 #include "reports/pages/page.hpp"
 #include "reports/pages/page_frame.hpp"
@@ -54,7 +54,7 @@ std::string summary(const std::vector<JudgedClaim>& claims)
     const auto count = [&](Agreement agreement) {
         return std::ranges::count(claims, agreement, [](const auto& judged) { return judged.outcome.agreement; });
     };
-    return fmt::format("{} claims: {} agree, {} in part, {} disagree; {} are times, shown side by side.", claims.size(),
+    return fmt::format("{} claims: {} agree, {} in part, {} disagree; {} are shown side by side.", claims.size(),
                        count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
                        count(Agreement::not_judged));
 }
@@ -63,12 +63,22 @@ std::string summary(const std::vector<JudgedClaim>& claims)
 
 std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>& claims)
 {
+    PageData list{PageData::type::list};
+    for (const Paper& paper : papers()) {
+        PageData rows{PageData::type::list};
+        for (const auto& judged : claims)
+            if (judged.paper == &paper) rows << row(judged);
+        if (rows.is_empty_list()) continue;
+        PageData data;
+        data.set("id", "paper-" + paper.key);
+        data.set("title", paper.title);
+        data.set("rows", rows);
+        list << data;
+    }
     PageData page;
-    PageData rows{PageData::type::list};
-    for (const auto& judged : claims) rows << row(judged);
-    page.set("rows", rows);
+    page.set("papers", list);
     page.set("summary", summary(claims));
-    return render_in_frame(site, {site.out / claims_page, "The paper's claims · " + site.title, {}}, "claims", page);
+    return render_in_frame(site, {site.out / claims_page, "The papers' claims · " + site.title, {}}, "claims", page);
 }
 
 }

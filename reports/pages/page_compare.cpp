@@ -20,6 +20,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t most_shown_at_first = 12;
+constexpr const char* gallery_title = "Gallery of reference curves";
 
 /// The number of points in the middle of all: curves of far fewer or more would not lie over the others.
 std::size_t typical_points(const std::vector<const ReportSeries*>& series)
@@ -91,7 +92,9 @@ struct ChosenPlot
 std::vector<ChosenPlot> chosen_plots(const Site& site)
 {
     const auto series = series_of(site);
-    const auto frequencies = frequency_curves(series);
+    auto frequencies = frequency_curves(series);
+    for (std::size_t i = 0; i < site.gallery.size(); ++i)
+        frequencies.push_back({series.size() + i, site.gallery[i]->label, &site.gallery[i]->curve});
     auto pairs = pair_correlation_curves(series);
     for (auto& curve : pairs) curve.unit = 1;
     std::vector<ChosenPlot> plots = {
@@ -102,7 +105,7 @@ std::vector<ChosenPlot> chosen_plots(const Site& site)
     return plots;
 }
 
-/// What plots look like, whichever curves are in them.
+/// The looks of plots, whichever curves are in them.
 std::string plots_json(const std::vector<ChosenPlot>& plots)
 {
     std::vector<std::string> parts;
@@ -124,14 +127,26 @@ std::string axis_json(const Words& words)
         script_text(plain_words(words(LengthUnit::spacing))), script_text(plain_words(words(LengthUnit::principal))));
 }
 
-std::string series_json(const Site& site, const ReportSeries& series, std::size_t run)
+/// `page`: a JSON text; null for methods of the gallery.
+std::string curve_json(const std::string& label, std::size_t run, const Curve& curve, const std::string& page)
 {
-    const Curve& curve = series.curve;
-    auto text =
-        fmt::format("\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", script_text(series.label),
-                    run, curve.dimension, curve.points, script_text(relative_link(site.out, page_of(series))));
+    auto text = fmt::format("\"label\":{},\"run\":{},\"dimension\":{},\"points\":{},\"page\":{}", script_text(label),
+                            run, curve.dimension, curve.points, page);
     if (curve.principal_frequency) text += ",\"principal\":" + short_number(*curve.principal_frequency);
     return text;
+}
+
+/// The standard errors of a curve, with two digits; nothing where none is known.
+std::string errors_json(const std::string& key, const PlotCurve& curve)
+{
+    std::vector<std::string> errors;
+    bool is_known = false;
+    for (std::size_t i = 0; i < curve.high.size(); ++i) {
+        const double error = curve.high[i] - curve.y[i];
+        is_known = is_known || error > 0;
+        errors.push_back(std::isfinite(error) ? fmt::format("{:.2g}", error) : "0");
+    }
+    return is_known ? fmt::format(",\"{}_error\":[{}]", key, fmt::join(errors, ",")) : "";
 }
 
 std::string site_json(const Site& site, const std::vector<ChosenPlot>& plots)
@@ -141,19 +156,55 @@ std::string site_json(const Site& site, const std::vector<ChosenPlot>& plots)
     std::vector<std::string> runs;
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
         runs.push_back(script_text(site.runs[i].stored->title));
-        for (const auto& entry : site.runs[i].series) series.push_back(series_json(site, entry, i));
+        for (const auto& entry : site.runs[i].series)
+            series.push_back(
+                curve_json(entry.label, i, entry.curve, script_text(relative_link(site.out, page_of(entry)))));
     }
+    runs.push_back(script_text(gallery_title));
+    for (const GalleryMethod* method : site.gallery)
+        series.push_back(curve_json(method->label, site.runs.size(), method->curve, "null"));
     for (const auto& chosen : plots)
         for (const auto& curve : chosen.plot.curves)
             series.at(curve.index) +=
                 fmt::format(",\"{}\":{},\"{}\":{}", chosen.abscissa, abscissae.number_of(short_numbers(curve.x)),
-                            chosen.plot.key, short_numbers(curve.y));
-    return fmt::format("{{\"runs\":[{}],\n\"plots\":{},\n\"axes\":{{\"frequencies\":{},\"distances\":{}}},\n"
-                       "\"principalUnits\":{},\"colors\":{},\"dashes\":{},\"mostAtFirst\":{},\n"
-                       "\"series\":[\n{{{}}}],\n\"abscissae\":{}}}",
-                       fmt::join(runs, ","), plots_json(plots), axis_json(frequency_words), axis_json(distance_words),
-                       principal_units_shown, palette().size(), Json(dash_patterns()).dump(), most_shown_at_first,
-                       fmt::join(series, "},\n{"), abscissae.text());
+                            chosen.plot.key, short_numbers(curve.y)) +
+                errors_json(chosen.plot.key, curve);
+    return fmt::format(
+        "{{\"runs\":[{}],\n\"severalRuns\":{},\n\"plots\":{},\n\"axes\":{{\"frequencies\":{},\"distances\":{}}},\n"
+        "\"principalUnits\":{},\"colors\":{},\"dashes\":{},\"mostAtFirst\":{},\n"
+        "\"series\":[\n{{{}}}],\n\"abscissae\":{}}}",
+        fmt::join(runs, ","), site.has_several_runs(), plots_json(plots), axis_json(frequency_words),
+        axis_json(distance_words), principal_units_shown, palette().size(), Json(dash_patterns()).dump(),
+        most_shown_at_first, fmt::join(series, "},\n{"), abscissae.text());
+}
+
+PageData series_box(std::size_t number, bool is_checked, const std::string& label)
+{
+    PageData box;
+    box.set("number", std::to_string(number));
+    box.set("checked", is_checked);
+    box.set("label", label);
+    return box;
+}
+
+PageData box_group(std::size_t run, const std::string& title, const PageData& boxes)
+{
+    PageData group;
+    group.set("run", std::to_string(run));
+    group.set("title", title);
+    group.set("boxes", boxes);
+    return group;
+}
+
+/// The boxes of the gallery.
+PageData gallery_group(const Site& site)
+{
+    const bool is_asked = site.gallery_use == Gallery::laid_behind;
+    PageData boxes{PageData::type::list};
+    std::size_t number = site.series().size();
+    for (const GalleryMethod* method : site.gallery)
+        boxes << series_box(number++, is_asked, label_with_points(method->label, method->curve.points));
+    return box_group(site.runs.size(), gallery_title, boxes);
 }
 
 /// The boxes to tick, a group a run.
@@ -167,19 +218,12 @@ PageData groups(const Site& site)
         if (run.series.empty()) continue;
         PageData boxes{PageData::type::list};
         for (const auto& series : run.series) {
-            PageData box;
-            box.set("number", std::to_string(number));
-            box.set("checked", checked.contains(number));
-            box.set("label", series.label);
-            boxes << box;
+            boxes << series_box(number, checked.contains(number), series.label);
             ++number;
         }
-        PageData group;
-        group.set("run", std::to_string(i));
-        group.set("title", run.stored->title);
-        group.set("boxes", boxes);
-        list << group;
+        list << box_group(i, run.stored->title, boxes);
     }
+    if (!site.gallery.empty()) list << gallery_group(site);
     return list;
 }
 
@@ -208,12 +252,17 @@ std::string render_compare_page(const Site& site)
     page.set("groups", groups(site));
     const auto plots = chosen_plots(site);
     page.set("quantities", quantities(plots));
+    // Sets of the gallery have other sizes.
+    page.set("has_gallery_curves", site.gallery_use == Gallery::laid_behind);
+    page.set("several_quantities", plots.size() > 1);
     page.set("both_dimensions", has_dimension(runs, 2) && has_dimension(runs, 3));
     page.set("json", site_json(site, plots));
     const auto folder = site.has_several_runs() ? site.out : site.runs.front().root;
     page.set("overlays", overlays(site.overlays, series_of(site), {folder, site.out}));
     page.set("overlaid", !site.overlays.empty());
-    return render_in_frame(site, {site.out / compare_page, "Compare · " + site.title, {"compare.js"}}, "compare", page);
+    return render_in_frame(site,
+                           {site.out / compare_page, "Compare · " + site.title, {"compare_chart.js", "compare.js"}},
+                           "compare", page);
 }
 
 }

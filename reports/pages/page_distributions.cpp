@@ -1,4 +1,4 @@
-// The page's section on points and objects that follow densities.
+// The page's sections on points and objects that follow densities, and on schemes of tilings.
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
@@ -27,8 +27,26 @@ PageData number_data(const DistributionNumber& number)
 {
     PageData data;
     data.set("name", number.title);
-    data.set("value", format_significant(number.value, distribution_digits));
+    std::string value = format_significant(number.value, distribution_digits);
+    if (number.standard_error) value += " ± " + format_significant(*number.standard_error, 2);
+    data.set("value", value);
     data.set("meaning", number.meaning);
+    return data;
+}
+
+PageData table_data(const DistributionTable& table)
+{
+    PageData data, columns{PageData::type::list}, rows{PageData::type::list};
+    for (const std::string& column : table.columns) columns << PageData(column);
+    for (const std::vector<std::string>& row : table.rows) {
+        PageData cells{PageData::type::list}, line;
+        for (const std::string& cell : row) cells << PageData(cell);
+        line.set("cells", cells);
+        rows << line;
+    }
+    data.set("title", table.title);
+    data.set("columns", columns);
+    data.set("rows", rows);
     return data;
 }
 
@@ -43,7 +61,7 @@ PageData file_data(const ReportDistribution& distribution, const std::string& fi
 
 }
 
-PageData distribution_section(const ReportDistribution& distribution, std::size_t index,
+PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
                               const std::filesystem::path& page_folder)
 {
     const DistributionResult& stored = *distribution.stored;
@@ -57,11 +75,15 @@ PageData distribution_section(const ReportDistribution& distribution, std::size_
     }
     for (const std::string& file : stored.files) files << file_data(distribution, file, page_folder);
     data.set("label", stored.label);
-    data.set("anchor", fmt::format("distribution-{}", index + 1));
+    data.set("anchor", anchor);
     data.set("facts", facts);
     data.set("numbers", numbers);
     data.set("has_numbers", !stored.numbers.empty());
     data.set("pictures", pictures);
+    data.set("has_pictures", !stored.pictures.empty());
+    PageData tables{PageData::type::list};
+    for (const DistributionTable& table : stored.tables) tables << table_data(table);
+    data.set("tables", tables);
     data.set("files", files);
     data.set("has_files", files.is_non_empty_list());
     return data;

@@ -1,13 +1,17 @@
 #include "reports/pages/page_endless.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
 #include "reports/layout/page_template.hpp"
 #include "reports/pages/page_frame.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/number_format.hpp"
+#include "results/file_names.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace poissonlab {
@@ -28,6 +32,10 @@ std::string base64_of(std::string_view bytes)
     return text;
 }
 
+/// The scripts of the page, in the order in which they need each other; poisson_tiles.js comes before them.
+constexpr std::array scripts{"endless_parts.js", "endless_density.js", "endless_canvas.js",
+                             "endless_gl.js",    "endless.js",         "endless_hands.js"};
+
 std::string facts_of_set(const PoissonTileSet& set)
 {
     const PoissonTileParameters& p = set.parameters;
@@ -35,26 +43,60 @@ std::string facts_of_set(const PoissonTileSet& set)
                        format_count(p.points_per_tile), p.ranked ? ", ranked" : "");
 }
 
+std::filesystem::path tile_set_of(const ReportSeries& series)
+{
+    return series.run->folder / series.stored->name / file_names::tile_set;
+}
+
+/// The part of the page that is the same in a report and alone. `bytes`: of a tile set file, whose name is `name`.
+PageData endless_view(std::string_view bytes, const std::string& name)
+{
+    const PoissonTileSet set = decode_tile_set(bytes, name);
+    if (set.parameters.dimension != 2)
+        throw InputError(fmt::format("{}: tiles in space: must be in the plane", printable(name)));
+    PageData page;
+    page.set("title", fmt::format("The endless tiling of {}", name));
+    page.set("name", name);
+    page.set("distance", fmt::format("{}", std::sqrt(static_cast<double>(set.squared_min_distance)) / 65536));
+    page.set("facts", facts_of_set(set));
+    page.set("tiles", base64_of(encode_tile_set(set))); // binary, also of JSON
+    page.set("header", std::string(page_template_file("../runtime/poisson_tiles_gpu.h")));
+    page.set("overview", false);
+    return page;
+}
+
 }
 
 std::string render_endless_page(std::string_view file, const std::string& name)
 {
-    const PoissonTileSet set = decode_tile_set(file, name);
-    if (set.parameters.dimension != 2)
-        throw InputError(fmt::format("{}: tiles in space: must be in the plane", printable(name)));
-    const std::string bytes = encode_tile_set(set); // binary, also of JSON
-    const double distance = std::sqrt(static_cast<double>(set.squared_min_distance)) / 65536;
-    PageData page;
-    page.set("title", fmt::format("The endless tiling of {}", name));
-    page.set("name", name);
-    page.set("distance", fmt::format("{}", distance));
-    page.set("facts", facts_of_set(set));
+    PageData page = endless_view(file, name);
     page.set("style", std::string(page_template_file("templates/report.css")));
-    page.set("tiles", base64_of(bytes));
-    page.set("runtime", std::string(page_template_file("../runtime/poisson_tiles.js")));
-    page.set("parts", std::string(page_template_file("templates/endless_parts.js")));
-    page.set("script", std::string(page_template_file("templates/endless.js")));
+    PageData texts{PageData::type::list};
+    texts << PageData(std::string(page_template_file("../runtime/poisson_tiles.js")));
+    for (const std::string script : scripts) texts << PageData(std::string(page_template_file("templates/" + script)));
+    page.set("scripts", texts);
     return render_template("endless", page);
+}
+
+bool has_endless_page(const ReportSeries& series)
+{
+    std::error_code error;
+    return series.run->dimension == 2 && std::filesystem::exists(tile_set_of(series), error);
+}
+
+std::filesystem::path endless_page_of(const ReportSeries& series) { return series.pictures / "endless.html"; }
+
+std::string render_endless_page(const Site& site, const ReportSeries& series)
+{
+    PageData page = endless_view(read_whole_file(tile_set_of(series)), file_names::tile_set);
+    page.set("title", "The endless tiling: " + series.label);
+    page.set("overview", relative_link(series.pictures, site.out / overview_page));
+    page.set("series_link", relative_link(series.pictures, page_of(series)));
+    page.set("series_label", series.label);
+    std::vector<std::string> names{"poisson_tiles.js"};
+    names.insert(names.end(), scripts.begin(), scripts.end());
+    return render_in_frame(site, {endless_page_of(series), "The endless tiling · " + series.label, names},
+                           "endless_view", page);
 }
 
 }

@@ -1,6 +1,9 @@
-// A page of its own for a tile set: the endless tiling, live, in any browser and from the disk.
+// A page for a tile set: the endless tiling, live, in any browser and from the disk; on its own, and of a series.
 #pragma once
 
+#include "reports/layout/site.hpp"
+
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,5 +13,12 @@ namespace poissonlab {
 /// `name`: how the file is called. Throws InputError, a line that starts with the name, for bytes that are none, and
 /// for tiles in space.
 std::string render_endless_page(std::string_view file, const std::string& name);
+
+/// True for series of tilings with a tile set in the plane that is stored.
+bool has_endless_page(const ReportSeries& series);
+
+/// The page of a series that has one, and its file.
+std::string render_endless_page(const Site& site, const ReportSeries& series);
+std::filesystem::path endless_page_of(const ReportSeries& series);
 
 }

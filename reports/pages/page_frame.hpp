@@ -18,7 +18,7 @@ struct PageFrame
 };
 
 /// The whole page: the frame around reports/templates/<name>.mustache, rendered with `data`. Templates may use the
-/// partials panel, overlay, guide and provenance. Throws std::logic_error
+/// partials panel, overlay, guide, provenance, endless_view and distribution. Throws std::logic_error
 /// for a field that a template names and `data` has not.
 std::string render_in_frame(const Site& site, const PageFrame& frame, const std::string& name, PageData& data);
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 
 namespace poissonlab {
 
@@ -18,6 +19,9 @@ namespace {
 
 /// The sizes of chapter 6 of the dissertation: sets with spectra, and sets that sample the zone plate.
 constexpr std::array<std::size_t, 2> timed_sizes{16'384, 262'144};
+
+/// The anisotropy of single rings that chance alone may give, above its mean.
+constexpr double chance_margin_db = 3;
 
 /// Reports of fewer series are seen at a glance in the ranking.
 constexpr std::size_t many_series = 12;
@@ -51,20 +55,31 @@ std::vector<Method> methods_of(const Site& site)
     return methods;
 }
 
-/// The series with a spectrum, if there is any, and of these that of the largest relative radius.
-const ReportSeries& best_of(const Method& method)
-{
-    const auto worth = [](const ReportSeries* series) {
-        const auto& radius = series->stored->relative_radius;
-        return std::pair(series->stored->has_spectrum(), radius ? radius->mean : 0);
-    };
-    return **std::ranges::max_element(method.series, {}, worth);
-}
-
 std::optional<MeasuredValue> value_of(const std::string& key, const ReportSeries& series)
 {
     const auto measure = std::ranges::find(measures(), key, &Measure::key);
     return measure == measures().end() ? std::nullopt : measure->get(*series.stored);
+}
+
+/// The anisotropy of the worst ring beyond what chance may make of it, dB.
+double anisotropy_beyond_chance(const ReportSeries& series)
+{
+    const auto anisotropy = value_of("peak_anisotropy", series);
+    return anisotropy ? std::max(0.0, anisotropy->value - series.curve.background_db - chance_margin_db) : 0;
+}
+
+/// The series that stands for a method: with a spectrum, of several sets, of the size that methods are compared at, as
+/// far as there is any; then without directions, then of the largest relative radius. (A large radius alone is that of
+/// a lattice.)
+const ReportSeries& best_of(const Method& method)
+{
+    const auto worth = [](const ReportSeries* series) {
+        const Series& stored = *series->stored;
+        return std::tuple(stored.has_spectrum(), has_about(*series, timed_sizes[0]), stored.is_estimate,
+                          -anisotropy_beyond_chance(*series),
+                          stored.relative_radius ? stored.relative_radius->mean : 0);
+    };
+    return **std::ranges::max_element(method.series, {}, worth);
 }
 
 /// A measure of a series as the ranking has it; empty where there is none.
@@ -143,8 +158,8 @@ std::string verdict_by_numbers(const Method& method, const ReportSeries& best)
     std::vector<std::string> words;
     if (const auto& radius = best.stored->relative_radius)
         words.push_back(radius->min >= 0.65 ? "far apart" : radius->min >= 0.4 ? "some points near" : "points meet");
-    if (const auto anisotropy = value_of("peak_anisotropy", best))
-        words.push_back(anisotropy->value <= best.curve.background_db + 3 ? "isotropic" : "not isotropic");
+    if (value_of("peak_anisotropy", best))
+        words.push_back(anisotropy_beyond_chance(best) == 0 ? "isotropic" : "not isotropic");
     if (const auto seams = value_of("seam_density", best); seams && seams->value > 0.2) words.emplace_back("seams");
     for (const ReportSeries* series : method.series)
         if (const auto time = value_of("sample_time", *series);
@@ -171,7 +186,67 @@ PageData picture_of(const Site& site, const ReportSeries* series, const std::str
     return false;
 }
 
-PageData method_row(const Site& site, const Method& method, bool has_dimensions)
+/// The columns after the method's name.
+struct MethodColumn
+{
+    const char* title;
+    const char* detail;
+    const char* style; ///< what cells are, in the style sheet's words
+};
+
+constexpr std::array method_columns{MethodColumn{"points", "", "picture"},
+                                    MethodColumn{"spectrum", "", "picture"},
+                                    MethodColumn{"radial power", "", "picture"},
+                                    MethodColumn{"zone plate", "", "picture"},
+                                    MethodColumn{"relative radius", "smallest", "number"},
+                                    MethodColumn{"relative radius", "mean", "number"},
+                                    MethodColumn{"anisotropy", "peak, dB", "number"},
+                                    MethodColumn{"anisotropy", "between lattice peaks, dB above chance", "number"},
+                                    MethodColumn{"error of the zone plate", "", "number"},
+                                    MethodColumn{"time", "16,384 points", "number"},
+                                    MethodColumn{"time", "262,144 points", "number"},
+                                    MethodColumn{"preparation", "", "number"},
+                                    MethodColumn{"device memory", "MiB", "number"},
+                                    MethodColumn{"the paper says", "", "verdict"},
+                                    MethodColumn{"the numbers say", "", "verdict"}};
+
+/// A cell has a picture, a text, or nothing.
+struct MethodCell
+{
+    PageData picture = false;
+    std::string text = {};
+
+    bool is_empty() const { return picture.is_false() && text.empty(); }
+};
+
+using MethodCells = std::array<MethodCell, method_columns.size()>;
+
+MethodCells cells_of(const Site& site, const Method& method)
+{
+    const ReportSeries& best = best_of(method);
+    const ReportSeries* plates = least_of(method, "zone_plate_error");
+    const auto& radius = best.stored->relative_radius;
+    const auto text = [](const std::string& words) { return MethodCell{false, words}; };
+    return {MethodCell{picture_of(site, &best, "points")},
+            MethodCell{picture_of(site, &best, "spectrum")},
+            MethodCell{picture_of(site, &best, "radial")},
+            MethodCell{picture_of(site, plates, "plate")},
+            text(radius ? format_fixed(radius->min, 3) : ""),
+            text(radius ? format_fixed(radius->mean, 3) : ""),
+            text(shown("peak_anisotropy", best)),
+            text(shown("off_lattice_anisotropy", best)),
+            text(plates ? shown("zone_plate_error", *plates) : ""),
+            text(time_for(method, timed_sizes[0])),
+            text(time_for(method, timed_sizes[1])),
+            text(preparation_of(best)),
+            text(memory_of(best)),
+            text(verdict_of_the_paper(method.sampler)),
+            text(verdict_by_numbers(method, best))};
+}
+
+/// The row of a method, with the cells of those columns that any method has something for.
+PageData method_row(const Site& site, const Method& method, bool has_dimensions, const MethodCells& cells,
+                    const std::vector<std::size_t>& columns)
 {
     const ReportSeries& best = best_of(method);
     PageData row;
@@ -181,31 +256,16 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions)
     row.set("link", relative_link(site.out, page_of(best)));
     const std::size_t count = method.series.size();
     row.set("count", count > 1 ? PageData(fmt::format("best of {} series", format_count(count))) : PageData(false));
-    PageData pictures{PageData::type::list};
-    for (const char* kind : {"points", "spectrum", "radial"}) {
+    PageData list{PageData::type::list};
+    for (const std::size_t column : columns) {
         PageData cell;
-        cell.set("picture", picture_of(site, &best, kind));
-        pictures << cell;
+        cell.set("style", method_columns[column].style);
+        cell.set("picture", cells[column].picture);
+        cell.set("text", optional_text(cells[column].text));
+        cell.set("nothing", cells[column].is_empty());
+        list << cell;
     }
-    PageData plate;
-    plate.set("picture", picture_of(site, least_of(method, "zone_plate_error"), "plate"));
-    pictures << plate;
-    row.set("pictures", pictures);
-    PageData cells{PageData::type::list};
-    const auto& radius = best.stored->relative_radius;
-    const ReportSeries* plates = least_of(method, "zone_plate_error");
-    for (const std::string& text :
-         {radius ? format_fixed(radius->min, 3) : "", radius ? format_fixed(radius->mean, 3) : "",
-          shown("peak_anisotropy", best), shown("off_lattice_anisotropy", best),
-          plates ? shown("zone_plate_error", *plates) : "", time_for(method, timed_sizes[0]),
-          time_for(method, timed_sizes[1]), preparation_of(best), memory_of(best)}) {
-        PageData cell;
-        cell.set("shown", optional_text(text));
-        cells << cell;
-    }
-    row.set("cells", cells);
-    row.set("paper", optional_text(verdict_of_the_paper(method.sampler)));
-    row.set("ours", optional_text(verdict_by_numbers(method, best)));
+    row.set("cells", list);
     return row;
 }
 
@@ -220,8 +280,23 @@ bool set_methods(PageData& page, const Site& site)
     if (!has_methods) return false;
     const bool has_dimensions = std::ranges::any_of(
         methods, [&](const Method& method) { return method.dimension != methods.front().dimension; });
+    std::vector<MethodCells> cells;
+    for (const Method& method : methods) cells.push_back(cells_of(site, method));
+    std::vector<std::size_t> columns;
+    PageData headings{PageData::type::list};
+    for (std::size_t c = 0; c < method_columns.size(); ++c) {
+        if (std::ranges::all_of(cells, [&](const MethodCells& row) { return row[c].is_empty(); })) continue;
+        columns.push_back(c);
+        PageData heading;
+        heading.set("title", method_columns[c].title);
+        heading.set("style", method_columns[c].style);
+        heading.set("detail", optional_text(method_columns[c].detail));
+        headings << heading;
+    }
     PageData rows{PageData::type::list};
-    for (const Method& method : methods) rows << method_row(site, method, has_dimensions);
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        rows << method_row(site, methods[i], has_dimensions, cells[i], columns);
+    page.set("method_columns", headings);
     page.set("methods", rows);
     return true;
 }

@@ -23,7 +23,10 @@ std::string contents_of(const ReportRun& run)
     add(run.series.size(), "series", "series");
     add(run.tilings.size(), "tiling", "tilings");
     add(run.constructions.size(), "construction", "constructions");
-    add(run.distributions.size(), "distribution", "distributions");
+    const auto textures = static_cast<std::size_t>(std::ranges::count_if(run.distributions, is_of_textures));
+    add(textures, "texture", "textures");
+    add(run.distributions.size() - textures, "distribution", "distributions");
+    add(run.schemes.size(), "scheme", "schemes");
     return text;
 }
 
@@ -50,7 +53,7 @@ PageData figures(const Site& site)
 void clear_run_parts(PageData& page)
 {
     for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions",
-                             "has_distributions"})
+                             "has_textures", "has_distributions", "has_schemes", "gallery"})
         page.set(part, false);
     page.set("content", "");
 }

@@ -37,7 +37,7 @@ PageData spectrum_axis(const ReportSeries& series, const SpectrumPicture& pictur
 
 using Shares = std::array<double, cell_classes>;
 
-/// Of all cells of the first realization, as stored; or of those in the picture where nothing is stored.
+/// Shares of all cells of the first realization, as stored; or of those in the picture where nothing is stored.
 Shares shares_of(const ReportSeries& series, const CellsView& view)
 {
     if (const auto& stored = series.stored->measures.voronoi) return stored->neighbour_share;
@@ -67,7 +67,7 @@ PageData legend(const SeriesList& series, const Plot& plot, const PlotPlace& pla
         entry.set("color", curve_color(curve.index));
         entry.set("dashes", optional_text(curve_dashes(curve.index)));
         entry.set("label", curve.label);
-        const bool is_series = !series.empty();
+        const bool is_series = curve.index < series.size(); // and no method of the gallery
         entry.set("link", is_series ? PageData(relative_link(place.page_folder, page_of(*series[curve.index].series)))
                                     : PageData(false));
         list << entry;

@@ -52,7 +52,7 @@ PageData overlays(const std::vector<Panel>& panels, const SeriesList& series, co
 /// One tile set or tiling: facts, pictures, how random its colours are.
 PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std::filesystem::path& page_folder);
 
-/// What a construction is of, and what the colours of its points mean.
+/// The subject of a construction, and the meaning of the colours of its points.
 PageData construction_facts(const ConstructionResult& stored);
 std::string construction_legend(const ReportConstruction& construction);
 
@@ -60,9 +60,12 @@ std::string construction_legend(const ReportConstruction& construction);
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
                               const std::filesystem::path& page_folder);
 
-/// One distribution: facts, numbers, pictures.
-PageData distribution_section(const ReportDistribution& distribution, std::size_t index,
+/// One distribution or scheme: facts, numbers, pictures, tables. `anchor` is its place on the page.
+PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
                               const std::filesystem::path& page_folder);
+
+/// The measures of all textures of a run as a table, and what they mean; false where there are fewer than two.
+PageData texture_ranking(const ReportRun& run);
 
 /// The methods of a run whose parameters have lists of values, as tables of pictures.
 PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder);
@@ -80,6 +83,9 @@ bool set_methods(PageData& page, const Site& site);
 
 /// Sets columns, rows, notices and notes of the ranking of all series.
 void set_ranking(PageData& page, const Site& site);
+
+/// The measures of a run's series beside those of the gallery; false where that is not laid behind them.
+PageData gallery_table(const Site& site, const ReportRun& run);
 
 /// Sets where one run comes from: version, command, seed, device, config.
 void set_provenance(PageData& data, const Run& run);

@@ -41,7 +41,7 @@ std::string machine_of(const Run& run)
     return text;
 }
 
-/// What tells runs that have series apart, where it does: the different texts, in order of appearance; empty ones do
+/// The texts that tell runs that have series apart: the different texts, in order of appearance; empty ones do
 /// not.
 class Differences
 {
@@ -179,7 +179,7 @@ PageData notices(const Provenances& from)
     return list;
 }
 
-/// What columns mean; neighbours with one meaning share a note.
+/// The meaning of columns; neighbours with one meaning share a note.
 PageData notes(const std::vector<const Measure*>& columns)
 {
     PageData list{PageData::type::list};

@@ -52,11 +52,14 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
-PageData distribution_sections(const ReportRun& run, const std::filesystem::path& page_folder)
+/// The sections of textures, or of the others.
+PageData distribution_sections(const std::vector<ReportDistribution>& distributions, const std::string& anchor,
+                               bool of_textures, const std::filesystem::path& page_folder)
 {
     PageData list{PageData::type::list};
-    for (std::size_t i = 0; i < run.distributions.size(); ++i)
-        list << distribution_section(run.distributions[i], i, page_folder);
+    for (std::size_t i = 0; i < distributions.size(); ++i)
+        if (is_of_textures(distributions[i]) == of_textures)
+            list << distribution_section(distributions[i], fmt::format("{}-{}", anchor, i + 1), page_folder);
     return list;
 }
 
@@ -97,7 +100,8 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("has_matrices", std::ranges::any_of(run.series, is_in_matrix));
     page.set("has_cards", !std::ranges::all_of(run.series, is_in_matrix));
     page.set("cards", cards(run, page_folder));
-    page.set("compared", run.series.size() > 1);
+    page.set("compared", run.series.size() > 1 || site.gallery_use == Gallery::laid_behind);
+    page.set("gallery", gallery_table(site, run));
     page.set("compare_link", compare_link(site, run, page_folder));
     page.set("overlays", overlays(run.overlays, series_of(run), place));
     page.set("integration", overlays(run.integration, {}, place));
@@ -109,8 +113,13 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("has_tilings", !run.tilings.empty());
     page.set("constructions", construction_sections(run, page_folder));
     page.set("has_constructions", !run.constructions.empty());
-    page.set("distributions", distribution_sections(run, page_folder));
-    page.set("has_distributions", !run.distributions.empty());
+    page.set("textures", distribution_sections(run.distributions, "distribution", true, page_folder));
+    page.set("has_textures", std::ranges::any_of(run.distributions, is_of_textures));
+    page.set("texture_ranking", texture_ranking(run));
+    page.set("distributions", distribution_sections(run.distributions, "distribution", false, page_folder));
+    page.set("has_distributions", !std::ranges::all_of(run.distributions, is_of_textures));
+    page.set("schemes", distribution_sections(run.schemes, "scheme", false, page_folder));
+    page.set("has_schemes", !run.schemes.empty());
     return render_template("run", page);
 }
 

@@ -1,4 +1,5 @@
 // The page of a series: panels, measures, and the stored files.
+#include "reports/pages/page_endless.hpp"
 #include "reports/pages/page_frame.hpp"
 #include "reports/pages/page_parts.hpp"
 #include "reports/pages/relative_link.hpp"
@@ -59,6 +60,8 @@ std::string render_series_page(const Site& site, const ReportRun& run, std::size
     data.set("previous", neighbour(run.series, index - 1, series.pictures)); // of the first there is none
     data.set("next", neighbour(run.series, index + 1, series.pictures));
     data.set("panels", panels);
+    data.set("endless",
+             optional_text(has_endless_page(series) ? relative_link(series.pictures, endless_page_of(series)) : ""));
     data.set("tone_scale", series.stored->spectrum_file.empty() ? PageData(false) : tone_scale());
     data.set("relative_radius", shown_mean(series.stored->relative_radius, 4));
     data.set("min_distance", shown_mean(series.stored->min_distance, 4));

@@ -63,7 +63,7 @@ std::string set_steps_json(const ReportConstruction& construction)
                        construction.stored->show == "lloyd", places.text(), fmt::join(steps, ",\n"));
 }
 
-/// Those of tiles are few, with regions: each is a picture.
+/// Steps of tiles are few, with regions: each is a picture.
 std::string tile_steps_json(const ReportConstruction& construction)
 {
     std::vector<std::string> steps;

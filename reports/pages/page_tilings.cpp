@@ -28,7 +28,7 @@ PageData tiling_picture(const ReportTiling& tiling, const std::filesystem::path&
 std::string shown_tiles(const TilingResult& stored)
 {
     if (!stored.set.empty()) return fmt::format("All {} tiles in order of their indices.", format_count(stored.tiles));
-    const std::size_t axes = stored.kind == TileKind::cube ? 3 : 2;
+    const std::size_t axes = axes_of(stored.kind);
     const std::vector<std::size_t> sizes(stored.size.begin(), stored.size.begin() + static_cast<std::ptrdiff_t>(axes));
     const std::vector<std::int64_t> origin(stored.origin.begin(),
                                            stored.origin.begin() + static_cast<std::ptrdiff_t>(axes));
@@ -52,11 +52,10 @@ std::string period_text(const std::vector<std::size_t>& period, const char* neve
 PageData facts_of(const TilingResult& stored)
 {
     PageData facts{PageData::type::list};
-    const char* kind = stored.kind == TileKind::wang   ? "Wang tiles"
-                       : stored.kind == TileKind::cube ? "corner cubes"
-                                                       : "corner tiles";
-    facts << PageData(std::string(kind));
-    facts << PageData(fmt::format("{} colours", stored.colors));
+    facts << PageData(std::string(tile_kind_words(stored.kind)));
+    facts << PageData(stored.vertical_colors > 0
+                          ? fmt::format("{} horizontal and {} vertical colours", stored.colors, stored.vertical_colors)
+                          : fmt::format("{} colours", stored.colors));
     facts << PageData(fmt::format("{} tiles in the set", format_count(stored.tiles)));
     if (!stored.algorithm.empty()) facts << PageData("algorithm " + stored.algorithm);
     if (!stored.hash.empty())

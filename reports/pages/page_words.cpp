@@ -3,6 +3,7 @@
 #include "reports/words/number_format.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -54,9 +55,19 @@ std::string constructions_summary(const std::vector<const ReportRun*>& runs)
 
 std::string distributions_summary(const std::vector<const ReportRun*>& runs)
 {
-    std::size_t count = 0;
-    for (const ReportRun* run : runs) count += run->distributions.size();
-    return count == 0 ? std::string() : counted(count, "distribution") + ".";
+    std::size_t textures = 0, others = 0, schemes = 0;
+    for (const ReportRun* run : runs) {
+        for (const ReportDistribution& entry : run->distributions) ++(is_of_textures(entry) ? textures : others);
+        schemes += run->schemes.size();
+    }
+    std::vector<std::string> parts;
+    const auto add = [&](std::size_t count, const char* what) {
+        if (count > 0) parts.push_back(counted(count, what));
+    };
+    add(textures, "texture");
+    add(others, "distribution");
+    add(schemes, "scheme");
+    return parts.empty() ? std::string() : fmt::format("{}.", fmt::join(parts, ", "));
 }
 
 std::string series_summary(const std::vector<const ReportRun*>& runs)

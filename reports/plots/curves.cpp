@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace poissonlab {
@@ -14,8 +15,9 @@ namespace {
 
 constexpr double most_power_shown = 5;
 constexpr double most_db_shown = 30;
+constexpr double least_power_on_log_axes = 1e-10; // rounding leaves less where lattices have no power
 
-/// What frequencies are multiplied by.
+/// The factor of frequencies.
 double frequency_factor(const Curve& curve, LengthUnit unit)
 {
     if (unit == LengthUnit::absolute) return 1;
@@ -42,6 +44,55 @@ Plot with_principal_frequency(Plot plot, const Curve& curve)
     plot.top = {"in units of the principal frequency 1/d_{min}", curve.max_frequency / principal};
     plot.marks.push_back({principal, "1/d_{min}", principal >= 0.7 * curve.max_frequency});
     return plot;
+}
+
+/// The power of ten at or below a value, and the one at or above it.
+double decade_below(double value) { return std::pow(10, std::floor(std::log10(value))); }
+double decade_above(double value) { return std::pow(10, std::ceil(std::log10(value))); }
+
+/// The logarithmic axis of power that shows these curves.
+PlotAxis power_decades(const std::vector<PlotCurve>& curves)
+{
+    double least = 0.1;
+    for (const auto& curve : curves)
+        for (const double power : curve.y)
+            if (power > 0) least = std::min(least, power);
+    return {.label = "radially averaged power",
+            .low = decade_below(std::max(least, least_power_on_log_axes)),
+            .high = decade_above(highest(curves, 2)),
+            .step = 10,
+            .logarithmic = true};
+}
+
+/// The line P ~ f^b of a fit over its frequencies. A line of least squares passes through the weighted mean of what it
+/// is fitted to, which are logarithms.
+std::optional<SlopeMark> fitted_line(const std::vector<RadialBin>& bins, const LowFrequencyPower& fit)
+{
+    double weight = 0, frequency = 0, power = 0;
+    for (const auto& bin : bins) {
+        if (bin.frequency < fit.begin || bin.frequency > fit.end || !(bin.power > 0)) continue;
+        const auto samples = static_cast<double>(bin.samples);
+        weight += samples;
+        frequency += samples * std::log(bin.frequency);
+        power += samples * std::log(bin.power);
+    }
+    if (weight == 0) return std::nullopt;
+    const auto height = [&](double f) {
+        return std::exp(power / weight + fit.exponent * (std::log(f) - frequency / weight));
+    };
+    return SlopeMark{fit.begin, height(fit.begin), fit.end, height(fit.end),
+                     fmt::format("f^{{{}}}", format_fixed(fit.exponent, 1))};
+}
+
+/// The part of a line on logarithmic axes that lies above a height; nothing where its right end does not.
+std::optional<SlopeMark> above(double height, SlopeMark line)
+{
+    if (line.right_height <= height) return std::nullopt;
+    if (line.left_height >= height) return line;
+    const double part = std::log(height / line.right_height) / std::log(line.left_height / line.right_height);
+    line.left = line.right * std::pow(line.left / line.right, part);
+    line.left_height = height;
+    return line;
 }
 
 }
@@ -78,7 +129,7 @@ Plot power_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit)
               .high = top,
               .step = top > 2.5 ? 1 : 0.5,
               .most = most_power_shown,
-              .floor = 1e-3};
+              .floor = 1e-8};
     return plot;
 }
 
@@ -97,6 +148,33 @@ Plot anisotropy_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit)
     const double high = std::clamp(5 * std::ceil(highest(plot.curves, -100) / 5), low + 15, most_db_shown);
     plot.x = {.label = frequency_words(unit)};
     plot.y = {.label = "anisotropy (dB)", .low = low, .high = high, .step = 5, .most = most_db_shown};
+    return plot;
+}
+
+Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit)
+{
+    Plot plot = power_plot(curves, unit);
+    plot.key = "";
+    plot.y = power_decades(plot.curves);
+    plot.left_margin = 9;
+    plot.x.logarithmic = true;
+    plot.x.step = 10;
+    plot.x.low = std::numeric_limits<double>::infinity();
+    const double below = plot.y.low / 1000;
+    for (auto& curve : plot.curves) {
+        if (!curve.x.empty()) plot.x.low = std::min(plot.x.low, curve.x.front());
+        for (auto* values : {&curve.y, &curve.low, &curve.high})
+            for (double& value : *values) value = std::max(value, below);
+    }
+    return plot;
+}
+
+Plot structure_factor_alone(const Plot& all, std::size_t index, const Curve& curve,
+                            const std::optional<LowFrequencyPower>& fit)
+{
+    Plot plot = alone(all, index);
+    if (fit) plot.slope = fitted_line(curve.bins, *fit);
+    if (plot.slope) plot.slope = above(plot.y.low, *plot.slope);
     return plot;
 }
 

@@ -1,6 +1,7 @@
 // The curves of spectra: radially averaged power and anisotropy over frequency.
 #pragma once
 
+#include "analysis/measures/low_frequency_power.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "reports/plots/plot.hpp"
 
@@ -10,7 +11,7 @@
 
 namespace poissonlab {
 
-/// What the curves of a series show.
+/// The content of the curves of a series.
 struct Curve
 {
     std::size_t points = 0; ///< N
@@ -21,11 +22,11 @@ struct Curve
     std::optional<double> principal_frequency; ///< 1 / minimum distance
     double max_frequency = 0;                  ///< end of the axis
 
-    /// Whether the curve reaches its principal frequency.
+    /// True if the curve reaches its principal frequency.
     bool has_principal_in_sight() const { return principal_frequency && *principal_frequency <= max_frequency; }
 };
 
-/// What lengths are measured in, and frequencies in its inverse.
+/// The units that lengths are measured in, and frequencies in its inverse.
 enum class LengthUnit
 {
     absolute,  ///< the side of the torus
@@ -33,7 +34,7 @@ enum class LengthUnit
     principal, ///< the minimum distance, the inverse of the principal frequency
 };
 
-/// What a horizontal axis says.
+/// The words of a horizontal axis.
 std::string frequency_words(LengthUnit unit);
 std::string distance_words(LengthUnit unit);
 
@@ -54,10 +55,18 @@ struct NumberedCurve
 Plot power_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 Plot anisotropy_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
 
+/// The same power over the same frequencies with both axes logarithmic, where power laws are straight lines: the
+/// structure factor as it is drawn for hyperuniform systems. Rings without power lie below the axis.
+Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit unit);
+
 /// The plots of series `index` alone, with a second axis in units of its principal frequency along the top;
 /// `all` is in absolute frequencies.
 Plot power_alone(const Plot& all, std::size_t index, const Curve& curve);
 Plot anisotropy_alone(const Plot& all, std::size_t index, const Curve& curve);
+
+/// The structure factor of series `index` alone, with the line of its low-frequency exponent, where it has one.
+Plot structure_factor_alone(const Plot& all, std::size_t index, const Curve& curve,
+                            const std::optional<LowFrequencyPower>& fit);
 
 /// The label of a key where sizes differ: with the number of points, unless it says that already.
 std::string label_with_points(const std::string& label, std::size_t points);

@@ -94,8 +94,8 @@ std::string in_one_line(const std::string& text)
     return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// How gnuplot ends. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it together
-/// with this process.
+/// The end of gnuplot. It has a process group of its own: Ctrl-C in the terminal does not reach it, but ends it
+/// together with this process.
 ProgramOutcome outcome_of(const std::string& script, const std::filesystem::path& folder)
 try {
     return run_program(

@@ -79,11 +79,11 @@ std::string upright_mark(const UprightMark& mark)
                        mark.name_on_the_left ? "right offset -0.5,0" : "left offset 0.5,0");
 }
 
-std::string slope_mark(const SlopeMark& slope, const PlotAxis& x)
+std::string slope_mark(const SlopeMark& slope)
 {
     return fmt::format("set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3:.6g} nohead back lw 0.8 dt (6,4) lc rgb '{4}'\n"
                        "set label '{5}' at {2:.6g}, {3:.6g} right offset 0,0.8 textcolor rgb '{4}'\n",
-                       x.low, slope.left, x.high, slope.right, mark_color, slope.name);
+                       slope.left, slope.left_height, slope.right, slope.right_height, mark_color, slope.name);
 }
 
 std::string frame(const Plot& plot)
@@ -92,7 +92,7 @@ std::string frame(const Plot& plot)
     if (plot.top) text += top_axis(*plot.top);
     for (const auto& line : plot.references) text += reference_line(line);
     for (const auto& mark : plot.marks) text += upright_mark(mark);
-    if (plot.slope) text += slope_mark(*plot.slope, plot.x);
+    if (plot.slope) text += slope_mark(*plot.slope);
     return text;
 }
 
@@ -109,7 +109,7 @@ std::string data_block(const PlotCurve& curve, std::size_t place)
     return block + "END\n";
 }
 
-/// What gnuplot draws of a curve: its band or bars, its line (of a single place there is only a dot), its dots.
+/// Gnuplot's elements of a curve: its band or bars, its line (of a single place there is only a dot), its dots.
 std::string curve_text(const PlotCurve& curve, std::size_t place)
 {
     const auto color = curve_color(curve.index);
@@ -127,7 +127,7 @@ std::string curve_text(const PlotCurve& curve, std::size_t place)
     return text;
 }
 
-/// How much a curve goes up and down.
+/// The length of a curve's way up and down.
 double roughness(const PlotCurve& curve)
 {
     double sum = 0;

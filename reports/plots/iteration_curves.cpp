@@ -51,7 +51,7 @@ private:
     std::size_t last_ = 1;
 };
 
-/// Of iterations that fall into one column of pixels, the first.
+/// The first of the iterations that fall into one column of pixels.
 PlotCurve curve_of(const IterationCurve& source, const IterationSpread& values, const IterationAxis& axis)
 {
     PlotCurve curve{source.index, source.label};

@@ -23,7 +23,7 @@ struct PairCorrelationCurve
 /// are shown up to 5: the peaks of a lattice would flatten everything else.
 Plot pair_correlation_plot(const std::vector<PairCorrelationCurve>& curves, const std::string& distance);
 
-/// What an axis in units of the largest possible minimum distance says.
+/// The words of an axis in units of the largest possible minimum distance says.
 inline constexpr auto packing_distance = "distance / largest possible minimum distance";
 
 /// The plot of series `index` alone, which marks its relative radius, where the curve leaves 0.

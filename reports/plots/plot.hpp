@@ -61,10 +61,11 @@ struct UprightMark
     double name_height = 0.97; ///< from 0 (bottom) to 1
 };
 
-/// A dashed line from the left end of the horizontal axis to the right end.
+/// A dashed line, straight as the axes are, from one place to another on its right, where its name is.
 struct SlopeMark
 {
-    double left = 0, right = 0; ///< heights
+    double left = 0, left_height = 0;
+    double right = 0, right_height = 0;
     std::string name;
 };
 
@@ -89,7 +90,7 @@ inline constexpr int panel_height = 340;
 inline constexpr int overlay_width = 540;
 inline constexpr int overlay_height = 328;
 
-/// Whether the plot has a curve of the series with that number.
+/// True if the plot has a curve of the series with that number.
 bool has_curve(const Plot& plot, std::size_t index);
 
 /// The plot of the curve of series `index` alone, with axes that suit all curves of the plot: so plots of series

@@ -248,10 +248,10 @@ std::string plot_latex(const Plot& plot)
     for (const ReferenceLine& line : plot.references) text += latex_reference(plot, line);
     for (const UprightMark& mark : plot.marks) text += latex_mark(plot, mark);
     if (plot.slope)
-        text +=
-            fmt::format("\\draw[dashed, thin] (axis cs:{:g},{:.6g}) -- (axis cs:{:.10g},{:.6g}) node[above left, "
-                        "font=\\footnotesize] {{{}}};\n",
-                        plot.x.low, plot.slope->left, plot.x.high, plot.slope->right, latex_words(plot.slope->name));
+        text += fmt::format("\\draw[dashed, thin] (axis cs:{:g},{:.6g}) -- (axis cs:{:.10g},{:.6g}) node[above left, "
+                            "font=\\footnotesize] {{{}}};\n",
+                            plot.slope->left, plot.slope->left_height, plot.slope->right, plot.slope->right_height,
+                            latex_words(plot.slope->name));
     return text + "\\end{axis}\n\\end{tikzpicture}\n";
 }
 

@@ -3,7 +3,7 @@
 
 namespace poissonlab {
 
-/// Whether plots are drawn as PNG as well. A PNG takes gnuplot ten times as long as an SVG.
+/// True if plots are drawn as PNG as well. A PNG takes gnuplot ten times as long as an SVG.
 enum class PrintPictures
 {
     none, ///< those of earlier reports stay where they show the same, and go where they do not

@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace poissonlab {
 
 namespace fs = std::filesystem;
@@ -45,13 +47,14 @@ public:
         }
     }
 
-private:
+    /// A file, in a folder that is made where it is missing.
     void write(const fs::path& file, const std::string& content)
     {
         prepare(file);
         write_whole_file(file, content);
     }
 
+private:
     void prepare(const fs::path& file)
     {
         stop_if_interrupted();
@@ -73,6 +76,24 @@ void export_plots(const Site& site, Exporter& exporter)
         for (const Panel& panel : site.overlays) exporter.add(panel, site.out);
 }
 
+/// The names of series tell them apart only within a run. Throws InputError for the same name twice.
+void export_gallery(const Site& site, Exporter& exporter)
+{
+    std::vector<GallerySource> sources;
+    std::set<std::string> names;
+    for (const ReportSeries* series : site.series()) {
+        if (!series->stored->has_spectrum()) continue;
+        if (!names.insert(series->stored->name).second)
+            throw InputError(fmt::format("{}: the series {} is there twice; a gallery needs each once",
+                                         series->run->folder.string(), series->stored->name));
+        sources.push_back({series->stored, series->label, &series->curve});
+    }
+    const GalleryTables tables = gallery_tables(sources);
+    exporter.write(site.out / "methods.csv", tables.methods);
+    exporter.write(site.out / "measures.csv", tables.measures);
+    exporter.write(site.out / "curves.csv", tables.curves);
+}
+
 }
 
 void export_results(const std::vector<fs::path>& result_folders, const fs::path& out, const ExportParts& parts,
@@ -89,6 +110,10 @@ void export_results(const std::vector<fs::path>& result_folders, const fs::path&
     if (parts.plots) {
         say("writing plots");
         export_plots(site, exporter);
+    }
+    if (parts.gallery) {
+        say("writing the tables of a gallery");
+        export_gallery(site, exporter);
     }
     for (const ReportSeries* series : site.series()) {
         if (!parts.points) break;

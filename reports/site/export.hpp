@@ -11,8 +11,9 @@ namespace poissonlab {
 /// The parts of results that are exported.
 struct ExportParts
 {
-    bool plots = true;  ///< each as .csv and .tex
-    bool points = true; ///< each stored set as .csv and .usda
+    bool plots = true;    ///< each as .csv and .tex
+    bool points = true;   ///< each stored set as .csv and .usda
+    bool gallery = false; ///< the tables of a gallery of reference curves: methods.csv, measures.csv, curves.csv
 };
 
 /// Writes files below `out`, in folders as a report there would have them, and named as its pictures and as the stored

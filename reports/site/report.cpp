@@ -10,6 +10,7 @@
 #include "reports/layout/site.hpp"
 #include "reports/layout/thumbnails.hpp"
 #include "reports/pages/page.hpp"
+#include "reports/pages/page_endless.hpp"
 #include "results/collection_file.hpp"
 #include "results/run.hpp"
 
@@ -32,7 +33,8 @@ void create_folders(const Site& site)
             for (const auto& entry : run.series) fs::create_directories(entry.pictures);
             for (const auto& entry : run.tilings) fs::create_directories(entry.pictures);
             for (const auto& entry : run.constructions) fs::create_directories(entry.pictures);
-            for (const auto& entry : run.distributions) fs::create_directories(entry.pictures);
+            for (const auto* all : {&run.distributions, &run.schemes})
+                for (const auto& entry : *all) fs::create_directories(entry.pictures);
         }
     } catch (const fs::filesystem_error& error) {
         throw StorageError(error.what());
@@ -72,8 +74,9 @@ void draw_images(const ReportRun& run, PictureStore& store)
     tbb::parallel_for_each(run.tilings, [&](const auto& tiling) { draw_tiling_pictures(tiling, store); });
     tbb::parallel_for_each(run.constructions,
                            [&](const auto& construction) { draw_construction_picture(construction, store); });
-    tbb::parallel_for_each(run.distributions,
-                           [&](const auto& distribution) { draw_distribution_pictures(distribution, store); });
+    for (const auto* all : {&run.distributions, &run.schemes})
+        tbb::parallel_for_each(*all,
+                               [&](const auto& distribution) { draw_distribution_pictures(distribution, store); });
     draw_zone_plate_reference(run);
     draw_run_thumbnail(run);
 }
@@ -98,7 +101,9 @@ void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
             if (has_steps(construction))
                 write_whole_file(steps_page_of(construction), render_steps_page(site, run, construction));
         tbb::parallel_for(std::size_t{0}, run.series.size(), [&](std::size_t index) {
-            write_whole_file(page_of(run.series[index]), render_series_page(site, run, index));
+            const ReportSeries& series = run.series[index];
+            write_whole_file(page_of(series), render_series_page(site, run, index));
+            if (has_endless_page(series)) write_whole_file(endless_page_of(series), render_endless_page(site, series));
         });
     }
 }
@@ -106,7 +111,7 @@ void write_pages(const Site& site, const std::vector<JudgedClaim>& claims)
 }
 
 void write_report(const std::vector<fs::path>& result_folders, const fs::path& out,
-                  const std::function<void(const std::string&)>& progress, PrintPictures print)
+                  const std::function<void(const std::string&)>& progress, PrintPictures print, Gallery gallery)
 {
     const auto say = [&](const std::string& step) {
         if (progress) progress(step);
@@ -117,7 +122,7 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
     std::vector<Run> runs;
     for (const auto& folder : output_folders(result_folders)) runs.push_back(read_run(folder));
     const auto collection = result_folders.size() == 1 ? read_collection_file(result_folders.front()) : std::nullopt;
-    auto site = make_site(runs, out, collection ? collection->title : std::string());
+    auto site = make_site(runs, out, collection ? collection->title : std::string(), gallery);
     create_folders(site);
 
     say("drawing pictures");
@@ -127,8 +132,8 @@ void write_report(const std::vector<fs::path>& result_folders, const fs::path& o
                          [&] { tbb::parallel_for_each(site.runs, [&](const auto& run) { draw_images(run, store); }); });
     store.save();
 
-    const auto claims = judge_claims(site.series());
-    if (!claims.empty()) site.pages.push_back({claims_page, "The paper's claims"});
+    const auto claims = judge_claims(site.series(), site.distributions());
+    if (!claims.empty()) site.pages.push_back({claims_page, "The papers' claims"});
 
     say("writing the pages");
     write_pages(site, claims);

@@ -1,6 +1,7 @@
 // The report: a small static site with the field's classic figure for every series, made from stored results only.
 #pragma once
 
+#include "reports/gallery/gallery_use.hpp"
 #include "reports/plots/print_pictures.hpp"
 
 #include <filesystem>
@@ -19,6 +20,6 @@ namespace poissonlab {
 /// Throws InputError for folders without readable results.
 void write_report(const std::vector<std::filesystem::path>& result_folders, const std::filesystem::path& out,
                   const std::function<void(const std::string&)>& progress = {},
-                  PrintPictures print = PrintPictures::none);
+                  PrintPictures print = PrintPictures::none, Gallery gallery = Gallery::offered);
 
 }

@@ -1,18 +1,20 @@
-// The compare page: curves of the ticked series in one SVG chart, with values at a cursor.
+// The compare page: curves of the ticked series laid over each other, with values at a cursor. Charts over the same
+// axis move and zoom together; the page's address holds the view.
 "use strict";
 
 const report = JSON.parse(document.getElementById("data").textContent);
 const element = (id) => document.getElementById(id);
 const boxes = Array.from(document.querySelectorAll("input[data-series]"));
-const svgNamespace = "http://www.w3.org/2000/svg";
-const view = { width: 860, height: 480, left: 64, right: 16, top: 14, bottom: 52 };
 const quantities = report.plots; // what can be plotted
+const seriesOf = (box) => report.series[Number(box.dataset.series)];
+const choices = ["quantity", "axis", "scale", "across", "dimension"].filter(element);
 
-let curves = []; // of the ticked series, in order
-let scales = null; // of the chart that is shown
-let cursor = null; // {x, near}: a value on the horizontal axis, and the number of the nearest curve
+let charts = []; // those that are shown
+let active = null; // the one that was pointed at
+let cursor = null; // {abscissa, x, series}: a value on the horizontal axis, and the series of the nearest curve
+const ranges = {}; // that users have zoomed to: by what the axis says (frequencies, distances), or by quantity
 
-// What a series' abscissae are multiplied by; null where it has no principal frequency.
+// The factor of a series' abscissae; null where it has no principal frequency.
 function unitOf(series, abscissa, axis) {
   if (axis === "absolute") return 1;
   const spacing = Math.pow(series.points, -1 / series.dimension);
@@ -21,248 +23,208 @@ function unitOf(series, abscissa, axis) {
   return abscissa === "frequencies" ? length : 1 / length;
 }
 
-function shownDimension() {
-  return element("dimension") ? Number(element("dimension").value) : null;
-}
-
 function isOffered(series) {
-  return shownDimension() === null || series.dimension === shownDimension();
+  return !element("dimension") || series.dimension === Number(element("dimension").value);
 }
 
-function tickedCurves() {
-  const quantity = element("quantity").value;
+// The curves of a quantity; each series has its colour and dashes, whatever is plotted.
+function tickedCurves(quantity) {
   const { abscissa } = quantities[quantity];
+  const ticked = boxes.filter((box) => box.checked).map(seriesOf).filter(isOffered);
+  const known = ticked.filter((series) => shownQuantities().some((key) => series[key]));
   const result = [];
-  for (const box of boxes) {
-    const series = report.series[Number(box.dataset.series)];
-    if (!box.checked || !isOffered(series) || !series[quantity]) continue;
+  known.forEach((series, slot) => {
     const unit = unitOf(series, abscissa, element("axis").value);
-    if (unit === null) continue;
+    if (!series[quantity] || unit === null) return;
     const x = report.abscissae[series[abscissa]].map((value) => value * unit);
-    result.push({ series, x, y: series[quantity], slot: result.length });
-  }
+    result.push({ series, x, y: series[quantity], error: series[`${quantity}_error`] || null, slot });
+  });
   return result;
 }
 
-// Steps of 1, 2 or 5 times a power of ten.
-function tickStep(range, count) {
-  const raw = range / count;
-  const magnitude = Math.pow(10, Math.floor(Math.log10(raw)));
-  return magnitude * (raw / magnitude > 5 ? 10 : raw / magnitude > 2 ? 5 : raw / magnitude > 1 ? 2 : 1);
-}
-
-function linearScale(low, high, from, to) {
-  const step = tickStep(high - low, 8);
-  const ticks = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high * (1 + 1e-9); ++i) ticks.push(Number((i * step).toPrecision(12)));
-  return { low, high, ticks, at: (v) => from + ((v - low) / (high - low)) * (to - from),
-    inverse: (p) => low + ((p - from) / (to - from)) * (high - low) };
-}
-
-function logScale(low, high, from, to) {
-  const ticks = [];
-  for (let e = Math.ceil(Math.log10(low) - 1e-9); e <= Math.log10(high) + 1e-9; ++e) ticks.push(Number(`1e${e}`));
-  const share = (v) => Math.log(Math.max(v, low) / low) / Math.log(high / low);
-  return { low, high, ticks, at: (v) => from + share(v) * (to - from) };
-}
-
-function verticalScale(quantity) {
-  const values = curves.flatMap((curve) => curve.y.filter((v) => v !== null));
-  const highest = values.reduce((a, b) => Math.max(a, b), -Infinity);
-  const lowest = values.reduce((a, b) => Math.min(a, b), Infinity);
-  const { most, floor } = quantities[quantity];
-  const from = view.height - view.bottom;
-  if (quantity === "anisotropy")
-    return linearScale(5 * Math.floor(lowest / 5), Math.min(most, 5 * Math.ceil((highest + 1) / 5)), from, view.top);
-  if (element("scale").value === "linear") return linearScale(0, Math.min(most, Math.max(1.5, 1.1 * highest)), from, view.top);
-  const positive = values.filter((v) => v > 0).reduce((a, b) => Math.min(a, b), Infinity);
-  return logScale(Math.pow(10, Math.floor(Math.log10(Math.max(floor, Math.min(positive, 0.1))))),
-    Math.pow(10, Math.ceil(Math.log10(Math.max(highest, 1.5)))), from, view.top);
-}
-
-function makeScales() {
-  const highest = curves.reduce((a, curve) => Math.max(a, curve.x[curve.x.length - 1]), 0);
-  const end = element("axis").value === "principal" ? Math.min(highest, report.principalUnits) : highest;
-  return { x: linearScale(0, end, view.left, view.width - view.right), y: verticalScale(element("quantity").value) };
-}
-
-function draw(parent, name, attributes, text) {
-  const node = document.createElementNS(svgNamespace, name);
-  for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
-  if (text !== undefined) node.textContent = text;
-  parent.append(node);
-  return node;
-}
-
-function drawAxes(svg) {
-  const bottom = view.height - view.bottom;
-  const right = view.width - view.right;
-  const quantity = quantities[element("quantity").value];
-  for (const tick of scales.x.ticks)
-    draw(svg, "text", { x: scales.x.at(tick), y: bottom + 18, "text-anchor": "middle" }, String(tick));
-  for (const tick of scales.y.ticks) {
-    draw(svg, "line", { class: "grid", x1: view.left, x2: right, y1: scales.y.at(tick), y2: scales.y.at(tick) });
-    draw(svg, "text", { x: view.left - 8, y: scales.y.at(tick) + 4, "text-anchor": "end" }, String(tick).replace("-", "−"));
-  }
-  if (quantity.reference)
-    draw(svg, "line", { class: "reference", x1: view.left, x2: right, y1: scales.y.at(quantity.reference), y2: scales.y.at(quantity.reference) });
-  draw(svg, "path", { class: "frame", d: `M${view.left} ${view.top}V${bottom}H${right}` });
-  draw(svg, "text", { class: "title", x: (view.left + right) / 2, y: view.height - 12, "text-anchor": "middle" },
-    report.axes[quantity.abscissa][element("axis").value]);
-  const middle = (view.top + bottom) / 2;
-  draw(svg, "text", { class: "title", x: 16, y: middle, "text-anchor": "middle", transform: `rotate(-90 16 ${middle})` }, quantity.label);
-}
-
-function pathOf(curve) {
-  let path = "";
-  let pen = "M";
-  for (let i = 0; i < curve.x.length && curve.x[i] <= scales.x.high * (1 + 1e-9); ++i) {
-    const value = curve.y[i];
-    if (value === null) {
-      pen = "M";
-      continue;
-    }
-    path += `${pen}${scales.x.at(curve.x[i]).toFixed(1)} ${scales.y.at(value).toFixed(1)}`;
-    pen = "L";
-  }
-  return path;
-}
-
-function lineStyle(slot) {
-  return { style: `stroke: var(--curve-${slot % report.colors})`, "stroke-dasharray": report.dashes[Math.floor(slot / report.colors) % report.dashes.length] };
-}
-
-function drawCurves(svg) {
-  const clip = draw(draw(svg, "defs", {}), "clipPath", { id: "inside" });
-  draw(clip, "rect", { x: view.left, y: view.top, width: view.width - view.left - view.right, height: view.height - view.top - view.bottom });
-  const group = draw(svg, "g", { "clip-path": "url(#inside)" });
-  for (const curve of curves)
-    curve.node = draw(group, "path", { class: "curve", d: pathOf(curve), ...lineStyle(curve.slot) });
+function shownQuantities() {
+  return element("quantity").value === "all" ? Object.keys(quantities) : [element("quantity").value];
 }
 
 function writeLegend() {
   const legend = element("legend");
   legend.replaceChildren();
-  for (const curve of curves) {
+  const listed = new Map(charts.flatMap((chart) => chart.curves).map((curve) => [curve.series, curve]));
+  for (const [series, curve] of [...listed].sort(([, a], [, b]) => a.slot - b.slot)) {
     const item = document.createElement("li");
     const line = draw(item, "svg", { width: 28, height: 10, "aria-hidden": "true" });
     draw(line, "line", { class: "curve", x1: 0, x2: 28, y1: 5, y2: 5, ...lineStyle(curve.slot) });
-    const link = document.createElement("a");
-    link.href = curve.series.page;
-    link.textContent = nameOf(curve);
+    const link = document.createElement(series.page ? "a" : "span");
+    if (series.page) link.href = series.page;
+    link.textContent = nameOf(series);
     item.append(link);
+    item.series = series;
     legend.append(item);
-    curve.entry = item;
   }
 }
 
 // With its run where there are several.
-function nameOf(curve) {
-  return report.runs.length > 1 ? `${curve.series.label} – ${report.runs[curve.series.run]}` : curve.series.label;
+function nameOf(series) {
+  if (!series.page) return `${series.label} – gallery`;
+  return report.severalRuns ? `${series.label} – ${report.runs[series.run]}` : series.label;
+}
+
+function settingsOf(quantity) {
+  const { abscissa } = quantities[quantity];
+  const axis = element("axis").value;
+  return { isLogX: element("across").value === "log", isLogY: element("scale").value === "log",
+    hasBands: element("bands").checked, isPrincipal: axis === "principal", x: ranges[abscissa] || null,
+    y: ranges[quantity] || null, xLabel: report.axes[abscissa][axis] };
 }
 
 function update() {
-  curves = tickedCurves();
-  cursor = null;
-  element("readout").textContent = curves.length ? "" : "No series is ticked that has this curve.";
-  const chart = element("chart");
-  chart.replaceChildren();
-  writeLegend();
-  if (!curves.length) return;
-  view.width = Math.max(360, Math.min(860, chart.clientWidth));
-  view.height = Math.max(320, Math.round(0.56 * view.width));
-  scales = makeScales();
-  const svg = draw(chart, "svg", { viewBox: `0 0 ${view.width} ${view.height}` });
-  drawAxes(svg);
-  drawCurves(svg);
-  draw(svg, "line", { id: "cursor", y1: view.top, y2: view.height - view.bottom, x1: -9, x2: -9 });
-  draw(svg, "circle", { id: "dot", r: 4, cx: -9, cy: -9 });
-}
-
-// The place in a sorted list whose value is nearest.
-function nearestIndex(values, value) {
-  let low = 0;
-  let high = values.length - 1;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (values[middle] <= value) low = middle;
-    else high = middle;
+  const parent = element("chart");
+  parent.replaceChildren();
+  const width = Math.max(360, Math.min(860, parent.clientWidth));
+  const shown = shownQuantities();
+  const height = Math.max(shown.length > 1 ? 240 : 320, Math.round((shown.length > 1 ? 0.36 : 0.56) * width));
+  charts = [];
+  for (const quantity of shown) {
+    const curves = tickedCurves(quantity);
+    if (curves.length > 0) charts.push(new Chart(parent, quantity, curves, settingsOf(quantity), { width, height }));
   }
-  return value - values[low] <= values[high] - value ? low : high;
+  active = charts[0] || null;
+  cursor = null;
+  element("readout").textContent = charts.length ? "" : "No series is ticked that has this curve.";
+  writeLegend();
 }
 
-function valueAt(curve, x) {
-  const step = curve.x.length > 1 ? curve.x[1] - curve.x[0] : Infinity;
-  const index = nearestIndex(curve.x, x);
-  return Math.abs(curve.x[index] - x) > step ? null : curve.y[index];
-}
+const abscissaOf = (chart) => quantities[chart.quantity].abscissa;
 
 function showValues() {
-  const { x, near } = cursor;
-  const name = quantities[element("quantity").value].abscissa === "frequencies" ? "Frequency" : "Distance";
   const shown = (v) => (v === null ? "–" : String(v).replace("-", "−"));
-  const parts = curves.map((curve) => `${nameOf(curve)}: ${shown(valueAt(curve, x))}`);
   const readout = element("readout");
-  readout.replaceChildren(`${name} ${Number(x.toPrecision(5))} `);
-  parts.forEach((text, i) => {
-    const item = document.createElement("span");
-    item.textContent = text;
-    item.className = i === near ? "near" : "";
-    readout.append(item, " ");
-  });
+  readout.replaceChildren(`${cursor.abscissa === "frequencies" ? "Frequency" : "Distance"} ${Number(cursor.x.toPrecision(5))} `);
+  for (const chart of charts.filter((other) => abscissaOf(other) === cursor.abscissa))
+    for (const curve of chart.curves) {
+      const item = document.createElement("span");
+      const title = charts.length > 1 ? `${chart.plot.label}, ` : "";
+      item.textContent = `${title}${nameOf(curve.series)}: ${shown(valueAt(curve, cursor.x))}`;
+      item.className = curve.series === cursor.series && chart === active ? "near" : "";
+      readout.append(item, " ");
+    }
 }
 
-function moveCursor(x, near) {
-  const curve = curves[near];
-  const index = nearestIndex(curve.x, x);
-  cursor = { x: curve.x[index], near };
-  curves.forEach((other, i) => {
-    other.node.classList.toggle("near", i === near);
-    other.entry.classList.toggle("near", i === near);
-  });
-  const px = scales.x.at(cursor.x);
-  const line = element("cursor");
-  line.setAttribute("x1", px);
-  line.setAttribute("x2", px);
-  const value = curve.y[index];
-  element("dot").setAttribute("cx", value === null ? -9 : px);
-  element("dot").setAttribute("cy", value === null ? -9 : Math.max(view.top, scales.y.at(value)));
+// Puts the cursor of all charts over the active one's axis at the value of a curve that is nearest to x.
+function moveCursor(x, curve) {
+  cursor = { abscissa: abscissaOf(active), x: curve.x[nearestIndex(curve.x, x)], series: curve.series };
+  for (const chart of charts) if (abscissaOf(chart) === cursor.abscissa) chart.showCursor(cursor.x, cursor.series);
+  for (const item of element("legend").children) item.classList.toggle("near", item.series === cursor.series);
   showValues();
 }
 
-// The curve that is nearest to a place of the chart, of those that have a value there.
-function nearestCurve(x, y) {
-  let best = 0;
-  let distance = Infinity;
-  curves.forEach((curve, i) => {
-    const value = valueAt(curve, x);
-    const gap = value === null ? Infinity : Math.abs(scales.y.at(value) - y);
-    if (gap < distance) [best, distance] = [i, gap];
-  });
-  return best;
+const chartOf = (event) => charts.find((chart) => chart.svg === event.target.closest("svg")) || active;
+
+// Zooms by a factor about a value of the active chart's horizontal axis; 0 shows everything again.
+function zoom(factor, about = null) {
+  if (!active) return;
+  const { x, whole } = active;
+  if (factor === 0) for (const key of Object.keys(ranges)) delete ranges[key];
+  else {
+    const scale = makeScale(active.settings.isLogX, x.low, x.high, 0, 1);
+    const middle = scale.at(about === null ? (cursor ? cursor.x : scale.value(0.5)) : about);
+    showRange([middle - middle / factor, middle + (1 - middle) / factor].map(scale.value), whole);
+  }
+  changed();
 }
 
+// Pans by parts of the width that is shown.
+function pan(part) {
+  if (!active) return;
+  const { x, whole } = active;
+  const ends = makeScale(active.settings.isLogX, ...whole, 0, 1);
+  const [low, high] = [ends.at(x.low), ends.at(x.high)];
+  const by = Math.max(-low, Math.min(1 - high, part * (high - low)));
+  showRange([ends.value(low + by), ends.value(high + by)], whole);
+  changed();
+}
+
+// Ranges have as many digits as the page's address holds: a link gives the same picture.
+const shortRange = (range) => range.map((v) => Number(v.toPrecision(6)));
+
+// Shows a horizontal range, within all that there is, in all charts over the same axis.
+function showRange([low, high], whole) {
+  const inside = shortRange([Math.max(whole[0], low), Math.min(whole[1], high)]);
+  const isWhole = inside[0] <= whole[0] && inside[1] >= whole[1] * (1 - 1e-9);
+  if (isWhole) delete ranges[abscissaOf(active)];
+  else if (inside[1] - inside[0] > 1e-6 * whole[1]) ranges[abscissaOf(active)] = inside;
+}
+
+let drag = null; // {chart, from, pans, ranges}: of the mouse, since the button went down
+
 function onPointer(event) {
-  if (!curves.length) return;
-  const frame = element("chart").querySelector("svg").getBoundingClientRect();
-  const px = ((event.clientX - frame.left) / frame.width) * view.width;
-  const py = ((event.clientY - frame.top) / frame.height) * view.height;
-  const x = Math.min(scales.x.high, Math.max(scales.x.low, scales.x.inverse(px)));
-  moveCursor(x, nearestCurve(x, py));
+  if (!charts.length) return;
+  active = chartOf(event);
+  const [px, py] = active.place(event);
+  if (drag && drag.chart === active) {
+    if (drag.pans) {
+      const by = (drag.from[0] - px) / (active.inside.right - active.inside.left);
+      drag.from = [px, py];
+      const { chart } = drag;
+      pan(by);
+      drag.chart = charts.find((other) => other.quantity === chart.quantity);
+      return;
+    }
+    active.showFrame(drag.from, [px, py]);
+  }
+  const x = Math.min(active.x.high, Math.max(active.x.low, active.x.inverse(px)));
+  moveCursor(x, active.nearestCurve(x, py));
+}
+
+function onDown(event) {
+  onPointer(event);
+  if (!active || event.pointerType === "touch" || event.button !== 0) return;
+  drag = { chart: active, from: active.place(event), pans: event.shiftKey };
+  element("chart").setPointerCapture(event.pointerId);
+  event.preventDefault();
+  element("chart").focus({ preventScroll: true });
+}
+
+function onUp(event) {
+  if (!drag) return;
+  const { chart, from, pans } = drag;
+  drag = null;
+  if (pans || !charts.includes(chart)) return;
+  const part = chart.showFrame(from, chart.place(event));
+  chart.showFrame([-9, 0], [-9, 0]);
+  if (!part.isWide) return;
+  active = chart;
+  showRange(part.x, chart.whole);
+  if (part.y) ranges[chart.quantity] = shortRange(part.y);
+  changed();
+}
+
+function onWheel(event) {
+  if (!charts.length || !event.ctrlKey) return; // without it pages scroll
+  event.preventDefault();
+  active = chartOf(event);
+  zoom(Math.exp(-event.deltaY / 300), active.x.inverse(active.place(event)[0]));
 }
 
 function onKey(event) {
-  if (!curves.length) return;
-  const near = cursor ? cursor.near : 0;
-  const xs = curves[near].x;
-  const last = nearestIndex(xs, scales.x.high);
-  const index = cursor ? nearestIndex(xs, cursor.x) : -1;
+  if (!active || event.ctrlKey || event.altKey || event.metaKey) return;
+  const zooms = { "+": 1.5, "=": 1.5, "-": 1 / 1.5, 0: 0 };
+  const pans = { "<": -0.25, ">": 0.25 };
+  const near = (cursor && active.curves.find((curve) => curve.series === cursor.series)) || active.curves[0];
+  const [first, last] = [nearestIndex(near.x, active.x.low), nearestIndex(near.x, active.x.high)];
+  const index = cursor ? nearestIndex(near.x, cursor.x) : first - 1;
   const step = event.shiftKey ? 10 : 1;
-  const places = { ArrowRight: index + step, ArrowLeft: index - step, Home: 0, End: last };
-  const turns = { ArrowDown: 1, ArrowUp: curves.length - 1 };
-  if (event.key in places) moveCursor(xs[Math.min(last, Math.max(0, places[event.key]))], near);
-  else if (event.key in turns) moveCursor(cursor ? cursor.x : xs[0], (near + turns[event.key]) % curves.length);
-  else return;
+  const places = { ArrowRight: index + step, ArrowLeft: index - step, Home: first, End: last };
+  const turns = { ArrowDown: 1, ArrowUp: active.curves.length - 1 };
+  if (event.key in zooms) zoom(zooms[event.key]);
+  else if (event.key in pans) pan(pans[event.key]);
+  else if (event.key in places) moveCursor(near.x[Math.min(last, Math.max(first, places[event.key]))], near);
+  else if (event.key in turns)
+    moveCursor(cursor ? cursor.x : near.x[first], active.curves[(active.curves.indexOf(near) + turns[event.key]) % active.curves.length]);
+  else if (event.key === "Enter" && charts.length > 1) {
+    active = charts[(charts.indexOf(active) + 1) % charts.length];
+    moveCursor(cursor ? cursor.x : active.x.low, active.curves.find((curve) => cursor && curve.series === cursor.series) || active.curves[0]);
+  } else return;
   event.preventDefault();
 }
 
@@ -270,7 +232,7 @@ function onKey(event) {
 function applyFilter() {
   const sought = element("filter").value.trim().toLowerCase();
   for (const box of boxes) {
-    const series = report.series[Number(box.dataset.series)];
+    const series = seriesOf(box);
     const text = `${series.label} ${report.runs[series.run]}`.toLowerCase();
     box.parentElement.hidden = !isOffered(series) || !text.includes(sought);
   }
@@ -281,32 +243,123 @@ function applyFilter() {
 // Ticks or clears what the filter leaves.
 function setAll(checked) {
   for (const box of boxes) if (!box.parentElement.hidden) box.checked = checked;
-  update();
+  changed();
 }
 
 // compare.html#run-3 shows the series of that run.
-function startWithRun() {
-  const match = /^#run-(\d+)$/.exec(location.hash);
-  if (!match) return;
-  const seriesOf = (box) => report.series[Number(box.dataset.series)];
-  const own = boxes.filter((box) => seriesOf(box).run === Number(match[1]));
+function showRun(run) {
+  const own = boxes.filter((box) => seriesOf(box).run === run);
   const step = (i) => Math.floor((i * report.mostAtFirst) / own.length);
   for (const box of boxes) box.checked = false;
   own.forEach((box, i) => (box.checked = own.length <= report.mostAtFirst || step(i + 1) > step(i)));
   if (own.length && element("dimension")) element("dimension").value = String(seriesOf(own[0]).dimension);
 }
 
+// The numbers of the ticked series, "0-3,7".
+function tickedText() {
+  const numbers = boxes.filter((box) => box.checked).map((box) => Number(box.dataset.series)).sort((a, b) => a - b);
+  const starts = numbers.filter((n) => !numbers.includes(n - 1));
+  const endOf = (n) => (numbers.includes(n + 1) ? endOf(n + 1) : n);
+  return starts.map((n) => (endOf(n) > n ? `${n}-${endOf(n)}` : `${n}`)).join(",");
+}
+
+// The view as the page's address has it, and back.
+function address() {
+  const words = choices.map((id) => `${id}=${element(id).value}`);
+  if (element("bands").checked) words.push("bands=on");
+  for (const [key, range] of Object.entries(ranges)) words.push(`${key}=${range.join("~")}`);
+  return `#${words.join("&")}&series=${tickedText()}`;
+}
+
+function readAddress() {
+  const run = /^#run-(\d+)$/.exec(location.hash);
+  if (run) showRun(Number(run[1]));
+  const given = new URLSearchParams(location.hash.slice(1));
+  if (!given.has("series")) return;
+  for (const id of choices)
+    if (Array.from(element(id).options).some((option) => option.value === given.get(id))) element(id).value = given.get(id);
+  element("bands").checked = given.get("bands") === "on";
+  for (const key of ["frequencies", "distances", ...Object.keys(quantities)]) {
+    const range = (given.get(key) || "").split("~").map(Number);
+    if (range.length === 2 && range[0] < range[1]) ranges[key] = range;
+    else delete ranges[key];
+  }
+  const ticked = given.get("series").split(",").map((part) => part.split("-").map(Number));
+  for (const box of boxes) {
+    const number = Number(box.dataset.series);
+    box.checked = ticked.some(([first, last = first]) => number >= first && number <= last);
+  }
+}
+
+// After whatever users have changed.
+function changed() {
+  const near = cursor;
+  update();
+  history.replaceState(null, "", address());
+  const chart = near && charts.find((other) => abscissaOf(other) === near.abscissa);
+  const curve = chart && chart.curves.find((other) => other.series === near.series);
+  if (!curve || near.x < chart.x.low || near.x > chart.x.high) return;
+  active = chart;
+  moveCursor(near.x, curve);
+}
+
+// The values that are shown, a line each; names are quoted.
+function shownCsv() {
+  const quoted = (text) => `"${text.replaceAll('"', '""')}"`;
+  const lines = ["plot,series,run,x,y,standard_error"];
+  for (const { quantity, curves, x } of charts)
+    for (const curve of curves)
+      curve.x.forEach((value, i) => {
+        if (value < x.low || value > x.high * (1 + 1e-9) || curve.y[i] === null) return;
+        const error = curve.error ? curve.error[i] : "";
+        lines.push([quantity, quoted(curve.series.label), quoted(report.runs[curve.series.run]), Number(value.toPrecision(6)), curve.y[i], error].join(","));
+      });
+  return `${lines.join("\n")}\n`;
+}
+
+function saveCsv() {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([shownCsv()], { type: "text/csv" }));
+  link.download = "curves.csv";
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+
+function copyLink() {
+  history.replaceState(null, "", address());
+  if (navigator.clipboard) navigator.clipboard.writeText(location.href).catch(() => {});
+  element("copied").textContent = "The page's address is a link to this view.";
+}
+
+// Other units, other ranges.
+function forgetRanges(id) {
+  const isOfX = id === "axis" || id === "across";
+  for (const key of Object.keys(ranges)) if (id === "dimension" || isOfX === ["frequencies", "distances"].includes(key)) delete ranges[key];
+}
+
 element("compare").hidden = false;
-for (const id of ["quantity", "axis", "scale"]) element(id).addEventListener("change", update);
-if (element("dimension")) element("dimension").addEventListener("change", () => (applyFilter(), update()));
-for (const box of boxes) box.addEventListener("change", update);
+for (const id of choices)
+  element(id).addEventListener("change", () => {
+    if (id !== "quantity") forgetRanges(id);
+    applyFilter();
+    changed();
+  });
+element("bands").addEventListener("change", changed);
+for (const box of boxes) box.addEventListener("change", changed);
 element("filter").addEventListener("input", applyFilter);
 element("all").addEventListener("click", () => setAll(true));
 element("none").addEventListener("click", () => setAll(false));
+for (const [id, action] of Object.entries({ nearer: () => zoom(1.5), farther: () => zoom(1 / 1.5), whole: () => zoom(0), left: () => pan(-0.25), right: () => pan(0.25), csv: saveCsv, copy: copyLink }))
+  element(id).addEventListener("click", action);
 element("chart").addEventListener("pointermove", onPointer);
-element("chart").addEventListener("pointerdown", onPointer);
+element("chart").addEventListener("pointerdown", onDown);
+element("chart").addEventListener("pointerup", onUp);
+element("chart").addEventListener("pointercancel", () => (drag = null));
+element("chart").addEventListener("dblclick", () => zoom(0));
+element("chart").addEventListener("wheel", onWheel, { passive: false });
 element("chart").addEventListener("keydown", onKey);
 window.addEventListener("resize", update);
-startWithRun();
+window.addEventListener("hashchange", () => (readAddress(), applyFilter(), update()));
+readAddress();
 applyFilter();
 update();

@@ -91,7 +91,7 @@ function chunkPoints(distance, seed) {
 /** The numbers of points [x, y] that have another one nearer than a distance, and the smallest distance. */
 function nearPairs(points, distance) {
   const cells = new Map();
-  const key = (x, y) => `${Math.floor(x / distance)},${Math.floor(y / distance)}`;
+  const key = (x, y) => Math.floor(x / distance) * 2 ** 26 + Math.floor(y / distance); // at most 2^25 apart
   points.forEach(([x, y], i) => {
     const list = cells.get(key(x, y));
     if (list) list.push(i);
@@ -112,17 +112,28 @@ function nearPairs(points, distance) {
   return { near, smallest };
 }
 
-/** Points { position, level, id } as the text of a file of a kind: csv, ply or usda. */
-function fileOf(kind, points, comment) {
+/** How a point's random bits turn and size an instance: radians counterclockwise, and a factor. */
+const instanceOf = (id) => ({ turn: ((id >>> 8) & 255) / 40.74, size: 0.7 + ((id >>> 16) & 255) / 255 });
+
+/** An instancer of triangles around points, each turned and sized by its number. */
+function usdOf(points, comment, radius) {
+  const list = (what) => `[${points.map(what).join(", ")}]`;
+  const corner = (k) => `(${radius * Math.cos(2.0944 * k)}, ${radius * Math.sin(2.0944 * k)}, 0)`;
+  const turned = ({ turn }) => `(${Math.cos(turn / 2).toFixed(4)}, 0, 0, ${Math.sin(turn / 2).toFixed(4)})`;
+  return `#usda 1.0\n# ${comment}\ndef PointInstancer "points"\n{\n    rel prototypes = </points/triangle>\n` +
+         `    int[] protoIndices = ${list(() => 0)}\n    int64[] ids = ${list((p) => p.id)}\n` +
+         `    point3f[] positions = ${list((p) => `(${p.position[0]}, ${p.position[1]}, 0)`)}\n` +
+         `    quath[] orientations = ${list((p) => turned(instanceOf(p.id)))}\n` +
+         `    float3[] scales = ${list((p) => `(${Array(3).fill(instanceOf(p.id).size.toFixed(4)).join(", ")})`)}\n` +
+         `    def Mesh "triangle"\n    {\n        int[] faceVertexCounts = [3]\n        int[] faceVertexIndices = [0, 1, 2]\n` +
+         `        point3f[] points = [${[0, 1, 2].map(corner).join(", ")}]\n    }\n}\n`;
+}
+
+/** Points { position, level, id } as the text of a file of a kind: csv, ply or usda. `radius`: of instances. */
+function fileOf(kind, points, comment, radius) {
   const rows = (row) => points.map(row).join("\n");
-  const xy = (p) => `${p.position[0]} ${p.position[1]}`;
   if (kind === "csv") return `x,y,level,id\n${rows((p) => `${p.position[0]},${p.position[1]},${p.level},${p.id}`)}\n`;
-  if (kind === "ply")
-    return `ply\nformat ascii 1.0\ncomment ${comment}\nelement vertex ${points.length}\nproperty double x\n` +
-           `property double y\nend_header\n${rows(xy)}\n`;
-  return `#usda 1.0\n# ${comment}\ndef PointInstancer "points"\n{\n    rel prototypes = </points/disk>\n` +
-         `    int[] protoIndices = [${points.map(() => 0).join(", ")}]\n` +
-         `    int64[] ids = [${points.map((p) => p.id).join(", ")}]\n` +
-         `    point3f[] positions = [${points.map((p) => `(${p.position[0]}, ${p.position[1]}, 0)`).join(", ")}]\n` +
-         `    def Sphere "disk"\n    {\n        double radius = 0.02\n    }\n}\n`;
+  if (kind === "usda") return usdOf(points, comment, radius);
+  return `ply\nformat ascii 1.0\ncomment ${comment}\nelement vertex ${points.length}\nproperty double x\n` +
+         `property double y\nend_header\n${rows((p) => `${p.position[0]} ${p.position[1]}`)}\n`;
 }

@@ -24,7 +24,7 @@ function copies(place, radius) {
   return all;
 }
 
-// From where points came: lines from the step before, the short way around.
+// The places from which points came: lines from the step before, the short way around.
 function ways(step, before) {
   const from = placesOf(before.points[3]);
   const wrapped = (d) => d - data.side * Math.round(d / data.side);

@@ -1,4 +1,4 @@
-// What a series has of a measure, in words.
+// The value of a measure that a series has, in words.
 #pragma once
 
 #include "results/measures.hpp"

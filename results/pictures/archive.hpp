@@ -42,7 +42,13 @@ void serialize(Archive& archive, SceneSummary& summary)
 template <class Archive>
 void serialize(Archive& archive, DistributionNumber& number)
 {
-    archive(number.key, number.title, number.value, number.meaning);
+    archive(number.key, number.title, number.value, number.meaning, number.standard_error);
+}
+
+template <class Archive>
+void serialize(Archive& archive, DistributionParameter& parameter)
+{
+    archive(parameter.key, parameter.value);
 }
 
 template <class Archive>
@@ -52,9 +58,16 @@ void serialize(Archive& archive, DistributionPicture& picture)
 }
 
 template <class Archive>
+void serialize(Archive& archive, DistributionTable& table)
+{
+    archive(table.title, table.columns, table.rows);
+}
+
+template <class Archive>
 void serialize(Archive& archive, DistributionResult& distribution)
 {
-    archive(distribution.facts, distribution.numbers, distribution.pictures, distribution.files);
+    archive(distribution.facts, distribution.parameters, distribution.numbers, distribution.pictures,
+            distribution.files, distribution.tables);
 }
 
 }

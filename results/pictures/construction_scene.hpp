@@ -44,7 +44,7 @@ struct SceneBox
     bool holds(const TilePosition& position, int dimension) const;
 };
 
-/// What points are in a panel, in the order in which they are drawn.
+/// The meaning of points in a panel, in the order in which they are drawn.
 enum class PointClass : std::size_t
 {
     surroundings, ///< around a tile while its interior is relaxed

@@ -1,7 +1,9 @@
-// Points and objects that follow a density, as a result: the member "distributions" of results.json. Kinds differ in
-// what they measure and show, so both are lists, which reports print as they are.
+// Points and objects that follow a density, texture tiles and tile packings, and schemes of tilings, as results: the
+// members "distributions" and "schemes" of results.json. Kinds differ in what they measure and show, so all are lists,
+// which reports print as they are.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,8 @@ struct DistributionNumber
     std::string key;
     std::string title;
     double value = 0;
-    std::string meaning; ///< in a few words, with the unit
+    std::string meaning;                       ///< in a few words, with the unit
+    std::optional<double> standard_error = {}; ///< over several sets
 
     bool operator==(const DistributionNumber&) const = default;
 };
@@ -31,17 +34,44 @@ struct DistributionPicture
     bool has_marks() const { return file.ends_with(".json"); }
 };
 
+/// Words in rows and columns.
+struct DistributionTable
+{
+    std::string title;
+    std::vector<std::string> columns;           ///< their heads
+    std::vector<std::vector<std::string>> rows; ///< each has as many cells
+
+    bool operator==(const DistributionTable&) const = default;
+};
+
+/// A word by which results are told apart, such as kind = corner.
+struct DistributionParameter
+{
+    std::string key;
+    std::string value;
+
+    bool operator==(const DistributionParameter&) const = default;
+};
+
 struct DistributionResult
 {
     std::string name; ///< its folder
     std::string label;
     std::string kind;               ///< the word in the config
     std::vector<std::string> facts; ///< from which it was made
+    std::vector<DistributionParameter> parameters;
     std::vector<DistributionNumber> numbers;
-    std::vector<DistributionPicture> pictures; ///< at least one
-    std::vector<std::string> files;            ///< others, such as points; relative to the run's folder
+    std::vector<DistributionPicture> pictures;
+    std::vector<std::string> files; ///< others, such as points; relative to the run's folder
+    std::vector<DistributionTable> tables{};
 
     bool operator==(const DistributionResult&) const = default;
+
+    /// Texture tiles, whose numbers are those of texture_measures().
+    bool is_texture() const { return kind == "texture"; }
+
+    /// The value of a parameter; empty where there is none.
+    std::string parameter(const std::string& key) const;
 };
 
 void members(JsonMembers& m, const DistributionResult& distribution);

@@ -34,6 +34,32 @@ void flat(JsonMembers& m, const std::string& name, std::vector<std::array<double
     for (std::size_t i = 0; i < numbers.size(); ++i) marks[i / n][i % n] = numbers[i];
 }
 
+/// All numbers in one list: of each polygon the number of its corners, then these. Absent where there are none.
+void polygons(JsonMembers& m, const std::vector<std::vector<std::array<double, 2>>>& polygons)
+{
+    std::vector<double> numbers;
+    for (const auto& polygon : polygons) {
+        numbers.push_back(static_cast<double>(polygon.size()));
+        for (const auto& corner : polygon) numbers.insert(numbers.end(), corner.begin(), corner.end());
+    }
+    m.if_any("polygons", std::as_const(numbers));
+}
+
+void polygons(JsonMembers& m, std::vector<std::vector<std::array<double, 2>>>& polygons)
+{
+    polygons.clear();
+    if (!m.stored().has("polygons")) return;
+    const std::vector<double> numbers = m.stored().numbers("polygons");
+    for (std::size_t at = 0; at < numbers.size();) {
+        const double corners = numbers[at++];
+        if (!(corners >= 3 && corners <= static_cast<double>(numbers.size() - at) / 2))
+            throw m.stored().error("polygons", "must have the number of corners, from 3, and two numbers for each");
+        polygons.emplace_back();
+        for (; static_cast<double>(polygons.back().size()) < corners; at += 2)
+            polygons.back().push_back({numbers[at], numbers[at + 1]});
+    }
+}
+
 bool is_color(const std::string& text)
 {
     return text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
@@ -42,6 +68,7 @@ bool is_color(const std::string& text)
 void describe_group(JsonMembers& m, Stored<MarkGroup> auto& group)
 {
     m.member("color", group.color);
+    polygons(m, group.polygons);
     flat(m, "disks", group.disks);
     flat(m, "strokes", group.strokes);
     m.check([&](const StoredObject& object) {

@@ -1,5 +1,5 @@
-// A picture of marks: disks, strokes and words, in the order in which they are drawn. It is stored as JSON, see
-// docs/output-folder.md; reports draw it.
+// A picture of marks: polygons, disks, strokes and words, in the order in which they are drawn. It is stored as JSON,
+// see docs/output-folder.md; reports draw it.
 #pragma once
 
 #include <array>
@@ -12,9 +12,10 @@ namespace poissonlab {
 /// Marks of one colour. Numbers are in units of the picture, y upwards.
 struct MarkGroup
 {
-    std::string color = "#000000";                ///< "#rrggbb"
-    std::vector<std::array<double, 3>> disks{};   ///< x, y, radius
-    std::vector<std::array<double, 5>> strokes{}; ///< x, y, x, y of the ends, width
+    std::string color = "#000000";                              ///< "#rrggbb"
+    std::vector<std::array<double, 3>> disks{};                 ///< x, y, radius
+    std::vector<std::array<double, 5>> strokes{};               ///< x, y, x, y of the ends, width
+    std::vector<std::vector<std::array<double, 2>>> polygons{}; ///< of three corners or more; drawn before the others
 
     bool operator==(const MarkGroup&) const = default;
 };

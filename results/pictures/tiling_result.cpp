@@ -5,6 +5,7 @@
 #include "base/files/whole_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <sstream>
@@ -43,8 +44,6 @@ namespace {
 
 constexpr std::size_t most_tiles = 1'000'000; // of a window that is drawn
 
-std::size_t axes_of(TileKind kind) { return kind == TileKind::cube ? 3 : 2; }
-
 void kind(JsonMembers& m, const TileKind& kind)
 {
     const std::string word = tile_kinds[kind];
@@ -54,16 +53,22 @@ void kind(JsonMembers& m, const TileKind& kind)
 void kind(JsonMembers& m, TileKind& kind)
 {
     const auto known = tile_kinds.find(m.stored().text("kind"));
-    if (!known) throw m.stored().error("kind", "must be \"corner\", \"wang\" or \"cube\"");
+    if (!known) throw m.stored().error("kind", fmt::format("must be one of {}", fmt::join(tile_kinds.all(), ", ")));
     kind = *known;
 }
 
-void colors(JsonMembers& m, const TilingResult& tiling) { m.member("colors", tiling.colors); }
+void colors(JsonMembers& m, const TilingResult& tiling)
+{
+    m.member("colors", tiling.colors);
+    m.if_any("vertical_colors", tiling.vertical_colors);
+}
 
 void colors(JsonMembers& m, TilingResult& tiling)
 {
-    const auto most = tiling.kind == TileKind::cube ? max_cube_colors : max_colors;
-    tiling.colors = static_cast<Color>(m.stored().integer("colors", 2, most));
+    tiling.colors = static_cast<Color>(m.stored().integer("colors", 2, most_colors_of(tiling.kind)));
+    if (!m.stored().has("vertical_colors")) return;
+    if (tiling.kind != TileKind::wang) throw m.stored().error("vertical_colors", "is of Wang tiles only");
+    tiling.vertical_colors = static_cast<Color>(m.stored().integer("vertical_colors", 2, max_colors));
 }
 
 /// The origin of a window, then its size.
@@ -128,7 +133,7 @@ std::string autocorrelation_file(const ColorStatistics& colors)
 std::vector<TileIndex> read_tiles(const std::filesystem::path& folder, const TilingResult& tiling)
 {
     const auto file = folder / tiling.file;
-    const TileSet all = TileSet::complete(tiling.kind, tiling.colors);
+    const TileSet all = TileSet::complete(tiling.kind, tiling.all_colors());
     std::istringstream text(read_whole_file(file));
     std::vector<TileIndex> tiles;
     for (std::uint64_t tile = 0; text >> tile;) {

@@ -18,7 +18,7 @@ class JsonMembers;
 /// The colours of one kind of place of a tiling.
 struct ColorStatistics
 {
-    std::string name; ///< "corners", "horizontal edges" or "vertical edges"
+    std::string name; ///< "corners", "horizontal edges" or "vertical edges"; of Wang cubes also "top and bottom faces"
     std::vector<std::uint64_t> counts;
     FrequencyTest frequencies;
     std::string autocorrelation_file; ///< relative to the run's folder
@@ -27,7 +27,7 @@ struct ColorStatistics
     bool operator==(const ColorStatistics&) const = default;
 };
 
-/// Of size x size tiles from the lower left of the window, of cubes of its lowest layer.
+/// Statistics of size x size tiles from the lower left of the window, of cubes of its lowest layer.
 struct TilingStatistics
 {
     std::uint64_t size = 0;
@@ -44,10 +44,11 @@ struct TilingResult
     std::string label;
     TileKind kind = TileKind::corner;
     Color colors = 2;
-    std::size_t tiles = 0; ///< in the set
-    std::string file;      ///< tile indices
-    double regions = 0;    ///< Poisson disk radius of the regions that are drawn; 0: tiles are
-    std::string set;       ///< of a tile set: which; empty: a tiling, with all that follows
+    Color vertical_colors = 0; ///< of the vertical edges of Wang tiles; 0: as many as `colors`
+    std::size_t tiles = 0;     ///< in the set
+    std::string file;          ///< tile indices
+    double regions = 0;        ///< Poisson disk radius of the regions that are drawn; 0: tiles are
+    std::string set;           ///< of a tile set: which; empty: a tiling, with all that follows
     std::string algorithm;
     std::array<std::int64_t, 3> origin{}; ///< of the window, in tiles
     std::array<std::size_t, 3> size{1, 1, 1};
@@ -57,6 +58,8 @@ struct TilingResult
     std::optional<TilingStatistics> statistics;
 
     bool operator==(const TilingResult&) const = default;
+
+    WangColors all_colors() const { return {colors, vertical_colors > 0 ? vertical_colors : colors}; }
 
     /// The number of tiles in the file.
     std::size_t shown() const { return set.empty() ? size[0] * size[1] * size[2] : tiles; }

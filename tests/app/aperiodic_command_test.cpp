@@ -130,7 +130,7 @@ TEST_F(AperiodicCommand, PrintsTheTablesOfItsPage)
 {
     const std::string page = printed("tables");
     EXPECT_EQ(page, content_of(source_folder() + "/docs/aperiodic-tiles.md"));
-    // Nothing differs from what is printed, and the largest set is there.
+    // No number differs from those that are printed, and the largest set is there.
     EXPECT_THAT(page, Not(HasSubstr("**here")));
     EXPECT_THAT(page, HasSubstr("| 160168/14810 | 1213029/58910 | 1642/777 |"));
 }

@@ -105,6 +105,13 @@ TEST_F(CommandLine, DevicesAndPipes)
     }
 }
 
+TEST_F(CommandLine, NumbersAreNumbers)
+{
+    for (const std::string word : {"foo", "1x", "nan", "inf"})
+        expect_error_like({"distribute", "hatch", "--image", "1", "--points", "9", "--angle", word, "--out", "a.svg"},
+                          2, "--angle: " + word + ": must be a number");
+}
+
 TEST_F(CommandLine, WrongConfigs)
 {
     expect_error({"run", "no.toml"}, 2, "no.toml: cannot be read: No such file or directory");
@@ -115,7 +122,7 @@ TEST_F(CommandLine, WrongConfigs)
     expect_error({"run", "c.toml", "--set", "sede=2"}, 2,
                  "--set sede=2: sede = 2: unknown key; did you mean \"seed\"? "
                  "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
-                 "distribution, include");
+                 "distribution, scheme, texture, packing, include");
     expect_error({"run", "c.toml", "--set", "analysis.points=abc"}, 2,
                  "--set analysis.points=abc: points = \"abc\": must be an integer from 1 to 134217728");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));

@@ -1,4 +1,4 @@
-// What two runs of the same config have in common.
+// The results that two runs of the same config have in common.
 #pragma once
 
 #include "tests/support/program.hpp"

@@ -92,7 +92,7 @@ protected:
         is_complete_ = run_experiments(runs, settings, *crew, progress);
     }
 
-    /// How many realizations were made since the last call.
+    /// The number of realizations that were made since the last call.
     std::size_t made()
     {
         std::size_t count = 0;

@@ -68,6 +68,30 @@ TEST_F(TextureCommand, BuildsVerifiesAndTiles)
                  "texture tile: a window at 1 0: must be at 0 0, since these tiles are laid in scanlines");
 }
 
+TEST_F(TextureCommand, MapsThePlane)
+{
+    printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out tiles");
+    const std::string small = "map tiles --size 40 30 --tile -5 1000000000000 ";
+    printed(small + "--out a.png");
+    printed(small + "--out b.png --engine reference");
+    EXPECT_EQ(read_png(folder_.path() / "a.png").values, read_png(folder_.path() / "b.png").values);
+    EXPECT_EQ(read_png(folder_.path() / "a.png").width, 40);
+    printed(small + "--frames 2 --advance 3 --out fly.png --engine reference");
+    EXPECT_EQ(read_png(folder_.path() / "fly-00000.png").values, read_png(folder_.path() / "a.png").values);
+    EXPECT_NE(read_png(folder_.path() / "fly-00001.png").values, read_png(folder_.path() / "a.png").values);
+    expect_error(small + "--out a.jpg", "texture map: --out a.jpg: must be a .png");
+    expect_error(small + "--pitch 91 --out a.png", "texture map: --pitch 91: must be a number from 0 to 90");
+    expect_error("map tiles --size 0 2 --out a.png", "texture map: --size 0: must be an integer from 1 to 16384");
+    expect_error("map tiles --size 9 --out a.png", "texture map: --size 9: must be W H");
+    expect_error(small + "--filter trilinear --out a.png",
+                 "texture map: --filter \"trilinear\": unknown; did you mean \"bilinear\"? (known: nearest, bilinear, "
+                 "mipmap, anisotropic)");
+    printed("build wang --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out wang");
+    expect_error("map wang --out c.png",
+                 "wang: wang tiles: must be a complete set of corner tiles, whose places in the "
+                 "atlas follow from their colours");
+}
+
 TEST_F(TextureCommand, MakesTheSameFilesAgain)
 {
     printed("build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out a");

@@ -26,7 +26,7 @@ protected:
         return run_program(folder_.path(), words);
     }
 
-    /// Of an error, which leaves no file.
+    /// The text of an error, which leaves no file.
     std::string refusal(const std::string& arguments) const
     {
         const Outcome outcome = run("build " + arguments + " --out refused.ptiles");

@@ -22,7 +22,7 @@ protected:
         return run_program(folder_.path(), words);
     }
 
-    /// What the program prints when all goes well.
+    /// The program's output when all goes well.
     std::string printed(const std::string& arguments) const
     {
         const Outcome outcome = run(arguments);
@@ -103,6 +103,21 @@ TEST_F(TilingCommand, PrintsCubesLayerByLayer)
     EXPECT_EQ(printed("cube --colors 2 --window -1 4 -1 2 3 2"), expected);
 }
 
+TEST_F(TilingCommand, PrintsWangCubesDominoesAndTwoNumbersOfColors)
+{
+    const CubeTiling cubes(3, HashKind::xxh64, 1, {}, TileKind::wang_cube);
+    EXPECT_EQ(printed("wang-cube --colors 3 --hash xxh64 --window -1 4 -1 2 1 2"),
+              line_of({cubes.tile(-1, 4, -1), cubes.tile(0, 4, -1)}) + "\n" +
+                  line_of({cubes.tile(-1, 4, 0), cubes.tile(0, 4, 0)}));
+    const DominoTiling dominoes(5, HashKind::long_period, 2, 3);
+    EXPECT_EQ(printed("domino --colors 5 --seed 2 --period 3 --window -2 4"),
+              line_of({dominoes.tile(-2), dominoes.tile(-1), dominoes.tile(0), dominoes.tile(1)}));
+    for (const auto& [word, algorithm] : {std::pair{"edge-hash", DirectAlgorithm::wang_edge_hash},
+                                          std::pair{"two-hashes", DirectAlgorithm::wang_two_hashes}})
+        EXPECT_EQ(printed(std::string("wang --colors 2 --vertical-colors 5 --window -2 3 4 2 --algorithm ") + word),
+                  text_of(Tiling(algorithm, {2, 5}, HashKind::long_period, 1), -2, 3, 4, 2));
+}
+
 TEST_F(TilingCommand, PrintsScanlineTilings)
 {
     for (const bool is_compact : {false, true}) {
@@ -139,7 +154,7 @@ TEST_F(TilingCommand, TilesAreTheSameForEver)
 TEST_F(TilingCommand, WrongArguments)
 {
     expect_error("hexagon --colors 2 --window 0 0 1 1",
-                 "tiling: kind \"hexagon\": unknown (known: corner, wang, cube)");
+                 "tiling: kind \"hexagon\": unknown (known: corner, wang, cube, wang-cube, domino)");
     expect_error("corner --window 0 0 1 1", "--colors is required (see poissonlab --help)");
     expect_error("corner --colors 2", "--window is required (see poissonlab --help)");
     expect_error("corner --colors 1 --window 0 0 1 1", "colors = 1: must be an integer from 2 to 256");
@@ -162,6 +177,15 @@ TEST_F(TilingCommand, WrongArguments)
     expect_error("corner --colors 2 --window 0 0 1 1 --period -1",
                  "period = -1: must be an integer from 1 to 2^62 - 1, or 0 for none");
     expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3", "tiling: --period 1 2 3: there are 2 axes");
+    expect_error("corner --colors 2 --vertical-colors 3 --window 0 0 1 1",
+                 "tiling: --vertical-colors: is for wang tiles only");
+    expect_error("wang --colors 2 --vertical-colors 3 --algorithm one-hash --window 0 0 1 1",
+                 "colors = 2 x 3: this algorithm has one number of colours");
+    expect_error("wang --colors 2 --vertical-colors 1 --window 0 0 1 1",
+                 "colors = 1: must be an integer from 2 to 256");
+    expect_error("wang-cube --colors 41 --window 0 0 0 1 1 1", "colors = 41: must be an integer from 2 to 40");
+    expect_error("domino --colors 2 --window 0 0 1 1", "tiling: --window 0 0 1 1: must be X W");
+    expect_error("domino --colors 2 --window 0 1 --period 1 2", "tiling: --period 1 2: there is 1 axis");
     expect_error("corner --colors 2 --algorithm scanline --window 3 0 1 1",
                  "tiling: --window 3 0 1 1: with --algorithm scanline, X and Y must be 0");
     expect_error("corner --colors 2 --algorithm scanline --hash xxh64 --window 0 0 1 1",

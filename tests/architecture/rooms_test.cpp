@@ -31,6 +31,7 @@ const std::map<std::string, Names> rooms{
     {"results", {"analysis", "tiles", "base"}},
     {"host", {"results", "kernels", "analysis", "tiles", "base"}},
     {"reports", {"results", "analysis", "tiles", "base"}},
+    {"python", {"host", "reports", "results", "analysis", "tiles", "base"}},
     {"app", {"host", "reports", "results", "analysis", "tiles", "base"}},
 };
 

@@ -34,12 +34,12 @@ void sector_darts(benchmark::State& state, const char* variant)
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
 }
 
-/// 16,384 points at a relative radius of 0.75.
-void darts(benchmark::State& state, const char* method)
+/// 16,384 points by a sampler that is made before, with its tables.
+void sets_of(benchmark::State& state, const char* method, const char* key, const ParameterValue& value)
 {
     const SamplerSpec& spec = *find_sampler(method);
     Parameters parameters(spec.parameters);
-    parameters.set("relative_radius", 0.75, {});
+    parameters.set(key, value, {});
     Device device = Device::open();
     const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, [&]() -> Device& { return device; });
     std::uint32_t realization = 0;
@@ -47,7 +47,16 @@ void darts(benchmark::State& state, const char* method)
     for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
 }
 
-/// From a table that is built: it does not matter for the time which one.
+/// At a relative radius of 0.75.
+void darts(benchmark::State& state, const char* method) { sets_of(state, method, "relative_radius", 0.75); }
+
+/// Asked: less than 15 ms.
+void polyomino_sets(benchmark::State& state, const char* variant)
+{
+    sets_of(state, "polyominoes", "variant", std::string(variant));
+}
+
+/// The table is built; it does not matter for the time which one it is.
 void penrose_points(benchmark::State& state)
 {
     const PenroseTiling tiling{PenroseTable{}};
@@ -99,18 +108,8 @@ BENCHMARK_CAPTURE(recursive_points, density, 1'000'000, density_of_formula("gaus
     ->Repetitions(9)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-/// From built tables: the sampler is made before. Asked: less than 15 ms.
-void polyomino_sets(benchmark::State& state, const char* variant)
-{
-    const SamplerSpec& spec = *find_sampler("polyominoes");
-    Parameters parameters(spec.parameters);
-    parameters.set("variant", std::string(variant), {});
-    const auto sampler = spec.create(parameters, {16'384, 2, 1}, Engine::opencl, {});
-    std::uint32_t realization = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(sampler->sample(realization++));
-}
 
-/// From nothing. Asked: less than 60 s.
+/// The table is built from nothing. Asked: less than 60 s.
 void polyomino_table(benchmark::State& state, Polyomino shape)
 {
     for (auto _ : state) benchmark::DoNotOptimize(cached_polyomino_table(shape, {}));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t threads = 2;
 
-/// How many points are thrown where their number is given.
+/// The number of points that are thrown where their number is given.
 constexpr std::size_t points_in(int dimension) { return dimension == 2 ? 16'384 : 65'536; }
 
 template <int D>

@@ -3,13 +3,14 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007: 3,200 lights in about 150 ms (figure 7.1), a look-up as costly
 // as five calls of Perlin's noise in 2D and twenty in 3D (7.6.2.1), 20 points searched in three and a half days
-// (4.7.2.2).
+// (4.7.2.2), some 40,000 dots of a picture in about 80 ms (figure 7.4).
 #include "host/distribution/even_points.hpp"
 #include "host/distribution/object_shapes.hpp"
+#include "host/distribution/perlin_noise.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_search.hpp"
 #include "host/distribution/sky_lights.hpp"
-#include "tests/bench/perlin_noise.hpp"
+#include "host/distribution/stipple.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -50,7 +51,7 @@ const SquarePoints& random_square()
     return points;
 }
 
-/// What one would write: sums as they are, two binary searches, two divisions.
+/// The program that one would write: sums as they are, two binary searches, two divisions.
 void warp_plainly(benchmark::State& state)
 {
     const WarpTable table(hills());
@@ -94,7 +95,7 @@ void warp_by_kernel(benchmark::State& state)
 
 PoissonTileSet shipped(const char* name) { return read_tile_set(source_folder() + "/runtime/tile_sets/" + name); }
 
-/// From a file of floating-point colours to the files of places and lights. The tiles are there.
+/// The way from a file of floating-point colours to the files of places and lights. The tiles are there.
 void lights_of_a_sky(benchmark::State& state)
 {
     const TemporaryFolder folder;
@@ -116,10 +117,28 @@ void lights_of_a_sky(benchmark::State& state)
     for (auto _ : state) {
         const LinearPicture map = sky_map(map_file.string());
         const Density density = sky_density(map, "sky");
-        const PixelPlaces places = warp_points(density, even_points(tiles, 3200, 2, 1, 1, place), place);
+        const PixelPlaces places = warp_points(density, even_points(tiles, 3200, 2, 1, 1, place, Seam::closed), place);
         write_places(folder.path() / "places.npy", places, 1024, "");
         std::ofstream(folder.path() / "lights.csv") << lights_text(sky_lights(map, places));
     }
+}
+
+/// A picture of 1,024 x 1,024 pixels in memory becomes 40,000 dots, by warping or by ranks; pictures are not drawn.
+void stipple_40000_dots(benchmark::State& state, bool by_ranks)
+{
+    static Device device = Device::open();
+    const DistributionPlace place{Engine::opencl, []() -> Device& { return device; }};
+    InkPicture picture{{1024, 1024, {}}, hills(), 0};
+    for (const std::uint64_t weight : hills().weights) {
+        picture.ink.values.push_back(0.5 * static_cast<double>(weight) / static_cast<double>(full_weight));
+        picture.total += picture.ink.values.back();
+    }
+    StippleSettings settings;
+    settings.points = 40'000;
+    settings.by_ranks = by_ranks;
+    settings.method.tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+    stipple(picture, settings, 1, place); // builds kernels
+    for (auto _ : state) benchmark::DoNotOptimize(stipple(picture, settings, 1, place).marks.disks.size());
 }
 
 /// Places without order, or along rows that are a thirtieth of the points' distance apart.
@@ -142,7 +161,7 @@ struct Places
 template <int dimension>
 void perlin(benchmark::State& state, bool along_rows)
 {
-    const bench::PerlinNoise noise;
+    const PerlinNoise noise;
     const Places<dimension> places(along_rows);
     for (auto _ : state) {
         double sum = 0;
@@ -200,21 +219,27 @@ void search_of_20_points(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(search_self_similar(device, 20, 0.65));
 }
 
+constexpr auto perlin_2d = perlin<2>, perlin_3d = perlin<3>;
+constexpr auto objects_2d = objects<2>, objects_3d = objects<3>;
+constexpr auto nearest_2d = nearest<2>, nearest_3d = nearest<3>;
+
 BENCHMARK(warp_plainly)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(warp_by_kernel)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lights_of_a_sky)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(perlin<2>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(perlin<2>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(perlin<3>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(perlin<3>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(objects<2>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(objects<2>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(objects<3>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(objects<3>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(nearest<2>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(nearest<2>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(nearest<3>, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(nearest<3>, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stipple_40000_dots, warping, false)->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stipple_40000_dots, ranks, true)->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(perlin_2d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(perlin_2d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(perlin_3d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(perlin_3d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(objects_2d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(objects_2d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(objects_3d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(objects_3d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(nearest_2d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(nearest_2d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(nearest_3d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(nearest_3d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
 BENCHMARK(search_of_20_points)->Iterations(1)->Repetitions(3)->Unit(benchmark::kSecond)->UseRealTime();
 
 }
@@ -224,12 +249,16 @@ int main(int argc, char** argv)
     return poissonlab::bench::run_benchmarks(
         argc, argv,
         {{"warping: speed over plain binary searches", "warp_plainly/", "warp_by_kernel/", 8},
-         {"objects in 2D: Perlin's noise / a look-up, random order", "perlin<2>/random/", "objects<2>/random/", 0.2},
-         {"objects in 2D: Perlin's noise / a look-up, along rows", "perlin<2>/rows/", "objects<2>/rows/", 0},
-         {"objects in 3D: Perlin's noise / a look-up, random order", "perlin<3>/random/", "objects<3>/random/", 0.05},
-         {"objects in 3D: Perlin's noise / a look-up, along rows", "perlin<3>/rows/", "objects<3>/rows/", 0},
-         {"objects in 2D: speed over the nearest point, random order", "nearest<2>/random/", "objects<2>/random/", 0},
-         {"objects in 2D: speed over the nearest point, along rows", "nearest<2>/rows/", "objects<2>/rows/", 2},
-         {"objects in 3D: speed over the nearest point, random order", "nearest<3>/random/", "objects<3>/random/", 0},
-         {"objects in 3D: speed over the nearest point, along rows", "nearest<3>/rows/", "objects<3>/rows/", 0}});
+         {"objects in 2D: Perlin's noise / a look-up, random order", "perlin_2d/random/", "objects_2d/random/", 0.2},
+         {"objects in 2D: Perlin's noise / a look-up, along rows", "perlin_2d/rows/", "objects_2d/rows/", 0},
+         {"objects in 3D: Perlin's noise / a look-up, random order", "perlin_3d/random/", "objects_3d/random/", 0.05},
+         {"objects in 3D: Perlin's noise / a look-up, along rows", "perlin_3d/rows/", "objects_3d/rows/", 0},
+         {"objects in 2D: speed over the nearest point, random order", "nearest_2d/random/", "objects_2d/random/", 0},
+         {"objects in 2D: speed over the nearest point, along rows", "nearest_2d/rows/", "objects_2d/rows/", 2},
+         {"objects in 3D: speed over the nearest point, random order", "nearest_3d/random/", "objects_3d/random/", 0},
+         {"objects in 3D: speed over the nearest point, along rows", "nearest_3d/rows/", "objects_3d/rows/", 0}},
+        {{"lights of a sky, 1,024 x 512 pixels, 3,200 lights, from file to file (ms)", "lights_of_a_sky/", 150},
+         {"stippling, 1,024 x 1,024 pixels, 40,000 dots by warping (ms)", "stipple_40000_dots/warping/", 80},
+         {"stippling, 1,024 x 1,024 pixels, 40,000 dots by ranks (ms)", "stipple_40000_dots/ranks/", 80},
+         {"the search of 20 points (s)", "search_of_20_points/", 10}});
 }

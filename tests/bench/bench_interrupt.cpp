@@ -1,4 +1,4 @@
-// How long the program takes to end after Ctrl-C, at random moments of its longest pieces of work: a second at
+// The time that the program takes to end after Ctrl-C, at random moments of its longest pieces of work: a second at
 // most, or this benchmark fails.
 #include "tests/support/started_program.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,4 +1,4 @@
-// What it costs to store every unit of work, and what a second process brings.
+// The cost of storing every unit of work, and the gain of a second process.
 //
 // Plain: the same 1,000 sets of 4,096 points, made, written and analysed by a loop without units, schedule and
 // checksums. Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work

@@ -1,8 +1,12 @@
-// Texture tiles: candidates by transforms against all products, and whole sets.
+// Texture tiles: candidates by transforms against all products, whole sets, and views of the endless plane against
+// those of a texture that repeats.
 //
 // Targets: the candidates of a piece of 64 x 64 pixels in an exemplar of 512 x 512 in a twentieth of the time that the
-// plain sums take; a complete set of corner tiles over three colours in a second, over four in three, on two cores.
+// plain sums take; a complete set of corner tiles over three colours in a second, over four in three, on two cores; a
+// view of the plane in 2.5 times what the atlas takes that repeats, with the same filter, packed or exact.
+#include "host/device/device.hpp"
 #include "host/texture/texture_build.hpp"
+#include "host/texture/texture_map.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
@@ -56,6 +60,30 @@ void corner_set(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(build_texture(request, exemplar(), go_on).cost);
 }
 
+/// The plane to the horizon, full screen. Ranges: look-up and filter.
+void plane(benchmark::State& state)
+{
+    static const TexturePyramid pyramid = [] {
+        TextureRequest request;
+        request.colors = {3, 3};
+        request.attempts = request.candidates = 1;
+        return texture_pyramid(
+            build_texture(request, exemplar(), [](const std::string&, std::size_t, std::size_t) {}).set, 1);
+    }();
+    TextureCamera camera;
+    camera.width = 1280;
+    camera.height = 720;
+    camera.filter = static_cast<TextureFilter>(state.range(1));
+    const TextureView view = view_of(camera);
+    const auto lookup = static_cast<TextureLookup>(state.range(0));
+    Device device = Device::open();
+    map_texture(device, pyramid, lookup, view, default_work_group_size); // builds the kernel
+    for (auto _ : state)
+        benchmark::DoNotOptimize(map_texture(device, pyramid, lookup, view, default_work_group_size).data());
+}
+
+/// Look-ups packed, exact and repeated; filters bilinear, mipmap and anisotropic.
+BENCHMARK(plane)->ArgsProduct({{0, 1, 3}, {1, 2, 3}})->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
 BENCHMARK(sums_by_transforms)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
 BENCHMARK(sums_one_by_one)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
 BENCHMARK(corner_set)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond)->Repetitions(3)->UseRealTime();
@@ -65,5 +93,13 @@ BENCHMARK(corner_set)->Arg(3)->Arg(4)->Unit(benchmark::kMillisecond)->Repetition
 int main(int argc, char** argv)
 {
     return poissonlab::bench::run_benchmarks(
-        argc, argv, {{"sums one by one / by transforms", "sums_one_by_one/", "sums_by_transforms/", 20}});
+        argc, argv,
+        {{"sums one by one / by transforms", "sums_one_by_one/", "sums_by_transforms/", 20},
+         {"repeated / packed, bilinear", "plane/3/1", "plane/0/1", 1 / 2.5},
+         {"repeated / packed, mipmap", "plane/3/2", "plane/0/2", 1 / 2.5},
+         {"repeated / packed, anisotropic", "plane/3/3", "plane/0/3", 1 / 2.5},
+         {"repeated / exact, bilinear", "plane/3/1", "plane/1/1", 1 / 2.5},
+         {"repeated / exact, mipmap", "plane/3/2", "plane/1/2", 1 / 2.5},
+         {"repeated / exact, anisotropic", "plane/3/3", "plane/1/3", 1 / 2.5}},
+        {{"corner tiles of 3 colours, ms", "corner_set/3", 1000}, {"of 4 colours, ms", "corner_set/4", 3000}});
 }

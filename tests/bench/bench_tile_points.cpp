@@ -72,7 +72,7 @@ void tile_points(benchmark::State& state, std::uint32_t colors)
     state.SetItemsProcessed(point_count * state.iterations());
 }
 
-/// As an engine would: the file, then 16 x 16 tiles.
+/// An engine would read the file, then take 16 x 16 tiles.
 void load_and_place_16384(benchmark::State& state)
 {
     const TemporaryFolder folder;

@@ -19,7 +19,7 @@ std::vector<std::string> overrides_in(std::string_view text)
     return overrides;
 }
 
-/// Whether planning a sampler looks at files and programs of this machine.
+/// True if planning a sampler looks at files and programs of this machine.
 bool looks_outside(const SamplerSpec& sampler) { return sampler.name == "file" || sampler.name == "command"; }
 
 bool looks_outside(const ParameterValue& value)
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const std::string text(reinterpret_cast<const char*>(data), size);
     const auto overrides = fuzz::overrides_in(text);
 
-    // What is wrong with an argument has its place there.
+    // An error of an argument has its place there.
     const std::string place = overrides.empty() ? "c.toml" : "";
     Config config;
     if (!fuzz::accepts(place, [&] { config = parse_config(text, "c.toml", overrides); })) return 0;

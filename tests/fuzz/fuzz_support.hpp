@@ -1,6 +1,6 @@
-// What every fuzz target holds the program to: any input is either accepted, or refused with an InputError that a
-// person can read. Whatever else comes out (other exceptions, crashes, what sanitizers see, hours, gigabytes) is a
-// finding.
+// The rule that every fuzz target holds the program to: any input is either accepted, or refused with an InputError
+// that a person can read. Whatever else comes out (other exceptions, crashes, what sanitizers see, hours, gigabytes) is
+// a finding.
 #pragma once
 
 #include "base/errors/errors.hpp"
@@ -30,5 +30,5 @@ std::filesystem::path write_input(const std::string& name, std::string_view cont
 
 }
 
-/// What libFuzzer calls with each input. Returns 0.
+/// LibFuzzer calls this with each input. Returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size);

@@ -1,5 +1,5 @@
-// What runs fuzz targets where there is no libFuzzer: every file of the corpus, then changes of these that follow from
-// a seed. Takes libFuzzer's options `-runs=`, `-seed=` and `-seed_inputs=@`, and ignores the others.
+// A program that runs fuzz targets where there is no libFuzzer: every file of the corpus, then changes of these that
+// follow from a seed. Takes libFuzzer's options `-runs=`, `-seed=` and `-seed_inputs=@`, and ignores the others.
 #include "base/files/whole_file.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 

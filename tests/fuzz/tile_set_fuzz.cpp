@@ -96,7 +96,7 @@ void check_lookup(const PoissonTileSet& set)
     }
 }
 
-/// What engines do with the file's bytes, without the help of the reader above.
+/// The engines' use of the file's bytes, without the help of the reader above.
 void check_runtime(std::string_view bytes)
 {
     std::vector<std::uint16_t> at_even_address(bytes.size() / 2 + 1);

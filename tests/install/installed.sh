@@ -25,21 +25,36 @@ cd "$folder"
 
 # The program finds its pictures module, and shipped configs and tile sets are what it reads.
 program=$prefix/bin/poissonlab
-"$program" --version | grep -q '^poissonlab [0-9]' || fail "no version"
-"$program" --version | grep -q 'OpenImageIO' || fail "the version does not say what was built in"
+"$program" --version >version
+grep -q '^poissonlab [0-9]' version || fail "no version"
+grep -q 'OpenImageIO' version || fail "the version does not say what was built in"
 "$program" run "$prefix/share/poissonlab/configs/quick.toml" --set analysis.points=256 --set analysis.realizations=2 \
   --out out --quiet
 [[ -s out/index.html ]] || fail "no report"
 for file in "$prefix"/share/poissonlab/tile_sets/*-c3-*.ptiles; do "$program" tiles verify "$file" >/dev/null; done
 
 # The manual page has every command, and is written as man likes it.
-page=$prefix/share/man/man1/poissonlab.1.gz
+zcat "$prefix/share/man/man1/poissonlab.1.gz" >page.1
 for name in run analyze 'tiles build' samplers; do
-  zcat "$page" | grep -qx ".SS ${name}" || fail "the manual page lacks $name"
+  grep -qx ".SS ${name}" page.1 || fail "the manual page lacks $name"
 done
 if command -v groff >/dev/null; then
-  warnings=$(zcat "$page" | groff -man -Tutf8 -ww -z 2>&1)
+  warnings=$(groff -man -Tutf8 -ww -z page.1 2>&1)
   [[ -z $warnings ]] || fail "groff warns: $warnings"
+fi
+
+# The Python package imports from where it is, and finds the pictures module there.
+if grep -qx 'POISSONLAB_PYTHON:BOOL=ON' "$build/CMakeCache.txt"; then
+  PYTHONPATH=$prefix/lib/python3/dist-packages /usr/bin/python3 -W error - "$prefix" <<'END'
+import sys
+import poissonlab
+points = poissonlab.DartThrowing(relative_radius=0.7).random(200)
+assert poissonlab.analyze(points).figure().count("<img") == 4
+with open("/proc/self/maps") as maps:
+    modules = [line.split()[-1] for line in maps if "poissonlab" in line]
+assert any(name.endswith("/libpoissonlab_pictures.so") for name in modules), modules
+assert all(name.startswith(sys.argv[1]) for name in modules), modules
+END
 fi
 
 # Ten lines of C use the headers.
@@ -90,12 +105,14 @@ use_by_cmake "$folder/headers" ten/headers
 if command -v dpkg-shlibdeps >/dev/null && command -v file >/dev/null; then
   "${cmake%cmake}cpack" -G DEB --config "$build/CPackConfig.cmake" -B package >"$folder/log"
   depends=$(dpkg-deb --field package/*.deb Depends)
-  for name in 'pocl-opencl-icd | opencl-icd' 'libopenimageio2.4 (' 'gnuplot-nox | gnuplot' 'ocl-icd-libopencl1'; do
+  names=('pocl-opencl-icd | opencl-icd' 'libopenimageio2.4 (' 'gnuplot-nox | gnuplot' 'ocl-icd-libopencl1')
+  if [[ -e $prefix/lib/python3 ]]; then names+=(python3-numpy 'python3 (<< 3.'); fi
+  for name in "${names[@]}"; do
     [[ $depends == *"$name"* ]] || fail "the package does not depend on $name: $depends"
   done
   dpkg-deb --extract package/*.deb extracted
   [[ $(cd extracted && find . -type f | grep -v copyright | sort) == $(cd "$folder/moved" && find . -type f |
-    sed 's|^\./|./usr/|' | grep -v copyright | sort) ]] || fail "the package holds other files than an installation"
+    sed 's|^\./|./usr/|' | grep -v -e copyright -e __pycache__ | sort) ]] || fail "the package holds other files than an installation"
 fi
 
 # Uninstalling takes what was written and leaves what others wrote.

@@ -8,6 +8,7 @@
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
 #include "kernels/common/self_similar.h"
+#include "kernels/common/texture_map.h"
 #include "kernels/common/tile_filling.h"
 #include "kernels/common/tile_points.h"
 #include "kernels/common/voronoi_darts.h"
@@ -25,7 +26,7 @@ namespace {
 
 using testing::ElementsAreArray;
 
-/// What expressions of OpenCL C are, after a file and with the constants that it needs.
+/// The values of expressions of OpenCL C, after a file and with the constants that it needs.
 std::vector<std::uint32_t> on_device(const std::string& file, const std::vector<std::string>& expressions)
 {
     std::string text = kernel_source(file) + "kernel void tell(global uint* values) {";
@@ -68,6 +69,15 @@ TEST(Contract, OfMaskedSquares)
     const std::size_t layout[] = {LAYOUT_OF(contract::masked_squares::MaskedSquaresSizes, rows)};
     EXPECT_THAT(on_device("kernels/common/masked_squares.h", layout_of("MaskedSquaresSizes", "rows")),
                 ElementsAreArray(layout));
+}
+
+TEST(Contract, OfTextureMap)
+{
+    const std::size_t view[] = {LAYOUT_OF(contract::texture_map::TextureView, filter)};
+    EXPECT_THAT(on_device("kernels/common/texture_map.h", layout_of("TextureView", "filter")), ElementsAreArray(view));
+    const std::size_t levels[] = {LAYOUT_OF(contract::texture_map::TextureLevels, offsets)};
+    EXPECT_THAT(on_device("kernels/common/texture_map.h", layout_of("TextureLevels", "offsets")),
+                ElementsAreArray(levels));
 }
 
 TEST(Contract, OfRelaxationDartThrowing)

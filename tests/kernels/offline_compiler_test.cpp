@@ -60,7 +60,7 @@ TEST_P(OfflineCompiler, TakesHeadersForOtherPrograms)
         EXPECT_THAT(errors_of(file, "", GetParam()), IsEmpty());
 }
 
-/// What it must not take: a kernel that includes one of ours, and has a mistake.
+/// The compiler must not take this: a kernel that includes one of ours, and has a mistake.
 TEST_P(OfflineCompiler, FindsMistakes)
 {
     const TemporaryFolder folder;

@@ -29,7 +29,7 @@ inline void expect_one_line(const Outcome& outcome, int status, const std::strin
     EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
 }
 
-/// What is the same in every run of a config: point sets, tables, spectra and pictures, but no times.
+/// The part that is the same in every run of a config: point sets, tables, spectra and pictures, but no times.
 inline std::map<std::string, std::string> lasting_files(const std::filesystem::path& folder)
 {
     auto files = files_below(folder);
@@ -91,7 +91,7 @@ protected:
                 content_of(path("shell.error"))};
     }
 
-    /// How many calls a command makes that the settings let fail.
+    /// The number of calls that a command makes and that the settings let fail.
     long calls(const std::vector<std::string>& arguments, const std::string& settings) const
     {
         const auto file = path("calls");

@@ -12,7 +12,7 @@ class PathLuck : public BadLuck, public ::testing::WithParamInterface<std::strin
 {
 };
 
-/// Of the current folder, the config, the output, the cache, point files and tile sets.
+/// Paths of the current folder, the config, the output, the cache, point files and tile sets.
 TEST_P(PathLuck, IsNoMatter)
 {
     const std::string word = GetParam();

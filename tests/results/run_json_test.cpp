@@ -31,6 +31,7 @@ protected:
         run.tilings = {tiling(), tile_set()};
         run.constructions = {construction()};
         run.distributions = {distribution()};
+        run.schemes = {scheme()};
         return run;
     }
 
@@ -62,6 +63,7 @@ protected:
         series.radial_file = file("radial.csv");
         series.background_anisotropy_db = -3.01;
         series.pair_correlation_file = file("pair-correlation.csv");
+        series.folded_density = FoldedDensityFile{42, file("folded-density.exr")};
         series.iterations =
             Iterations{file("iterations.csv"), {2, 1}, {{1, 2}, {3, 4}, {5, 6}}, {{7, 8}, {9, 1}, {2, 3}}};
         series.zone_plate = ZonePlateResult{8, file("zone-plate.exr"), file("zone-plate.csv"),
@@ -146,9 +148,17 @@ protected:
                 "Warped",
                 "warp",
                 {"12 points"},
-                {{"error", "Error", 0.25, "of counts"}},
+                {{"kind", "corner"}},
+                {{"error", "Error", 0.25, "of counts"}, {"seams", "Seams", 1.25, "natural steps", 0.125}},
                 {{file("picture.json"), "All of it."}, {file("ground.png"), ""}},
                 {file("numbers.csv")}};
+    }
+
+    DistributionResult scheme() const
+    {
+        return {"h", "Tables", "aperiodic-tables",
+                {},  {},       {},
+                {},  {},       {{"Table", {"a", "b"}, {{"1", "2"}, {"", "the same"}}}}};
     }
 
     ConstructionResult construction() const

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # runtime/poisson_tiles_gpu.h in a GLSL 4.3 shader: compiled where glslangValidator is there, otherwise only
-# preprocessed, with a look that nothing of OpenCL C is left. As HLSL, for which Debian has no compiler, it is
-# preprocessed, with a look that nothing of GLSL is left; as GLSL ES, see glsl_es_test.cpp.
+# preprocessed, with a look that nothing of OpenCL C is left. As HLSL it is preprocessed, with a look that nothing of GLSL
+# is left, see also hlsl_test.cpp and examples.sh; as GLSL ES, see glsl_es_test.cpp.
 #
 # Usage: compile_glsl.sh HEADER
 set -euo pipefail

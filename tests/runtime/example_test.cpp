@@ -12,7 +12,7 @@
 namespace poissonlab {
 namespace {
 
-/// What the example prints, errors too.
+/// The output of the example, errors too.
 std::string printed(const TemporaryFolder& folder, const std::string& arguments)
 {
     const std::string command =

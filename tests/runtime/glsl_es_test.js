@@ -1,4 +1,4 @@
-// What glsl_es_test.cpp calls: the look-ups of poisson_tiles_gpu.h in WebGL2, pixel by pixel, and those of
+// The script of glsl_es_test.cpp: the look-ups of poisson_tiles_gpu.h in WebGL2, pixel by pixel, and those of
 // poisson_tiles.js. `header` and `bytes` are the header's text and a tile set file.
 "use strict";
 

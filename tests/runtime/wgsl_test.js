@@ -1,5 +1,5 @@
 // The page of wgsl.sh: the look-ups of poisson_tiles.wgsl in WebGPU against those of poisson_tiles.js, for a million places
-// and 16,384 nearest points. `library` and `bytes` are the text and a tile set file. Says on the console what differs.
+// and 16,384 nearest points. `library`, `example` and `bytes` are texts and a tile set file. Says on the console what differs.
 "use strict";
 
 const set = new PoissonTiles.TileSet(bytes);
@@ -93,6 +93,8 @@ async function compare() {
   if (!adapter) return "no WebGPU";
   const device = await adapter.requestDevice();
   device.addEventListener("uncapturederror", (event) => (document.title += ` ${event.error.message}`));
+  const { messages } = await device.createShaderModule({ code: example + library }).getCompilationInfo();
+  for (const message of messages) if (message.type === "error") throw new Error(`the example: ${message.message}`);
   return `different: ${await differences(device, 0, 0)} ${await differences(device, 7, 1000)}; ` +
          `nearest: ${await nearestDifferences(device)}`;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace poissonlab::test {
@@ -9,6 +10,12 @@ namespace poissonlab::test {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Without a graphics card Chromium warns of its own way to bring WebGL to the screen.
+bool is_of_software_graphics(const std::string& text)
+{
+    return text.find("GPU stall due to ReadPixels") != std::string::npos;
+}
 
 std::string file_url(const std::filesystem::path& path)
 {
@@ -29,25 +36,6 @@ bool is_local(const std::string& url)
 {
     return std::ranges::any_of(std::array{"file:", "data:", "blob:", "about:"},
                                [&](const char* scheme) { return url.starts_with(scheme); });
-}
-
-/// The bytes of base64 without blanks.
-std::string from_base64(const std::string& text)
-{
-    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string bytes;
-    unsigned bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        const auto value = alphabet.find(c);
-        if (value == std::string_view::npos) break; // "=": the end
-        bits = bits << 6 | static_cast<unsigned>(value);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes += static_cast<char>(bits >> count & 0xff);
-    }
-    return bytes;
 }
 
 struct Key
@@ -105,6 +93,24 @@ std::string exception_text(const Json& details)
 
 }
 
+std::string from_base64(const std::string& text)
+{
+    constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const auto value = alphabet.find(c);
+        if (value == std::string_view::npos) break; // "=": the end
+        bits = bits << 6 | static_cast<unsigned>(value);
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes += static_cast<char>(bits >> count & 0xff);
+    }
+    return bytes;
+}
+
 Browser::Browser(std::chrono::milliseconds limit)
     : pipe_(limit, [this](const std::string& method, const Json& event) { handle(method, event); })
 {
@@ -129,7 +135,7 @@ void Browser::handle(const std::string& method, const Json& event)
     if (method == "Page.loadEventFired") loaded_ = true;
     if (method == "Runtime.consoleAPICalled") handle_console(event);
     if (method == "Runtime.exceptionThrown") messages_.push_back(exception_text(event["exceptionDetails"]));
-    if (method == "Log.entryAdded")
+    if (method == "Log.entryAdded" && !is_of_software_graphics(event["entry"].value("text", "")))
         messages_.push_back("log: " + event["entry"].value("text", "") + " " + event["entry"].value("url", ""));
     if (method == "Network.requestWillBeSent") {
         const std::string url = event["request"]["url"];
@@ -146,7 +152,7 @@ void Browser::handle(const std::string& method, const Json& event)
 
 void Browser::open(const std::filesystem::path& page, const std::string& fragment)
 {
-    // From a blank page on: what the page before still says is not taken for this one's.
+    // The browser starts from a blank page: what the page before still says is not taken for this one's.
     const auto load = [&](const std::string& url) {
         loaded_ = false;
         const auto outcome = pipe_.command("Page.navigate", {{"url", url}});
@@ -195,6 +201,21 @@ void Browser::click(const std::string& selector, double across, double down)
 {
     point_at(selector, across, down);
     mouse("mousePressed", true);
+    mouse("mouseReleased", true);
+}
+
+void Browser::drag(const std::string& selector, double across, double to_across, double down, double to_down)
+{
+    point_at(selector, across, down);
+    mouse("mousePressed", true);
+    for (const double part : {0.5, 1.0}) {
+        const Json box = evaluate("(() => { const b = document.querySelector(" + Json(selector).dump() +
+                                  ").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()");
+        mouse_x_ = box[0].get<double>() + box[2].get<double>() * std::lerp(across, to_across, part);
+        mouse_y_ = box[1].get<double>() + box[3].get<double>() * std::lerp(down, to_down, part);
+        pipe_.command("Input.dispatchMouseEvent",
+                      {{"type", "mouseMoved"}, {"x", mouse_x_}, {"y", mouse_y_}, {"button", "left"}, {"buttons", 1}});
+    }
     mouse("mouseReleased", true);
 }
 

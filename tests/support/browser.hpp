@@ -11,6 +11,9 @@
 
 namespace poissonlab::test {
 
+/// The bytes of base64 without blanks.
+std::string from_base64(const std::string& text);
+
 /// One browser window with one page. Everything has a time limit; what fails throws BrowserError that says what.
 class Browser
 {
@@ -30,6 +33,9 @@ public:
     /// The same, and presses and releases the left button.
     void click(const std::string& selector, double across = 0.5, double down = 0.5);
 
+    /// Drags the mouse over an element, from one place to another, as for point_at().
+    void drag(const std::string& selector, double across, double to_across, double down, double to_down);
+
     /// Presses and releases a key: a character, or Tab, Enter, Escape, Home, End, ArrowLeft, ArrowRight, ArrowUp,
     /// ArrowDown, Space.
     void press(const std::string& key, bool shift = false);
@@ -41,16 +47,16 @@ public:
     /// "screen" or "print", light or dark.
     void emulate(const std::string& media, bool dark);
 
-    /// What the window shows, as PNG.
+    /// A picture of the window, as PNG.
     std::string screenshot();
 
     /// Console messages, exceptions, the browser's own complaints, and files that could not be loaded.
     const std::vector<std::string>& messages() const { return messages_; }
 
-    /// What was asked for beyond the disk: every URL that is not file:, data:, blob: or about:.
+    /// The requests beyond the disk: every URL that is not file:, data:, blob: or about:.
     const std::vector<std::string>& requests() const { return requests_; }
 
-    /// How long everything that follows may take.
+    /// The time that everything that follows may take.
     void set_limit(std::chrono::milliseconds limit) { pipe_.set_limit(limit); }
 
     pid_t process() const { return pipe_.process(); }

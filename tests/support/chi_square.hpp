@@ -30,7 +30,7 @@ inline double chi_square_tail(double statistic, double degrees)
     return statistic <= 0 ? 1 : boost::math::gamma_q(degrees / 2, statistic / 2);
 }
 
-/// Whether counts are what chance makes of equal probabilities: neither too far off nor too even. Chance
+/// True if counts are what chance makes of equal probabilities: neither too far off nor too even. Chance
 /// fails one of `comparisons` such tests once in 10,000 runs (Sidak's correction). `excess`: by how much
 /// known, small differences of the probabilities raise the expectation of the statistic.
 inline bool are_equally_likely(std::span<const std::uint64_t> counts, std::size_t comparisons, double excess = 0)

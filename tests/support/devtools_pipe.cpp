@@ -49,6 +49,7 @@ std::vector<std::string> arguments(const std::string& profile)
             "--headless",
             "--no-sandbox",
             "--disable-gpu",
+            "--enable-unsafe-swiftshader", // WebGL without a graphics card
             "--disable-quic",
             "--no-first-run",
             "--disable-background-networking",

@@ -55,7 +55,8 @@ inline PoissonTileSet with_random_ranks(PoissonTileSet set)
     return set;
 }
 
-/// What docs/tile-set-file.md says, but for the checksum and parameters that nothing depends on, which are 0.
+/// The file that docs/tile-set-file.md describes, but for the checksum and parameters that nothing depends on, which
+/// are 0.
 inline std::string tile_set_file_bytes(const PoissonTileSet& set)
 {
     std::string bytes = "PTILES\r\n";

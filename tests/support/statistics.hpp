@@ -1,4 +1,4 @@
-// What stochastic tests need: means with their standard errors, and how far a deviation may go.
+// The tools of stochastic tests: means with their standard errors, and how far a deviation may go.
 #pragma once
 
 #include <cmath>

@@ -20,8 +20,8 @@ __extension__ using Wide = unsigned __int128;
 constexpr int slope_bits = 62;    // of row 0, after the point
 constexpr int fraction_bits = 96; // of a FixedPoint
 
-/// What decides which machine a row has: alpha is in (lowest, highest], and the first machine takes what is not above
-/// `middle`; all in thirds.
+/// The bounds that decide which machine a row has: alpha is in (lowest, highest], and the first machine takes what is
+/// not above `middle`; all in thirds.
 struct SlopeRange
 {
     int lowest, middle, highest;

@@ -53,7 +53,7 @@ struct BeattyRow
     bool operator==(const BeattyRow&) const = default;
 };
 
-/// How a machine multiplies: a carry's number is `factor` floor(x) - `divisor` floor(q x) + `shift`.
+/// A machine's multiplication: a carry's number is `factor` floor(x) - `divisor` floor(q x) + `shift`.
 struct BeattyMachine
 {
     std::int32_t factor = 1;
@@ -66,7 +66,7 @@ struct BeattyMachine
 /// Tiles by the machine of their row and of the next one, their digits 0 to 2 and carries 0 to 3:
 /// ((((machine * 2 + next) * 3 + north) * 3 + south) * 4 + west) * 4 + east.
 inline constexpr std::size_t beatty_table_size = 2 * 2 * 3 * 3 * 4 * 4;
-/// What the table has where there is no tile.
+/// The table's entry where there is no tile.
 inline constexpr std::uint8_t no_beatty_tile = 255;
 using BeattyTable = std::array<std::uint8_t, beatty_table_size>;
 

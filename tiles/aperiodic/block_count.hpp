@@ -1,4 +1,4 @@
-// How many rectangles of tiles fit: what a set can do locally, whether or not a tiling of the plane has it.
+// The number of rectangles of tiles that fit: what a set can do locally, whether or not a tiling of the plane has it.
 #pragma once
 
 #include "tiles/aperiodic/tile_list.hpp"

@@ -155,7 +155,7 @@ bool is_rotation(const std::vector<Color>& a, const std::vector<Color>& b, std::
     return true;
 }
 
-/// How many places to the east a word begins again in another one; its length where it does not.
+/// The number of places to the east at which a word begins again in another one; its length where it does not.
 std::size_t rotation_of(const std::vector<Color>& a, const std::vector<Color>& b)
 {
     std::size_t places = 0;

@@ -27,7 +27,7 @@ struct ComparedColumn
 /// before each column. Throws Interrupted.
 std::vector<ComparedColumn> compare_tables(const std::function<void(const PrintedColumn&)>& on_step = {});
 
-/// What a search for periods found of the corner tiles of a construction.
+/// The finding of a search for periods of the corner tiles of a construction.
 struct SearchedColumn
 {
     std::string title; ///< of the set

@@ -47,7 +47,7 @@ PlanePoint corner_of(const std::vector<PlanePoint>& corners, std::size_t chamber
     return corners[(chamber + 1) / 2 % corners.size()];
 }
 
-/// From the corner of a chamber along its edge.
+/// The direction from the corner of a chamber along its edge.
 PlanePoint along(const std::vector<PlanePoint>& corners, std::size_t chamber)
 {
     return difference(corner_of(corners, other_half(chamber)), corner_of(corners, chamber));

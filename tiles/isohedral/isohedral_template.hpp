@@ -1,5 +1,5 @@
-// What all tilings of an isohedral type have in common: the directions in which the corners of a tile can be moved, how
-// it gets to its neighbours, and which of them make up a translational unit.
+// The data that all tilings of an isohedral type have in common: the directions in which the corners of a tile can be
+// moved, how it gets to its neighbours, and which of them make up a translational unit.
 //
 // Without printed tables: the Laves tile of the type has angles of 360 degrees over the degree of each vertex and a
 // circle that touches all edges. A motion across an edge then has a known linear part, which it keeps however the tile
@@ -20,8 +20,8 @@ namespace poissonlab {
 /// Edges to hop across, one after the other.
 using HopWord = std::vector<std::size_t>;
 
-/// How an edge has the curve that it shares with others: the curve goes from (0, 0) to (1, 0), with the inside of the
-/// tile on its left for y > 0. `is_reversed`: x becomes 1 - x; `is_turned_over`: y becomes -y.
+/// The way in which an edge has the curve that it shares with others: the curve goes from (0, 0) to (1, 0), with the
+/// inside of the tile on its left for y > 0. `is_reversed`: x becomes 1 - x; `is_turned_over`: y becomes -y.
 struct EdgeCurve
 {
     std::size_t curve = 0;

@@ -39,7 +39,7 @@ public:
     }
 
 private:
-    /// From a to b on a circle of one unit, the shorter way.
+    /// The way from a to b on a circle of one unit, the shorter one.
     static std::int32_t distance(std::int32_t a, std::int32_t b)
     {
         const std::int32_t apart = (b - a) & (lattice_unit - 1);

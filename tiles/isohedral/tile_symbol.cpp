@@ -86,7 +86,7 @@ TileSymbol symbol_under(const std::vector<int>& degrees, const std::vector<Symme
 
 std::size_t vertex_of(std::size_t chamber, std::size_t edges) { return (chamber + 1) / 2 % edges; }
 
-/// What s0 and s1 do to classes, and the degree at the vertex of each.
+/// The action of s0 and s1 on classes, and the degree at the vertex of each.
 struct ClassMaps
 {
     std::vector<std::size_t> half, beside;

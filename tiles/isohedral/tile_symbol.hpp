@@ -25,7 +25,7 @@ struct LavesTiling
 /// All of them, in the order of Gruenbaum and Shephard's types.
 const std::vector<LavesTiling>& laves_tilings();
 
-/// What the shape of an edge may be.
+/// The shapes that an edge may have.
 enum class EdgeShape
 {
     free,     ///< J: any

@@ -13,18 +13,17 @@ std::string tile_there(const TilePacking& packing, PackingPlace place)
 
 }
 
-bool fits_east(TileKind kind, Color colors, TileIndex west, TileIndex east)
+bool fits_east(TileKind kind, WangColors colors, TileIndex west, TileIndex east)
 {
-    if (kind == TileKind::wang) return wang_tile(west, {colors, colors}).east == wang_tile(east, {colors, colors}).west;
-    const CornerTile w = corner_tile(west, colors), e = corner_tile(east, colors);
+    if (kind == TileKind::wang) return wang_tile(west, colors).east == wang_tile(east, colors).west;
+    const CornerTile w = corner_tile(west, colors.horizontal), e = corner_tile(east, colors.horizontal);
     return w.north_east == e.north_west && w.south_east == e.south_west;
 }
 
-bool fits_north(TileKind kind, Color colors, TileIndex south, TileIndex north)
+bool fits_north(TileKind kind, WangColors colors, TileIndex south, TileIndex north)
 {
-    if (kind == TileKind::wang)
-        return wang_tile(south, {colors, colors}).north == wang_tile(north, {colors, colors}).south;
-    const CornerTile s = corner_tile(south, colors), n = corner_tile(north, colors);
+    if (kind == TileKind::wang) return wang_tile(south, colors).north == wang_tile(north, colors).south;
+    const CornerTile s = corner_tile(south, colors.horizontal), n = corner_tile(north, colors.horizontal);
     return s.north_east == n.south_east && s.north_west == n.south_west;
 }
 

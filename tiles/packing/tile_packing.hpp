@@ -34,13 +34,21 @@ struct TilePacking
 };
 
 /// True if `east` fits beside `west`: Wang tiles share the colour of an edge, corner tiles those of two corners.
-bool fits_east(TileKind kind, Color colors, TileIndex west, TileIndex east);
+bool fits_east(TileKind kind, WangColors colors, TileIndex west, TileIndex east);
+inline bool fits_east(TileKind kind, Color colors, TileIndex west, TileIndex east)
+{
+    return fits_east(kind, WangColors{colors, colors}, west, east);
+}
 
 /// The same for the tile `north` above `south`.
-bool fits_north(TileKind kind, Color colors, TileIndex south, TileIndex north);
+bool fits_north(TileKind kind, WangColors colors, TileIndex south, TileIndex north);
+inline bool fits_north(TileKind kind, Color colors, TileIndex south, TileIndex north)
+{
+    return fits_north(kind, WangColors{colors, colors}, south, north);
+}
 
 /// One line on the first mistake from the south-west: a tile that is there twice, or neighbours that do not fit.
-/// Nothing for a packing. The list must have C^4 tiles of the set.
+/// Empty for a packing. The list must have C^4 tiles of the set.
 std::optional<std::string> packing_fault(const TilePacking& packing);
 
 /// The corner colours at the lattice points of a packing of corner tiles, rows from south to north: (x, y) is the lower

@@ -22,7 +22,7 @@ void find_chain_closure(const ChainPieces& pieces, std::uint32_t tile, Closure& 
     closure.points.insert(closure.points.end(), pieces.interiors[tile].begin(), pieces.interiors[tile].end());
 }
 
-/// What is wrong with a tile's border or its inside; empty: nothing.
+/// The fault of a tile's border or its inside; empty: there is none.
 std::string fault_of_tile(const ChainPieces& pieces, std::uint32_t tile)
 {
     const std::vector<UnitPosition> polygon = border_polygon(pieces, tile);
@@ -66,7 +66,7 @@ std::int64_t clearance(const ChainPieces& pieces)
     return least;
 }
 
-/// How far shared points are from their lattice point or edge, at most.
+/// The largest distance of shared points from their lattice point or edge.
 struct Wander
 {
     std::int64_t corner = 0;                             ///< along either axis

@@ -9,8 +9,8 @@
 
 namespace poissonlab {
 
-/// As certify(), for sets with chains. Throws InputError, a sentence that starts with the tile or the chain, where the
-/// theorem does not hold.
+/// The same as certify(), for sets with chains. Throws InputError, a sentence that starts with the tile or the chain,
+/// where the theorem does not hold.
 TileCertificate certify_chains(const PoissonTileSet& set);
 
 }

@@ -18,7 +18,7 @@ std::int64_t turn(const UnitPosition& a, const UnitPosition& b, const UnitPositi
 
 int sign(std::int64_t value) { return (value > 0) - (value < 0); }
 
-/// Whether a point that is in line with a segment is on it.
+/// True if a point that is in line with a segment is on it.
 bool is_between(const UnitPosition& a, const UnitPosition& b, const UnitPosition& point)
 {
     for (std::size_t k = 0; k < 2; ++k)
@@ -26,7 +26,7 @@ bool is_between(const UnitPosition& a, const UnitPosition& b, const UnitPosition
     return true;
 }
 
-/// Whether two closed segments have a point in common.
+/// True if two closed segments have a point in common.
 bool do_meet(const UnitPosition& a, const UnitPosition& b, const UnitPosition& c, const UnitPosition& d)
 {
     const int abc = sign(turn(a, b, c)), abd = sign(turn(a, b, d)), cda = sign(turn(c, d, a)),

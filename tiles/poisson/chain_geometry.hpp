@@ -1,4 +1,4 @@
-// What chains must keep so that tiles on both sides of them need not know of each other: docs/chain-tiles.md.
+// The rules that chains must keep so that tiles on both sides of them need not know of each other: docs/chain-tiles.md.
 //
 // All of it is decided in whole numbers. D is the minimum distance 2 r of points, given as its square.
 #pragma once
@@ -30,7 +30,7 @@ bool is_in_cone(const UnitPosition& point, const UnitPosition& corner, std::size
 /// A point is at most half a tile less r away from the edge that its chain goes along; relative to the chain's base.
 bool is_near_edge(const UnitPosition& point, std::size_t direction, std::int64_t squared_distance);
 
-/// What is wrong with a chain by itself, if anything, as the end of a sentence: links, cones, distance from its edge.
+/// The fault of a chain by itself, if anything, as the end of a sentence: links, cones, distance from its edge.
 std::optional<std::string> fault_of_chain(const ChainPieces& pieces, std::size_t direction, std::uint32_t lower,
                                           std::uint32_t upper, std::int64_t squared_distance);
 
@@ -38,10 +38,10 @@ std::optional<std::string> fault_of_chain(const ChainPieces& pieces, std::size_t
 std::int64_t squared_clearance(const ChainPieces& pieces, std::size_t direction, std::uint32_t lower,
                                std::uint32_t upper);
 
-/// Whether a point lies strictly inside of a simple polygon.
+/// True if a point lies strictly inside of a simple polygon.
 bool is_strictly_inside(std::span<const UnitPosition> polygon, const UnitPosition& point);
 
-/// Whether a closed polygon neither touches nor crosses itself.
+/// True if a closed polygon neither touches nor crosses itself.
 bool is_simple(std::span<const UnitPosition> polygon);
 
 /// Twice the area of a polygon, positive when it goes counter-clockwise.

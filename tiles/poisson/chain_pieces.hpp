@@ -66,7 +66,7 @@ std::array<UnitPosition, 2> chain_ends(const ChainPieces& pieces, const PlacedCh
 /// The border of a tile: its points, corners among them, counter-clockwise from the lower left corner on.
 std::vector<UnitPosition> border_polygon(const ChainPieces& pieces, std::uint32_t tile);
 
-/// How many points lie inside a tile: as many as make up for its corner and its two own chains. Negative: there are
+/// The number of points inside a tile: as many as make up for its corner and its two own chains. Negative: there are
 /// too many of these.
 std::int64_t interior_size(const ChainPieces& pieces, std::uint32_t tile, std::uint32_t points_per_tile);
 

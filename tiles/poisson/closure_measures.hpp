@@ -1,4 +1,4 @@
-// What is measured in the closures of all tiles of a set: the points of a tile with all shared pieces around it.
+// Measures in the closures of all tiles of a set: the points of a tile with all shared pieces around it.
 #pragma once
 
 #include "tiles/poisson/tile_certificate.hpp"

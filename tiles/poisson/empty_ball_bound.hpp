@@ -38,7 +38,7 @@ private:
 
     void take(std::span<const UnitPosition> points, double known);
 
-    /// How deep a place is in the polygon; outside of it negative.
+    /// The depth of a place in the polygon; outside of it negative.
     double depth(const std::array<double, 3>& place) const;
 
     template <unsigned Dimension>

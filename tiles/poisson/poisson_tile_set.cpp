@@ -40,7 +40,7 @@ InputError refused(const char* key, const Value& value, const std::string& allow
     return invalid_value({}, key, fmt::format("{}", value), allowed);
 }
 
-/// What is only for some borders, and what chains are not for.
+/// Checks of parameters that are only for some borders, and of sets that chains are not for.
 void check_border(const PoissonTileParameters& p)
 {
     const bool has_chains = p.border == TileBorder::chain;

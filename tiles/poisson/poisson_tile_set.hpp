@@ -52,7 +52,7 @@ inline constexpr WordTable<TileFilling, 2> tile_fillings{
     {{{TileFilling::dart_throwing, "dart-throwing"},
       {TileFilling::relaxation_dart_throwing, "relaxation-dart-throwing"}}}};
 
-/// What is between tiles, whose points all of them share that have it.
+/// The kinds of borders between tiles, whose points all of them share that have it.
 enum class TileBorder : std::uint32_t
 {
     strip = 0, ///< all points within a radius of an edge, and more of them at corners: regions, sections 4.3 to 4.6
@@ -116,7 +116,7 @@ void check(const PoissonTileParameters& parameters);
 /// A point in units, relative to the lower corner of a tile or the base of a cell; 2D: z is 0.
 using UnitPosition = std::array<std::int32_t, 3>;
 
-/// What a stored coordinate means: low + step times it, in units.
+/// The meaning of a stored coordinate: low + step times it, in units.
 struct StoredScale
 {
     std::int32_t low = 0;
@@ -148,8 +148,8 @@ struct PoissonTileSet
     /// that go up, each by the colours of their lower and their upper end, the upper one counting fast.
     std::vector<std::uint16_t> chain_lengths = {};
 
-    /// Of each point in its tile, in the order of points: those of lower rank alone are spread evenly, too, in every
-    /// tiling. Empty: the set is not ranked.
+    /// The rank of each point in its tile, in the order of points: those of lower rank alone are spread evenly, too, in
+    /// every tiling. Empty: the set is not ranked.
     std::vector<std::uint16_t> ranks = {};
 
     /// The coordinates of a tile's points as they are stored.
@@ -177,7 +177,7 @@ struct PoissonTileSet
 /// once; or there are none, and the parameters say so.
 void check_ranks(const PoissonTileSet& set);
 
-/// How far points are outside of their tile's square at most along any axis, in units.
+/// The largest distance of points from their tile's square along any axis, in units.
 struct Overhang
 {
     std::int32_t below = 0;

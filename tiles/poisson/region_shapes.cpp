@@ -77,7 +77,7 @@ public:
     {}
 
     /// Cuts off where the sum of distances along `count` of the axes in `mask` passes a limit, on all sides.
-    /// Of axes that the cell has not: distances from it, at most the limit. Of its own: from its ends, at
+    /// Along axes that the cell has not: distances from it, at most the limit. Along its own: from its ends, at
     /// least the limit.
     void cut(unsigned mask, int count, double limit)
     {

@@ -10,6 +10,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -117,6 +118,18 @@ TileCertificate certify(const PoissonTileSet& set)
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chains));
     check_ranks(set);
     return p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
+}
+
+void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
+                    const TileCertificate& certificate)
+{
+    const std::uint64_t proven = certificate.squared_min_distance;
+    if (stored_squared_distance > proven)
+        throw InputError(fmt::format("guarantees a squared minimum distance of {}: must be at most {}, which is proven",
+                                     stored_squared_distance, proven));
+    if (proven < asked_squared_distance(parameters))
+        throw InputError(fmt::format("relative_radius = {}: must be at most {:.6f}, which is proven",
+                                     parameters.relative_radius, std::floor(certificate.relative_radius * 1e6) / 1e6));
 }
 
 }

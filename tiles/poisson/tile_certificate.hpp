@@ -59,4 +59,9 @@ struct TileCertificate
 /// that should share points near a corner, an edge or a face do not, or a tile has two equal points.
 TileCertificate certify(const PoissonTileSet& set);
 
+/// Throws InputError, a sentence, where the file of a set promises more than its certificate proves: by the squared
+/// minimum distance that it states, or by its relative radius.
+void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
+                    const TileCertificate& certificate);
+
 }

@@ -11,7 +11,7 @@ namespace poissonlab {
 
 /// Reads a tile set, binary or JSON, told apart by content. Throws InputError, one line that starts with the
 /// path, for files that cannot be read, are something else, are damaged, or hold a set that cannot be.
-/// Whether the stored minimum distance is true is for certify() to say.
+/// The stored minimum distance is for certify() to prove.
 PoissonTileSet read_tile_set(const std::filesystem::path& path);
 
 /// Writes a tile set whole or not at all: JSON where the extension is ".json", else binary. Throws

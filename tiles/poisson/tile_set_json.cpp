@@ -114,7 +114,7 @@ bool bool_at(const Json& json, const char* key)
     return value.get<bool>();
 }
 
-/// What a word names.
+/// The value that a word names.
 template <typename Enum, std::size_t N>
 Enum word_at(const Json& json, const char* key, const WordTable<Enum, N>& words)
 {

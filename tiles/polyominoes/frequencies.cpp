@@ -8,7 +8,7 @@ namespace {
 
 constexpr int divisions = 4;
 
-/// What keeps its place among the others while it dies out.
+/// A share that keeps its place among the others while it dies out.
 constexpr double least_frequency = 1e-6;
 
 /// A class or pair, and one that follows from it by a division.

@@ -1,4 +1,4 @@
-// How often neighbourhoods and pairs of tiles occur, by the automaton.
+// The frequencies of neighbourhoods and pairs of tiles, by the automaton.
 #pragma once
 
 #include "tiles/polyominoes/neighbourhoods.hpp"

@@ -18,7 +18,7 @@
 
 namespace poissonlab {
 
-/// How many tiles a torus has, and which row of the table is for so many points.
+/// The number of tiles of a torus, and which row of the table is for so many points.
 struct PolyominoCounts
 {
     PolyominoCounts(Polyomino shape, std::uint32_t side);

@@ -27,7 +27,7 @@ using Correction = std::array<std::int16_t, 2>;
 /// Divisions between the tiles whose neighbourhoods the table is about and the tiles that have points.
 constexpr std::uint32_t table_depth_of(Polyomino shape) { return shape == Polyomino::P ? 2 : 1; }
 
-/// What is proven of a row: two points have at least this distance, over all tilings of the plane and of tori whose
+/// The proof about a row: two points have at least this distance, over all tilings of the plane and of tori whose
 /// tiles have been divided so often, whatever they were before. Points are few in the first rows, and further ancestors
 /// have to be known.
 struct RowProof

@@ -11,7 +11,7 @@ namespace poissonlab {
 /// Throws StorageError.
 void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table);
 
-/// Nothing where the file is missing, cannot be read, is damaged, or holds something else.
+/// No value where the file is missing, cannot be read, is damaged, or holds something else.
 std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& file);
 
 }

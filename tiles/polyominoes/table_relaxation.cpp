@@ -120,7 +120,7 @@ private:
         unique_pairs_ = pairs_.size();
     }
 
-    /// From the first point to the second, in the first one's frame.
+    /// The way from the first point to the second, in the first one's frame.
     Vector difference(const EntryPair& pair) const
     {
         const Vector& first = corrections_[pair.first];

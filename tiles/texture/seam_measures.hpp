@@ -1,4 +1,4 @@
-// How much of a texture set's seams can be seen, from its sources and its exemplar.
+// Measures of how much of a texture set's seams can be seen, from its sources and its exemplar.
 //
 // Two neighbouring pixels p and q are a seam where their sources are no neighbours: p shows a window A of the exemplar,
 // q a window B. All differences are sums over channels, in parts of the mean difference of neighbours in the exemplar

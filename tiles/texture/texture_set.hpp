@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -53,6 +54,7 @@ struct TextureSet
     WangColors colors;
     int size = 64;            ///< T, even
     int ring = 4;             ///< w: so many pixels at its sides depend on the shared colours alone
+    int classes = 1;          ///< of corner colours, as many in each; 2: unmarked corners, then marked ones
     bool is_smoothed = false; ///< whether pixels differ from their sources
     PngPixels exemplar;       ///< of one or three channels
     std::vector<TextureTile> tiles;
@@ -99,6 +101,10 @@ inline constexpr std::size_t most_atlas_pixels = std::size_t{1} << 28;
 /// Writes atlas.png, sources.png (16 bits: column, row, 0), exemplar.png and texture.json into a folder that is made
 /// where it is not there; texture.json comes last. Throws StorageError.
 void write_texture_set(const std::filesystem::path& folder, const TextureSet& set);
+
+/// The same files, each where `place` says for its name.
+void write_texture_files(const std::function<std::filesystem::path(const std::string& name)>& place,
+                         const TextureSet& set);
 
 /// Reads them again. Throws InputError where a file is missing, damaged or does not fit to the others.
 TextureSet read_texture_set(const std::filesystem::path& folder);

@@ -40,7 +40,7 @@ void members(JsonMembers& m, Tile& tile)
     m.member("row", tile.row);
 }
 
-/// What the JSON file says; the pictures' checksums are those of their pixels.
+/// The contents of the JSON file; the pictures' checksums are those of their pixels.
 struct StoredTextureSet
 {
     std::string format = format_words;
@@ -61,6 +61,7 @@ void members(JsonMembers& m, Set& stored)
     m.member("vertical_colors", stored.set.colors.vertical, 2);
     m.member("tile_size", stored.set.size, 2);
     m.member("ring", stored.set.ring);
+    if (m.is_there("color_classes", stored.set.classes != 1)) m.member("color_classes", stored.set.classes, 1);
     m.member("smoothed", stored.set.is_smoothed);
     m.member("channels", stored.channels, 1);
     m.member("atlas_columns", stored.columns, 1);
@@ -141,6 +142,9 @@ void check_texture_numbers(const fs::path& file, const StoredTextureSet& stored)
         refuse(fmt::format("more than {} colours", max_colors));
     if (set.has_corners() && set.colors.horizontal != set.colors.vertical)
         refuse("horizontal_colors and vertical_colors differ, for corners");
+    if (set.classes > 2 || (set.classes == 2 && (!set.has_corners() || set.colors.horizontal % 2 != 0)))
+        refuse(fmt::format("color_classes = {}: must be 1 or, for corners over an even number of colours, 2",
+                           set.classes));
     if (set.size % 2 != 0 || set.size > most_tile_pixels)
         refuse(fmt::format("tile_size = {}: must be even and at most {}", set.size, most_tile_pixels));
     if (set.ring > set.size / 2) refuse(fmt::format("ring = {}: must be at most half of tile_size", set.ring));
@@ -194,6 +198,11 @@ void write_texture_set(const fs::path& folder, const TextureSet& set)
     std::error_code problem;
     fs::create_directories(folder, problem);
     if (problem) throw StorageError(fmt::format("{}: cannot be made: {}", folder.string(), problem.message()));
+    write_texture_files([&](const std::string& name) { return folder / name; }, set);
+}
+
+void write_texture_files(const std::function<fs::path(const std::string& name)>& place, const TextureSet& set)
+{
     const AtlasLayout layout = atlas_layout(set);
     const PngPixels atlas = atlas_of(set);
     const DeepPixels sources = source_picture(set, layout);
@@ -206,14 +215,15 @@ void write_texture_set(const fs::path& folder, const TextureSet& set)
                             hash_text(atlas.values),
                             hash_text(sources.values),
                             {}};
-    stored.set = {set.kind, set.colors, set.size, set.ring, set.is_smoothed, {}, {}, {}, {}, set.parameters};
+    stored.set = {set.kind, set.colors, set.size, set.ring, set.classes,   set.is_smoothed,
+                  {},       {},         {},       {},       set.parameters};
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         stored.tiles.push_back({set.tiles[i], layout.places[i].first, layout.places[i].second});
-    write_pixels(folder / exemplar_name, set.exemplar);
-    write_pixels(folder / atlas_name, atlas);
-    write_deep_png(folder / sources_name, sources);
+    write_pixels(place(exemplar_name), set.exemplar);
+    write_pixels(place(atlas_name), atlas);
+    write_deep_png(place(sources_name), sources);
     const auto& written = stored;
-    write_whole_file(folder / json_name, json_text([&](JsonMembers& m) { members(m, written); }, 2) + "\n");
+    write_whole_file(place(json_name), json_text([&](JsonMembers& m) { members(m, written); }, 2) + "\n");
 }
 
 TextureSet read_texture_set(const fs::path& folder)

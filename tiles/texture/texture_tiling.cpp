@@ -55,9 +55,9 @@ std::vector<TileIndex> laid_indices(const TextureSet& set, const TileWindow& win
     return laid;
 }
 
-std::vector<TileIndex> hashed_indices(const TextureSet& set, const TileWindow& window, std::uint64_t seed)
+std::vector<TileIndex> hashed_indices(bool has_corners, WangColors colors, const TileWindow& window, std::uint64_t seed)
 {
-    const Tiling tiling(set.has_corners() ? DirectAlgorithm::corner : DirectAlgorithm::wang_edge_hash, set.colors,
+    const Tiling tiling(has_corners ? DirectAlgorithm::corner : DirectAlgorithm::wang_edge_hash, colors,
                         HashKind::long_period, seed);
     std::vector<TileIndex> tiles;
     tiling.stream(window, [&](std::int64_t, std::int64_t, std::span<const TileIndex> row) {
@@ -66,19 +66,31 @@ std::vector<TileIndex> hashed_indices(const TextureSet& set, const TileWindow& w
     return tiles;
 }
 
+/// The pixels of a row of tiles.
+void copy_row_of_tiles(const TextureSet& set, const TextureWindow& window, std::size_t row_of_tiles,
+                       std::span<const std::uint8_t> values, std::size_t channels, std::uint8_t* pixels)
+{
+    const auto size = static_cast<std::size_t>(set.size);
+    const std::size_t row_bytes = size * channels;
+    for (std::size_t column = 0; column < window.columns; ++column) {
+        const std::size_t tile = window.tiles[row_of_tiles * window.columns + column];
+        for (std::size_t row = 0; row < size; ++row)
+            std::ranges::copy(values.subspan((tile * size + row) * row_bytes, row_bytes),
+                              pixels + (row * window.columns + column) * row_bytes);
+    }
 }
 
-TextureWindow texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed)
+void check_window(const TileWindow& window)
 {
     if (window.width > most_window_tiles || window.height > most_window_tiles / window.width)
         throw InputError(fmt::format("a window of {} x {} tiles: must have at most {}", window.width, window.height,
                                      most_window_tiles));
-    const bool is_hashed = set.index_set().is_complete();
-    if (!is_hashed && (window.x != 0 || window.y != 0))
-        throw InputError(fmt::format("a window at {} {}: must be at 0 0, since these tiles are laid in scanlines",
-                                     window.x, window.y));
-    const std::vector<TileIndex> indices =
-        is_hashed ? hashed_indices(set, window, seed) : laid_indices(set, window, seed);
+}
+
+/// The tiles with these indices, one of several where there are some.
+TextureWindow window_of(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
+                        const std::vector<TileIndex>& indices)
+{
     const TileNumbers numbers(set, seed);
     TextureWindow shown{window.width, window.height, {}};
     for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -88,6 +100,66 @@ TextureWindow texture_window(const TextureSet& set, const TileWindow& window, st
         shown.tiles.push_back(numbers.draw(indices[i], window.x + column, north - row));
     }
     return shown;
+}
+
+}
+
+TextureWindow texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed)
+{
+    check_window(window);
+    const bool is_hashed = set.index_set().is_complete();
+    if (!is_hashed && (window.x != 0 || window.y != 0))
+        throw InputError(fmt::format("a window at {} {}: must be at 0 0, since these tiles are laid in scanlines",
+                                     window.x, window.y));
+    return window_of(set, window, seed,
+                     is_hashed ? hashed_indices(set.has_corners(), set.colors, window, seed)
+                               : laid_indices(set, window, seed));
+}
+
+CornerMarks corner_marks(PngPixels picture, std::uint64_t columns, std::uint64_t rows)
+{
+    return [picture = std::move(picture), columns, rows](std::uint64_t column, std::uint64_t row) {
+        const auto x = static_cast<int>(column * static_cast<std::uint64_t>(picture.width - 1) / columns);
+        const auto y = static_cast<int>((rows - row) * static_cast<std::uint64_t>(picture.height - 1) / rows);
+        int sum = 0;
+        for (int c = 0; c < picture.channels; ++c) sum += picture.values[picture.at(x, y, c)];
+        return 2 * sum > 255 * picture.channels;
+    };
+}
+
+TextureWindow marked_texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
+                                    const CornerMarks& is_marked)
+{
+    check_window(window);
+    if (set.classes != 2 || set.kind != TextureKind::corner || !set.is_complete())
+        throw InputError("marks need a complete set of corner tiles that are marked or not");
+    const Color colors = set.colors.horizontal, in_class = colors / 2;
+    std::vector<TileIndex> indices = hashed_indices(true, {in_class, in_class}, window, seed);
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const std::uint64_t column = i % window.width, row = window.height - 1 - i / window.width;
+        CornerTile tile = corner_tile(indices[i], in_class);
+        const auto mark = [&](Color& color, std::uint64_t east, std::uint64_t north) {
+            if (is_marked(column + east, row + north)) color += in_class;
+        };
+        mark(tile.south_west, 0, 0);
+        mark(tile.south_east, 1, 0);
+        mark(tile.north_west, 0, 1);
+        mark(tile.north_east, 1, 1);
+        indices[i] = corner_index(tile, colors);
+    }
+    return window_of(set, window, seed, indices);
+}
+
+PngPixels texture_window_pixels(const TextureSet& set, const TextureWindow& window,
+                                std::span<const std::uint8_t> values, int channels)
+{
+    PngPixels pixels{
+        static_cast<int>(window.columns) * set.size, static_cast<int>(window.rows) * set.size, channels, {}};
+    pixels.values.resize(pixels.at(0, pixels.height, 0));
+    for (std::size_t row = 0; row < window.rows; ++row)
+        copy_row_of_tiles(set, window, row, values, static_cast<std::size_t>(channels),
+                          pixels.values.data() + pixels.at(0, static_cast<int>(row) * set.size, 0));
+    return pixels;
 }
 
 void write_texture_window(const std::filesystem::path& file, const TextureSet& set, const TextureWindow& window)
@@ -100,14 +172,7 @@ void write_texture_window(const std::filesystem::path& file, const TextureSet& s
     std::vector<std::uint8_t> pixels(window.columns * size * row_bytes);
     const auto rows = [&](int first, int) {
         stop_if_interrupted();
-        const std::size_t row_of_tiles = static_cast<std::size_t>(first) / size;
-        for (std::size_t column = 0; column < window.columns; ++column) {
-            const auto values = set.values_of(window.tiles[row_of_tiles * window.columns + column]);
-            for (std::size_t row = 0; row < size; ++row)
-                std::ranges::copy(values.subspan(row * row_bytes, row_bytes),
-                                  pixels.begin() +
-                                      static_cast<std::ptrdiff_t>((row * window.columns + column) * row_bytes));
-        }
+        copy_row_of_tiles(set, window, static_cast<std::size_t>(first) / size, set.values, channels, pixels.data());
         return pixels.data();
     };
     PngLayout layout{static_cast<int>(window.columns * size), static_cast<int>(window.rows * size),

@@ -9,6 +9,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -28,6 +30,21 @@ inline constexpr std::uint64_t most_window_pixels = 65'500;
 /// The tiles of a window. Windows of complete sets with the same seed fit together; others must be at (0, 0). Throws
 /// InputError for that, for too many tiles, and for sets whose tiles come to a place where none fits.
 TextureWindow texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed);
+
+/// True if the lattice point at so many columns and rows from the window's lower left is marked.
+using CornerMarks = std::function<bool(std::uint64_t column, std::uint64_t row)>;
+
+/// Marks of a window's lattice points by a picture that covers it: points on its lighter half of all values are marked.
+CornerMarks corner_marks(PngPixels picture, std::uint64_t columns, std::uint64_t rows);
+
+/// The same of a complete set of corner tiles with two classes of colours: a corner's class follows from its mark, its
+/// colour within the class from the hash. Throws InputError for other sets.
+TextureWindow marked_texture_window(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
+                                    const CornerMarks& is_marked);
+
+/// The window's picture, of a value a channel of each pixel of a tile: `values` are laid out as those of the set.
+PngPixels texture_window_pixels(const TextureSet& set, const TextureWindow& window,
+                                std::span<const std::uint8_t> values, int channels);
 
 /// Writes the window's picture as PNG. Throws InputError for more than most_window_pixels along a side, StorageError,
 /// Interrupted.

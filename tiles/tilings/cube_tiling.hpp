@@ -1,4 +1,4 @@
-// Direct stochastic tilings in three dimensions and in one: corner cubes and dominoes, as values.
+// Direct stochastic tilings in three dimensions and in one: corner cubes, Wang cubes and dominoes, as values.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 2.10, 3.3.1 and 4.6.
 #pragma once
@@ -31,9 +31,9 @@ using CubeSink = std::function<void(std::int64_t x, std::int64_t y, std::int64_t
 class CubeTiling
 {
 public:
-    /// Throws InputError for fewer than 2 colours or more than max_cube_colors, and for a period that is
-    /// negative.
-    CubeTiling(Color colors, HashKind hash, std::uint64_t seed, Period period = {});
+    /// Throws InputError for fewer than 2 colours or more than most_colors_of(kind), and for a period that is
+    /// negative. `kind`: cube or wang_cube.
+    CubeTiling(Color colors, HashKind hash, std::uint64_t seed, Period period = {}, TileKind kind = TileKind::cube);
 
     const TileSet& tile_set() const { return tile_set_; }
     Period period() const { return period_; }
@@ -63,6 +63,10 @@ public:
 
     /// The index of the domino from x to x + 1.
     TileIndex tile(std::int64_t x) const;
+
+    /// Hands the dominoes of x <= domino x < x + width to `sink`, from west to east, in pieces of at most 8192; y and z
+    /// are `place`'s.
+    void stream(const CubeWindow& place, const CubeSink& sink) const;
 
 private:
     TileSet tile_set_;

@@ -80,6 +80,25 @@ CornerCube direct_cube(const Hash& hash, const Lattice& lattice, std::int64_t x,
     return {slice(lattice.z(stepped(z, 1))), slice(lattice.z(z))};
 }
 
+/// A hash evaluation at the middle of each face, on a lattice twice as dense: what edge_hash_wang_tile() does, in
+/// space, which D. does not have. A complete set.
+template <class Hash, class Lattice>
+WangCube face_hash_wang_cube(const Hash& hash, const Lattice& lattice, std::int64_t x, std::int64_t y, std::int64_t z)
+{
+    const std::int64_t west = doubled(lattice.x(x));
+    const std::int64_t south = doubled(lattice.y(y));
+    const std::int64_t bottom = doubled(lattice.z(z));
+    const std::int64_t middle_x = stepped(west, 1);
+    const std::int64_t middle_y = stepped(south, 1);
+    const std::int64_t middle_z = stepped(bottom, 1);
+    return {hash(middle_x, doubled(lattice.y(stepped(y, 1))), middle_z),
+            hash(doubled(lattice.x(stepped(x, 1))), middle_y, middle_z),
+            hash(middle_x, south, middle_z),
+            hash(west, middle_y, middle_z),
+            hash(middle_x, middle_y, doubled(lattice.z(stepped(z, 1)))),
+            hash(middle_x, middle_y, bottom)};
+}
+
 /// One hash evaluation for each end: in one dimension, Wang and corner tiles are dominoes (D. 2.10).
 template <class Hash, class Lattice>
 Domino direct_domino(const Hash& hash, const Lattice& lattice, std::int64_t x)

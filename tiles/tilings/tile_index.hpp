@@ -1,4 +1,4 @@
-// The colours of a tile and its index, both ways, for Wang tiles, corner tiles, corner cubes and dominoes.
+// The colours of a tile and its index, both ways, for Wang tiles, corner tiles, corner cubes, Wang cubes and dominoes.
 //
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 2.8: a tile is a number whose digits are
 // the colours, clockwise from the north. The dissertation counts 2D tiles only; cubes and dominoes (section
@@ -15,6 +15,7 @@ using TileIndex = std::uint32_t; ///< in the complete set, also where a set has 
 /// The largest numbers of colours whose complete sets can be counted with a TileIndex.
 constexpr Color max_colors = 256;
 constexpr Color max_cube_colors = 16;
+constexpr Color max_wang_cube_colors = 40;
 
 /// The numbers of colours of a Wang tile set's edges: horizontal edges are north and south of a tile, vertical ones
 /// east and west.
@@ -53,6 +54,19 @@ struct CornerCube
     CornerTile bottom;
 
     bool operator==(const CornerCube&) const = default;
+};
+
+/// A cube with coloured faces. North is up in a map of a layer; the top has the larger z.
+struct WangCube
+{
+    Color north = 0;
+    Color east = 0;
+    Color south = 0;
+    Color west = 0;
+    Color top = 0;
+    Color bottom = 0;
+
+    bool operator==(const WangCube&) const = default;
 };
 
 struct Domino
@@ -113,6 +127,21 @@ constexpr CornerCube cube_tile(TileIndex index, Color colors)
     return {corner_tile(index / bottoms, colors), corner_tile(index % bottoms, colors)};
 }
 
+/// The digits of the sides as of a Wang tile, then top and bottom.
+constexpr TileIndex wang_cube_index(const WangCube& cube, Color colors)
+{
+    const TileIndex sides = wang_index({cube.north, cube.east, cube.south, cube.west}, {colors, colors});
+    return (sides * colors + cube.top) * colors + cube.bottom;
+}
+
+constexpr WangCube wang_cube(TileIndex index, Color colors)
+{
+    const WangTile sides = wang_tile(index / (colors * colors), {colors, colors});
+    return {sides.north, sides.east, sides.south, sides.west, index / colors % colors, index % colors};
+}
+
 constexpr TileIndex domino_index(const Domino& domino, Color colors) { return domino.east * colors + domino.west; }
+
+constexpr Domino domino(TileIndex index, Color colors) { return {index / colors, index % colors}; }
 
 }

@@ -11,7 +11,7 @@ namespace {
 
 void check_colors(TileKind kind, Color colors)
 {
-    const Color most = kind == TileKind::cube ? max_cube_colors : max_colors;
+    const Color most = most_colors_of(kind);
     if (colors < 2 || colors > most)
         throw InputError("colors = " + std::to_string(colors) + ": must be an integer from 2 to " +
                          std::to_string(most));
@@ -28,6 +28,8 @@ std::uint64_t complete_size(TileKind kind, WangColors colors)
         return pairs * pairs;
     case TileKind::cube:
         return pairs * pairs * pairs * pairs;
+    case TileKind::wang_cube:
+        return pairs * pairs * pairs;
     }
     return 0;
 }

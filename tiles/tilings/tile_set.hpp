@@ -7,6 +7,7 @@
 #include "base/word_table.hpp"
 #include "tiles/tilings/tile_index.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,11 +19,45 @@ enum class TileKind
     domino, ///< 1D
     wang,
     corner,
-    cube, ///< 3D corner tile
+    cube,     ///< 3D corner tile
+    wang_cube ///< 3D Wang tile
 };
-/// The words of those that users can ask for.
-inline constexpr WordTable<TileKind, 3> tile_kinds{
-    {{{TileKind::corner, "corner"}, {TileKind::wang, "wang"}, {TileKind::cube, "cube"}}}};
+/// The words of the kinds, the usual ones first.
+inline constexpr WordTable<TileKind, 5> tile_kinds{{{{TileKind::corner, "corner"},
+                                                     {TileKind::wang, "wang"},
+                                                     {TileKind::cube, "cube"},
+                                                     {TileKind::wang_cube, "wang-cube"},
+                                                     {TileKind::domino, "domino"}}}};
+
+/// "Wang tiles" and so on, for sentences.
+constexpr const char* tile_kind_words(TileKind kind)
+{
+    switch (kind) {
+    case TileKind::domino:
+        return "dominoes";
+    case TileKind::wang:
+        return "Wang tiles";
+    case TileKind::cube:
+        return "corner cubes";
+    case TileKind::wang_cube:
+        return "Wang cubes";
+    case TileKind::corner:
+        break;
+    }
+    return "corner tiles";
+}
+
+/// The axes along which tiles of a kind have neighbours: 1 to 3.
+constexpr std::size_t axes_of(TileKind kind)
+{
+    return kind == TileKind::domino ? 1 : kind == TileKind::cube || kind == TileKind::wang_cube ? 3 : 2;
+}
+
+/// The most colours of a kind of tiles: their complete sets can be counted with a TileIndex.
+constexpr Color most_colors_of(TileKind kind)
+{
+    return kind == TileKind::cube ? max_cube_colors : kind == TileKind::wang_cube ? max_wang_cube_colors : max_colors;
+}
 
 /// A set of tiles of one kind. Its tiles have two numbers: the index, which tells the colours, and the
 /// position in the set, from 0, in order of the indices. In complete sets these are the same.
@@ -30,7 +65,7 @@ class TileSet
 {
 public:
     /// All tiles with these colours. Kinds other than Wang have one number of colours. Throws InputError for
-    /// fewer than 2 colours or more than max_colors (cubes: max_cube_colors).
+    /// fewer than 2 colours or more than most_colors_of(kind).
     static TileSet complete(TileKind kind, WangColors colors);
     static TileSet complete(TileKind kind, Color colors) { return complete(kind, {colors, colors}); }
 
@@ -61,9 +96,9 @@ private:
 };
 
 /// 2 C^2 tiles with two choices for each pair of north and west colours, and for each pair of south and east
-/// colours (D. 3.2.1, figure 3.2). D. leaves open which; these are (E, S) = (N + k, W + k) mod C, k = 0 and
-/// 1: then all edges of a tiling by scanlines are independent where they meet a tile, and all tiles as
-/// frequent.
+/// colours (D. 3.2.1, figure 3.2): those with (E, S) = (N + k, W + k) mod C, k = 0 and 1. Then all edges of a tiling by
+/// scanlines are independent where they meet a tile, and all tiles as frequent. For two colours, these are the tiles 0,
+/// 3, 5, 6, 9, 10, 12 and 15 that the SIGGRAPH 2008 class notes (part I) name; for more, D. names none.
 TileSet compact_wang_set(Color colors);
 
 /// The C^3 tiles that the direct algorithm with one hash function makes: N + S = E + W modulo C (D. 3.3.2.2).

@@ -98,7 +98,9 @@ std::vector<ListPlace> beatty_window(const AperiodicTileOptions& o, const TileWi
         places.assign(tiles.begin(), tiles.end());
     } else {
         check_beatty_window(window);
-        BeattyGenerator(Device::open(o.device), tiling).stream(window, [&](std::span<const std::uint8_t> tiles) {
+        const Device device = Device::open(o.device);
+        check_fits("aperiodic tile", BeattyGenerator::memory(window), device.info());
+        BeattyGenerator(device, tiling).stream(window, [&](std::span<const std::uint8_t> tiles) {
             places.insert(places.end(), tiles.begin(), tiles.end());
         });
     }

@@ -43,19 +43,23 @@ std::vector<Option> density_options(DistributeOptions& o)
 std::vector<Option> even_point_options(DistributeOptions& o)
 {
     return {
-        {"--points", &o.points, "How many points; tilings come as near as whole tiles can", "N", required},
+        {"--points", &o.points, "How many points: tilings have exactly so many, other methods about", "N", required},
         {"--seed", &o.seed, "Which points; default: 1", "S"},
         {"--tiles", &o.tiles, "The tile set of the even points; default: corner tiles of 3 colours, 32 points", "FILE"},
         {"--method", &o.method, "Another method of even points: a sampler's name, or { sampler = ..., ... }",
          "NAME|TABLE", optional, 1, "--tiles"}};
 }
 
-std::vector<Option> output_options(DistributeOptions& o)
+std::vector<Option> device_options(DistributeOptions& o)
 {
-    return {{"--out", &o.out, "The point file", "FILE", required},
-            {"--engine", &o.engine, "opencl (the default) or reference", "NAME"},
+    return {{"--engine", &o.engine, "opencl (the default) or reference", "NAME"},
             {"--device", &o.device, "The OpenCL device: part of its name, or its number", "NAME"},
             {"--quiet", &o.quiet, "Do not show steps"}};
+}
+
+std::vector<Option> output_options(DistributeOptions& o)
+{
+    return joined({{{"--out", &o.out, "The point file", "FILE", required}}, device_options(o)});
 }
 
 std::vector<Option> joined(std::vector<std::vector<Option>> lists)
@@ -65,18 +69,34 @@ std::vector<Option> joined(std::vector<std::vector<Option>> lists)
     return all;
 }
 
-void check(const DistributeOptions& o)
+void check_engine(const DistributeOptions& o)
 {
     if (!engines.find(o.engine))
         throw InputError(fmt::format("{}: --engine \"{}\": must be one of {}", o.command, printable(o.engine),
                                      fmt::join(engines.all(), ", ")));
-    if (o.points < 1 || o.points > most_points)
-        throw InputError(fmt::format("{}: --points {}: must be from 1 to {}", o.command, o.points, most_points));
-    const std::filesystem::path folder = o.out.has_parent_path() ? o.out.parent_path() : ".";
+}
+
+void check_output(const DistributeOptions& o, const std::filesystem::path& file)
+{
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code unknown;
     if (!std::filesystem::is_directory(folder, unknown))
-        throw InputError(
-            fmt::format("{}: --out {}: there is no folder {}", o.command, o.out.string(), folder.string()));
+        throw InputError(fmt::format("{}: --out {}: there is no folder {}", o.command, file.string(), folder.string()));
+    if (std::filesystem::is_directory(file, unknown))
+        throw InputError(fmt::format("{}: --out {}: is a folder", o.command, file.string()));
+}
+
+void check_points(const DistributeOptions& o)
+{
+    if (o.points < 1 || o.points > most_points)
+        throw InputError(fmt::format("{}: --points {}: must be from 1 to {}", o.command, o.points, most_points));
+}
+
+void check(const DistributeOptions& o)
+{
+    check_engine(o);
+    check_points(o);
+    check_output(o, o.out);
 }
 
 Density read_density(const DistributeOptions& o)
@@ -97,6 +117,13 @@ EvenMethod read_even_method(const DistributeOptions& o)
         throw InputError(
             fmt::format("{}: --tiles {}: are tiles in space; must be in the plane", o.command, o.tiles.string()));
     return tiles;
+}
+
+EvenMethodChoice even_method_choice(const DistributeOptions& o)
+{
+    EvenMethodChoice choice{o.tiles, {}};
+    if (!o.method.empty()) choice.sampler = method_of(o);
+    return choice;
 }
 
 DistributionPlace make_place(const DistributeOptions& o)

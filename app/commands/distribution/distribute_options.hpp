@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/commands/command.hpp"
+#include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/even_points.hpp"
 
 #include <filesystem>
@@ -28,7 +29,8 @@ struct DistributeOptions
 /// The options for them. `o` must outlive the command.
 std::vector<Option> density_options(DistributeOptions& o);
 std::vector<Option> even_point_options(DistributeOptions& o);
-std::vector<Option> output_options(DistributeOptions& o);
+std::vector<Option> device_options(DistributeOptions& o);
+std::vector<Option> output_options(DistributeOptions& o); ///< the point file, and those of the device
 
 /// One list of several.
 std::vector<Option> joined(std::vector<std::vector<Option>> lists);
@@ -36,11 +38,19 @@ std::vector<Option> joined(std::vector<std::vector<Option>> lists);
 /// Checks all of the above but the density, and opens no device. Throws InputError, a line with command and option.
 void check(const DistributeOptions& o);
 
+/// Parts of that check. Each throws InputError.
+void check_engine(const DistributeOptions& o);
+void check_points(const DistributeOptions& o);
+void check_output(const DistributeOptions& o, const std::filesystem::path& file);
+
 /// The density, over a square where it is a formula.
 Density read_density(const DistributeOptions& o);
 
 /// The method that the options name, or the default.
 EvenMethod read_even_method(const DistributeOptions& o);
+
+/// The same as the settings of configs have it.
+EvenMethodChoice even_method_choice(const DistributeOptions& o);
 
 /// A workplace that shows its steps; the device is opened when it is needed.
 DistributionPlace make_place(const DistributeOptions& o);

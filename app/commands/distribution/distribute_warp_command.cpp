@@ -42,7 +42,8 @@ void warp(const WarpOptions& o)
     const Density density = map ? sky_density(*map, o.density) : read_density(o);
     const EvenMethod method = read_even_method(o);
     const DistributionPlace place = make_place(o);
-    const SquarePoints points = even_points(method, o.points, density.width, density.height, o.seed, place);
+    const SquarePoints points =
+        even_points(method, o.points, density.width, density.height, o.seed, place, map ? Seam::closed : Seam::open);
     const PixelPlaces places = warp_points(density, points, place);
     if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places)));
     write_places(o.out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),

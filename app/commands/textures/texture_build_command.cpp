@@ -38,6 +38,7 @@ struct TextureBuildOptions
     std::uint32_t colors = 0;
     std::uint32_t vertical_colors = 0; ///< 0: the same
     std::filesystem::path exemplar;
+    std::filesystem::path marked_exemplar; ///< empty: none
     std::uint32_t size = 0;
     std::filesystem::path out;
     std::string tiles;
@@ -48,6 +49,7 @@ struct TextureBuildOptions
     std::string weight = "gradient";
     std::string cut = "min-cut";
     double core = automatic_core;
+    double overlap = 0.125;
     bool smooth = false;
     std::uint64_t seed = 1;
     std::string engine = "opencl";
@@ -83,7 +85,9 @@ TextureRequest checked_request(const TextureBuildOptions& o)
     request.weight = value_of_word(seam_weights, "--weight", o.weight);
     request.cut = value_of_word(quilting_cuts, "--cut", o.cut);
     if (o.core != automatic_core) request.core = o.core;
+    request.overlap = o.overlap;
     request.smooth = o.smooth;
+    if (!o.marked_exemplar.empty()) request.split = 1; // until the pictures are read
     request.seed = o.seed;
     try {
         check(request);
@@ -126,10 +130,14 @@ HarmonicSolver harmonic_solver(const TextureBuildOptions& options)
 
 void build_texture_tiles(const TextureBuildOptions& options)
 {
-    const TextureRequest request = checked_request(options);
+    TextureRequest request = checked_request(options);
     check_folder(options.out);
     const HarmonicSolver solver = harmonic_solver(options);
-    const PngPixels exemplar = read_exemplar(options.exemplar);
+    PngPixels exemplar = read_exemplar(options.exemplar);
+    if (!options.marked_exemplar.empty()) {
+        request.split = exemplar.width;
+        exemplar = side_by_side(exemplar, read_exemplar(options.marked_exemplar));
+    }
     Progress progress(Progress::detect(options.quiet));
     const auto begin = std::chrono::steady_clock::now();
     const BuiltTexture built = [&] {
@@ -160,13 +168,17 @@ Command texture_build_command()
         {{"KIND", &o->kind, "corner, wang or omega"},
          {"--colors", &o->colors, "Number of colours; 4 for omega tiles", "C", required},
          {"--exemplar", &o->exemplar, "The picture, of any kind that OpenImageIO reads", "FILE", required},
+         {"--marked-exemplar", &o->marked_exemplar,
+          "Corner tiles: the picture around marked corners, whose colours are the second half", "FILE"},
          {"--size", &o->size, "The side of a tile in pixels, at least twice that of what the picture shows", "T",
           required},
          {"--out", &o->out, "The folder of the tiles", "DIR", required},
          {"--tiles", &o->tiles, "Which tiles, see below", "NAME"},
          {"--vertical-colors", &o->vertical_colors, "Of compact Wang tiles: the number for vertical edges", "C"},
          {"--ring", &o->ring, "Pixels at the border that depend on shared colours alone; default: T / 16", "W"},
-         {"--stages", &o->stages, "3 (the default), or 1: without pieces around edges", "N"},
+         {"--stages", &o->stages, "3 (the default), 1: without pieces around edges, or 0: without new pieces", "N"},
+         {"--overlap", &o->overlap,
+          "Of Wang tiles and of 0 stages: half of the band in which samples overlap, in tiles; default: 0.125", "B"},
          {"--candidates", &o->candidates, "Windows that are cut for a piece; default: 8", "K"},
          {"--diversity", &o->diversity,
           "Pixels between the middles of any two windows; default: T / 4, or what is sure to fit", "D"},
@@ -175,7 +187,8 @@ Command texture_build_command()
          {"--core", &o->core,
           "The radius of a disk that the middle of a tile covers, in tiles; default: 0.3, with one stage 0", "R"},
          {"--attempts", &o->attempts, "Sets of patches that are drawn, of which the best is taken; default: 100", "N"},
-         {"--smooth", &o->smooth, "Give the middles of tiles the colours around them; not for Wang tiles"},
+         {"--smooth", &o->smooth,
+          "Give new pieces the colours around them; Wang tiles, as Ng tried, get seams from it"},
          {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
          {"--engine", &o->engine, "Of smoothing: opencl (the default), or reference", "NAME"},
          {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},

@@ -1,6 +1,7 @@
 // poissonlab texture tile: the picture of a window of a tiling with texture tiles.
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "host/texture/exemplar.hpp"
 #include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ struct TextureTileOptions
     std::filesystem::path folder;
     std::vector<std::int64_t> window; ///< X Y W H
     std::uint64_t seed = 1;
+    std::filesystem::path marks; ///< empty: corners are marked at random
     std::filesystem::path out;
 };
 
@@ -38,7 +40,12 @@ void tile_texture(const TextureTileOptions& options)
         throw InputError(fmt::format("texture tile: --out {}: must be a .png", options.out.string()));
     const TextureSet set = read_texture_set(options.folder);
     try {
-        write_texture_window(options.out, set, texture_window(set, window, options.seed));
+        const TextureWindow shown =
+            options.marks.empty()
+                ? texture_window(set, window, options.seed)
+                : marked_texture_window(set, window, options.seed,
+                                        corner_marks(read_exemplar(options.marks), window.width, window.height));
+        write_texture_window(options.out, set, shown);
     } catch (const InputError& error) {
         throw error.moved_to({"texture tile"});
     }
@@ -54,6 +61,8 @@ Command texture_tile_command()
             {{"DIR", &o->folder, "What texture build made"},
              {"--window", &o->window, "The tiles to draw: lower left one, width and height", "X Y W H", required, 4},
              {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+             {"--marks", &o->marks, "Of tiles with marked corners: a picture over the window, marked where it is light",
+              "PICTURE"},
              {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
             texture_tile_notes,
             action_on(o, tile_texture)};

@@ -1,4 +1,4 @@
-// How even tilings with ranked tiles are at lower densities.
+// The evenness of tilings with ranked tiles at lower densities.
 #pragma once
 
 #include "tiles/poisson/poisson_tile_set.hpp"

@@ -143,20 +143,6 @@ void print_json(const Verification& v)
     fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-/// Throws InputError where the file promises more than is proven.
-void check_promises(const Verification& v)
-{
-    const std::uint64_t proven = v.certificate.squared_min_distance;
-    if (v.stored_squared_distance > proven)
-        throw InputError(fmt::format("{}: guarantees a squared minimum distance of {}: must be at most {}, which is "
-                                     "proven",
-                                     v.file, v.stored_squared_distance, proven));
-    if (proven < asked_squared_distance(v.parameters))
-        throw InputError(fmt::format("{}: relative_radius = {}: must be at most {:.6f}, which is proven", v.file,
-                                     v.parameters.relative_radius,
-                                     std::floor(v.certificate.relative_radius * 1e6) / 1e6));
-}
-
 void verify_tiles(const TilesVerifyOptions& options)
 {
     const Verification verification = verify(options.file);
@@ -164,7 +150,11 @@ void verify_tiles(const TilesVerifyOptions& options)
         print_json(verification);
     else
         print_summary(verification);
-    check_promises(verification);
+    try {
+        check_promises(verification.parameters, verification.stored_squared_distance, verification.certificate);
+    } catch (const InputError& error) {
+        throw error.moved_to({verification.file});
+    }
 }
 
 }

@@ -1,7 +1,10 @@
-// The tables [[distribution]] of a config become these checked settings.
+// The tables [[distribution]], [[scheme]], [[texture]] and [[packing]] of a config become these checked settings.
 #pragma once
 
 #include "base/errors/errors.hpp"
+#include "host/config/config_tree.hpp"
+#include "host/config/distributions/texture_config.hpp"
+#include "host/config/schemes/scheme_settings.hpp"
 #include "host/sampling/parameters.hpp"
 
 #include <array>
@@ -63,6 +66,7 @@ struct ObjectSettings
     std::uint32_t pixels = 512;
     std::uint32_t samples = 4; ///< of a pixel, along each axis
     std::int32_t period = 0;   ///< tiles after which everything repeats; 0: never
+    bool has_timing = false;   ///< look-ups a second are measured
     SpreadChoice size{SpreadChoice::Kind::constant, 1, 0};
     SpreadChoice orientation; ///< radians
     SpreadChoice aspect{SpreadChoice::Kind::constant, 1, 0};
@@ -94,15 +98,67 @@ struct RankSettings
     double zoom = 1; ///< the picture shows the middle, one over this of each side; the density follows
 };
 
+/// kind = "stippling" and "hatching": see host/distribution/stipple.hpp. Either `points` or `mark_width` is
+/// 0.
+struct StippleSettings
+{
+    std::string image;           ///< a picture, or a formula of its ink
+    std::string from = "ink";    ///< of a picture
+    double ink = 1;              ///< the part of it that is printed
+    std::size_t points = 0;      ///< marks
+    double mark_width = 0;       ///< diameter of dots, or width of strokes, in pixels of the picture
+    bool by_ranks = false;       ///< of the tiles, or of the self-similar tile, instead of warping
+    double zoom = 1;             ///< the picture shows the middle, one over this of each side
+    EvenMethodChoice method;     ///< by ranks: tiles or nothing
+    bool has_strokes = false;    ///< instead of dots
+    std::optional<double> angle; ///< of strokes, radians; none: along the picture's lines
+    double slenderness = 8;      ///< of strokes: length over width
+};
+
+/// kind = "icons": see host/distribution/icons.hpp.
+struct IconSettings
+{
+    std::string field; ///< a picture whose first two channels are the vectors; empty: `u` and `v`
+    std::string u;     ///< formulas
+    std::string v;
+    std::size_t points = 0;
+    EvenMethodChoice method;
+    bool have_one_length = false; ///< else as long as their vectors
+};
+
+/// kind = "instances": see host/distribution/instances/instances.hpp.
+struct InstanceSettings
+{
+    std::string scene = "forest";
+    std::filesystem::path tiles;              ///< empty: the default of the scene's dimension
+    double density = 0;                       ///< instances in a unit square or cube, on average
+    std::array<double, 4> window{0, 0, 1, 1}; ///< x, y, width, height, in units
+    std::uint32_t models = 1;
+    SpreadChoice scale{SpreadChoice::Kind::constant, 1, 0};
+    double tilt = 0;                      ///< the largest one, radians
+    std::array<double, 3> ring{};         ///< of a belt: inner and outer radius around 0, and thickness
+    std::string terrain;                  ///< a picture or a formula of heights; empty: flat
+    std::array<double, 4> terrain_area{}; ///< the rectangle that it covers
+    double height = 1;                    ///< units that 1 of the terrain is high
+    std::uint32_t pixels = 1024;          ///< of the view from above, along its width
+};
+
+/// A table with everything in it, in one line.
+std::string text_of(const ConfigTable& table);
+
 struct DistributionConfig
 {
-    std::string kind;  ///< one of distribution_kinds()
+    std::string kind;  ///< one of distribution_kinds() or scheme_kinds(), "texture" or "packing"
     std::string label; ///< never empty
     SourceLocation where;
     std::uint64_t seed = 1;
     std::string text;                          ///< the table, in one line: all that decides the result but for `inputs`
     std::vector<std::filesystem::path> inputs; ///< files that decide it as well
-    std::variant<WarpSettings, ObjectSettings, SelfSimilarSettings, RankSettings> settings;
+    std::variant<WarpSettings, ObjectSettings, SelfSimilarSettings, RankSettings, StippleSettings, IconSettings,
+                 InstanceSettings, SchemeSettings, TextureSettings, PackingSettings>
+        settings;
+
+    bool is_scheme() const { return std::holds_alternative<SchemeSettings>(settings); }
 };
 
 }

@@ -15,6 +15,14 @@ std::size_t read_distributed_points(const ConfigTable& table, const SourceLocati
 /// `tiles` or `method`.
 EvenMethodChoice read_even_method_choice(const ConfigTable& table);
 
+/// A number in a list or of its own, from `low` to `high`. `others`: what else the key may have, for the message.
+double read_listed_number(const std::string& key, const ConfigNode& node, double low, double high,
+                          const std::string& others = "");
+
+/// A number of each object: a number, { uniform = [a, b] } or { normal = [mean, deviation] }.
+SpreadChoice read_spread(const ConfigTable& table, const std::string& key, double low, double high,
+                         const SpreadChoice& otherwise);
+
 /// The InputError for a key that is missing.
 InputError missing_key(const SourceLocation& where, const std::string& key);
 

@@ -18,4 +18,7 @@ const std::vector<std::string>& distribution_kinds();
 /// Reads and checks such tables. `seed`: of the config. Throws InputError with the place of what is wrong.
 std::vector<DistributionConfig> read_distributions(const std::vector<ConfigNode>& tables, std::uint64_t seed);
 
+/// The same for the tables [[scheme]]: see host/config/schemes.
+std::vector<DistributionConfig> read_schemes(const std::vector<ConfigNode>& tables, std::uint64_t seed);
+
 }

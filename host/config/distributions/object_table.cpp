@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace poissonlab {
 namespace {
 
@@ -23,37 +21,6 @@ const std::vector<std::string>& looks_of(int dimension)
     return dimension == 3 ? space : plane;
 }
 
-/// A number in a list or of its own, from `low` to `high`.
-double checked_number(const std::string& key, const ConfigNode& node, double low, double high)
-{
-    const auto* whole = node.get_if<std::int64_t>();
-    const auto* real = node.get_if<double>();
-    const double value = whole ? static_cast<double>(*whole) : real ? *real : NAN;
-    if (!(value >= low && value <= high))
-        throw invalid_node(key, node,
-                           fmt::format("must be a number from {} to {}, {{ uniform = [a, b] }} or "
-                                       "{{ normal = [mean, deviation] }}",
-                                       low, high));
-    return value;
-}
-
-SpreadChoice read_spread(const ConfigTable& table, const std::string& key, double low, double high,
-                         const SpreadChoice& otherwise)
-{
-    const ConfigNode* node = find(table, key);
-    if (!node) return otherwise;
-    const auto* words = node->get_if<ConfigTable>();
-    if (!words) return {SpreadChoice::Kind::constant, checked_number(key, *node, low, high), 0};
-    check_keys(*words, {"uniform", "normal"});
-    const auto* numbers = words->size() == 1 ? words->front().node.get_if<ConfigList>() : nullptr;
-    if (!numbers || numbers->size() != 2)
-        throw invalid_node(key, *node, "must be a number, { uniform = [a, b] } or { normal = [mean, deviation] }");
-    const bool is_normal = words->front().key == "normal";
-    const double a = checked_number(key, (*numbers)[0], low, high);
-    const double b = checked_number(key, (*numbers)[1], is_normal ? 0 : a, high);
-    return {is_normal ? SpreadChoice::Kind::normal : SpreadChoice::Kind::uniform, a, b};
-}
-
 void read_place(const ConfigTable& table, ObjectSettings& settings)
 {
     settings.objects = read_number(table, "objects", 1e-6, most_objects, settings.objects);
@@ -62,7 +29,7 @@ void read_place(const ConfigTable& table, ObjectSettings& settings)
         const auto* numbers = origin->get_if<ConfigList>();
         if (!numbers || numbers->size() != 2) throw invalid_node("origin", *origin, "must be [x, y]");
         for (std::size_t i = 0; i < 2; ++i)
-            settings.origin[i] = checked_number("origin", (*numbers)[i], -farthest_origin, farthest_origin);
+            settings.origin[i] = read_listed_number("origin", (*numbers)[i], -farthest_origin, farthest_origin);
     }
     static const std::vector<std::string> views{"plane", "sphere", "torus"};
     settings.view = views[read_word(table, "view", views)];
@@ -75,7 +42,7 @@ void read_place(const ConfigTable& table, ObjectSettings& settings)
 void read_objects(const ConfigTable& table, DistributionConfig& config)
 {
     check_keys(table, {"kind", "label", "dimension", "tiles", "object", "objects", "window", "origin", "view", "pixels",
-                       "samples", "period", "size", "orientation", "aspect"});
+                       "samples", "period", "size", "orientation", "aspect", "timing"});
     ObjectSettings settings;
     settings.dimension = static_cast<int>(read_integer(table, "dimension", 2, 3, 2));
     const auto& looks = looks_of(settings.dimension);
@@ -85,6 +52,7 @@ void read_objects(const ConfigTable& table, DistributionConfig& config)
     settings.pixels = static_cast<std::uint32_t>(read_integer(table, "pixels", 16, 8192, settings.pixels));
     settings.samples = static_cast<std::uint32_t>(read_integer(table, "samples", 1, 15, settings.samples));
     settings.period = static_cast<std::int32_t>(read_integer(table, "period", 0, 1 << 20, 0));
+    settings.has_timing = read_flag(table, "timing", false);
     settings.size = read_spread(table, "size", 0, 1, settings.size);
     settings.orientation = read_spread(table, "orientation", -most_turns, most_turns, settings.orientation);
     settings.aspect = read_spread(table, "aspect", 0.01, 100, settings.aspect);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, 3> halton_bases{2, 3, 5};
 
-/// As many digits as 32 bits have room for: numbers that are rounded up to these are still below 1.
+/// The digits are as many as 32 bits have room for: numbers that are rounded up to these are still below 1.
 constexpr std::array<int, 6> digits_of_base{0, 0, 32, 20, 0, 13};
 
 /// The first digits of a number in [0, 1), most significant first.

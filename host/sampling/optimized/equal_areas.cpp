@@ -3,6 +3,7 @@
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "kernels/common/power_cells.h"
 
@@ -92,6 +93,7 @@ public:
     EqualAreas run(std::size_t iterations)
     {
         for (std::size_t iteration = 0;; ++iteration) {
+            stop_if_interrupted();
             equalize();
             record();
             if (iteration == iterations) return std::move(result_);

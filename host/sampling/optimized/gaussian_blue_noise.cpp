@@ -117,6 +117,29 @@ double gaussian_energy(double sum_of_others, std::size_t points, double sigma, i
     return sum_of_others / static_cast<double>(points) + 1 - spread_evenly;
 }
 
+std::size_t coarser_points(std::size_t points, int dimension)
+{
+    const std::size_t children = std::size_t{1} << dimension;
+    return (points + children - 1) / children;
+}
+
+PointSet split_points(const PointSet& coarse, std::size_t points)
+{
+    const auto dimension = static_cast<std::size_t>(coarse.dimension);
+    const double quarter = 0.25 / side_of_torus(coarse.size(), coarse.dimension);
+    PointSet fine{coarse.dimension, {}};
+    fine.coordinates.reserve(points * dimension);
+    for (std::size_t corner = 0; corner >> dimension == 0; ++corner)
+        for (std::size_t i = 0; i < coarse.size() && fine.size() < points; ++i)
+            for (std::size_t k = 0; k < dimension; ++k) {
+                const double moved = coarse[i][k] + (corner >> k & 1 ? quarter : -quarter);
+                fine.coordinates.push_back(moved - std::floor(moved));
+            }
+    for (double& c : fine.coordinates)
+        if (c >= 1) c = 0; // of a coordinate just below 0
+    return fine;
+}
+
 GaussianBlueNoise::GaussianBlueNoise(Device device, std::size_t work_group_size)
     : device_(std::move(device)), work_group_size_(work_group_size > 0 ? work_group_size : default_work_group_size)
 {}

@@ -61,7 +61,15 @@ private:
     std::size_t work_group_size_;
 };
 
-/// The sampler "gaussian-blue-noise": iterations, sigma, step, start.
+/// Coarse to fine: a set of `points` is made of one of as many as this, each of which becomes 2^dimension.
+std::size_t coarser_points(std::size_t points, int dimension);
+
+/// Each point of a set becomes 2^dimension, a quarter of the set's mean distance away from it along each axis, so that
+/// what the set has at low frequencies stays. The first `points` of the corners come first: what is too many is left
+/// out of the last corner alone.
+PointSet split_points(const PointSet& coarse, std::size_t points);
+
+/// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, start.
 SamplerSpec gaussian_blue_noise_sampler();
 
 }

@@ -13,28 +13,37 @@ DeviceMemory gaussian_memory(const Parameters& parameters, std::size_t points, i
     return GaussianBlueNoise::memory(parameters.number("sigma"), points, dimension);
 }
 
+/// The number that the start is asked for: the points of the coarsest level.
+SampleRequest start_request(const Parameters& parameters, SampleRequest request)
+{
+    for (std::int64_t level = 0; level < parameters.integer("levels"); ++level)
+        request.points = coarser_points(request.points, request.dimension);
+    return request;
+}
+
 class GaussianSampler final : public StartedSampler
 {
 public:
     GaussianSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
                     const DeviceProvider& device)
-        : StartedSampler("Gaussian blue noise", gaussian_memory, parameters, request, engine, device),
-          request_{.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
-                   .sigma = parameters.number("sigma"),
-                   .step = parameters.is_given("step")
-                               ? parameters.number("step")
-                               : usual_gaussian_step(parameters.number("sigma"), request.dimension)}
+        : StartedSampler("Gaussian blue noise", gaussian_memory, parameters, start_request(parameters, request), engine,
+                         device),
+          asked_(request), request_{.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
+                                    .sigma = parameters.number("sigma"),
+                                    .step = parameters.is_given("step")
+                                                ? parameters.number("step")
+                                                : usual_gaussian_step(parameters.number("sigma"), request.dimension)}
     {}
 
     PointSet sample(std::uint32_t realization) override
     {
-        const PointSet points = start(realization);
+        PointSet points = start(realization);
         const std::size_t least = least_gaussian_points(request_.sigma, points.dimension);
         if (points.size() < least) throw too_few(parameters_, points.size(), least);
-        LloydResult result =
-            device_ ? GaussianBlueNoise(*device_).descend(points, request_) : reference::descend(points, request_);
-        iterations_ = std::move(result.iterations);
-        return std::move(result.points);
+        iterations_.clear();
+        points = descended(points);
+        for (const std::size_t count : finer_levels()) points = descended(split_points(points, count));
+        return points;
     }
 
     static InputError too_few(const Parameters& parameters, std::size_t points, std::size_t least)
@@ -48,6 +57,28 @@ public:
     }
 
 private:
+    /// Its iterations follow those of the levels before.
+    PointSet descended(const PointSet& points)
+    {
+        LloydResult result =
+            device_ ? GaussianBlueNoise(*device_).descend(points, request_) : reference::descend(points, request_);
+        iterations_.insert(iterations_.end(), result.iterations.begin(), result.iterations.end());
+        return std::move(result.points);
+    }
+
+    /// The numbers of points of the levels after the coarsest one.
+    std::vector<std::size_t> finer_levels() const
+    {
+        std::vector<std::size_t> counts;
+        std::size_t count = asked_.points;
+        for (std::int64_t level = 0; level < parameters_.integer("levels"); ++level) {
+            counts.insert(counts.begin(), count);
+            count = coarser_points(count, asked_.dimension);
+        }
+        return counts;
+    }
+
+    SampleRequest asked_;
     GaussianRequest request_;
 };
 
@@ -56,7 +87,7 @@ std::vector<ParameterSpec> gaussian_parameters()
     return {
         {.key = "iterations",
          .kind = ParameterSpec::Kind::integer,
-         .help = "steps that all points take",
+         .help = "steps that all points take, on each level",
          .maximum = 1'000'000,
          .symbol = "i",
          .otherwise = std::int64_t{1000}},
@@ -72,6 +103,12 @@ std::vector<ParameterSpec> gaussian_parameters()
          .maximum = 1,
          .exclusive_minimum = true,
          .unless_given = "0.25 in 2D, 0.1 / sigma in 3D"},
+        {.key = "levels",
+         .kind = ParameterSpec::Kind::integer,
+         .help = "coarser sets to begin with, of a quarter (3D: an eighth) as many points each, whose points are then "
+                 "split: large sets get even at large distances in fewer iterations",
+         .maximum = 10,
+         .otherwise = std::int64_t{0}},
         start_parameter(),
     };
 }
@@ -79,12 +116,30 @@ std::vector<ParameterSpec> gaussian_parameters()
 void check_gaussians(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
     const std::size_t least = least_gaussian_points(parameters.number("sigma"), request.dimension);
-    const std::size_t points = most_started_points(parameters, request);
+    const bool has_levels = parameters.integer("levels") > 0;
+    if (has_levels && parameters.sampler("start").spec->has_own_points)
+        throw parameters.error("levels", "does not go with a start whose sets are as large as they are; leave it out");
+    const std::size_t points = most_started_points(parameters, start_request(parameters, request));
     if (points >= least) return;
+    if (has_levels)
+        throw parameters.error(
+            "levels", fmt::format("the coarsest sets would have {} points, and need at least {}", points, least));
     if (parameters.is_given("sigma")) throw GaussianSampler::too_few(parameters, points, least);
     throw InputError::at(where, fmt::format("sampler = gaussian-blue-noise: needs at least {} points in {}D, where its "
                                             "Gaussians do not reach around the torus; here are {}",
                                             least, request.dimension, points));
+}
+
+/// The finest level takes the most; the start makes sets for the coarsest one.
+DeviceMemory memory_of_levels(const Parameters& parameters, const SampleRequest& request, const DeviceInfo& device)
+{
+    const SamplerChoice& start = parameters.sampler("start");
+    const SampleRequest coarsest = start_request(parameters, request);
+    const bool has_levels = parameters.integer("levels") > 0;
+    const std::size_t points = has_levels ? request.points : most_started_points(parameters, request);
+    const DeviceMemory memory = gaussian_memory(parameters, points, request.dimension);
+    if (!start.spec->device_memory) return memory;
+    return memory + start.spec->device_memory(start.parameters, coarsest, device);
 }
 
 }
@@ -96,6 +151,7 @@ SamplerSpec gaussian_blue_noise_sampler()
                                   {2, 3}, gaussian_parameters());
     spec.check = check_gaussians;
     describe_start(spec, gaussian_memory);
+    spec.device_memory = memory_of_levels;
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<GaussianSampler>(given, request, engine, device);

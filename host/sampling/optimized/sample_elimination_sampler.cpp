@@ -48,6 +48,8 @@ public:
         });
     }
 
+    bool is_progressive() const override { return true; }
+
 private:
     SampleRequest request_;
     std::size_t candidates_;

@@ -3,6 +3,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/spectra/nonuniform_transform.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +131,7 @@ LloydResult follow_curve(const PointSet& points, const TargetCurve& target, std:
     const double longest = longest_move / std::sqrt(static_cast<double>(points.size()));
     double step = 0;
     for (std::size_t iteration = 0;; ++iteration) {
+        stop_if_interrupted();
         result.kept = iteration;
         result.iterations.push_back({relative_radius(min_toroidal_distance(result.points), points.size(), 2), energy});
         double steepest = 0;

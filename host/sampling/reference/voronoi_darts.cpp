@@ -45,7 +45,7 @@ double angle_of(double x, double y)
     return x < 0 ? std::numbers::pi - angle : angle;
 }
 
-/// What is between a part of an edge of a site's cell and its disk. The part goes from `begin` to `end` along the
+/// The area between a part of an edge of a site's cell and its disk. The part goes from `begin` to `end` along the
 /// edge's line, from the foot of the site; lengths are in units of 2^-32.
 struct FreePiece
 {

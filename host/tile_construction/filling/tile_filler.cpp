@@ -20,7 +20,7 @@ std::uint64_t batch_bytes(const DeviceInfo& device)
     return std::min({max_batch_bytes, device.global_memory_bytes / 4, device.max_allocation_bytes});
 }
 
-/// Of work-groups on CPUs: there, work-items of a group run one after the other.
+/// The size of work-groups on CPUs: there, work-items of a group run one after the other.
 constexpr std::size_t cpu_work_group_size = 1;
 constexpr std::size_t gpu_work_group_size = 32;
 

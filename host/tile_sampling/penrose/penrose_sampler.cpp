@@ -1,16 +1,12 @@
 #include "host/tile_sampling/penrose/penrose_sampler.hpp"
 
-#include "base/densities/density_text.hpp"
-#include "base/errors/errors.hpp"
-#include "base/files/whole_file.hpp"
-#include "base/files/xxh64_bytes.hpp"
+#include "base/random/random.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/density_parameters.hpp"
 #include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/penrose/penrose_importance.hpp"
 #include "host/tile_sampling/penrose/penrose_table_cache.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
-
-#include <fmt/format.h>
 
 #include <chrono>
 #include <optional>
@@ -18,91 +14,104 @@
 namespace poissonlab {
 namespace {
 
-constexpr const char* density_key = "density";
-constexpr const char* channel_key = "density_from";
-
-/// The density as it was given; of a picture the name with the folder of the config, where it is looked for.
-std::string density_named(const Parameters& given)
-{
-    const std::filesystem::path folder = std::filesystem::path(given.location(density_key).file).parent_path();
-    const std::string& text = given.text(density_key);
-    const std::string file = (folder / text).string();
-    return is_file_name(file) ? file : text;
-}
+constexpr const char* window_key = "random_window";
+constexpr int window_halvings = 1; // windows have half of the side of the square that is made
 
 DensityBounds density_bounds_of(const Parameters& given)
 {
-    if (!given.is_given(density_key)) return {};
-    try {
-        return DensityBounds(density_of_text(density_named(given), given.text(channel_key), 1, 1));
-    } catch (const InputError& error) {
-        throw InputError::at(given.location(density_key), fmt::format("{}: {}", density_key, error.what()));
-    }
+    const auto density = given_density(given);
+    return density ? DensityBounds(*density) : DensityBounds();
+}
+
+/// Realizations at random places have so many times the points in the whole square.
+std::size_t points_of_square(const Parameters& given, std::size_t points)
+{
+    return given.flag(window_key) ? points << (2 * window_halvings) : points;
+}
+
+/// A window's points, stretched over the unit square.
+PointSet stretched(PointSet points, const PenroseWindow& window)
+{
+    const double times = 0x1p32 / static_cast<double>(window.side);
+    for (std::size_t i = 0; i < points.coordinates.size(); ++i)
+        points.coordinates[i] = times * (points.coordinates[i] - window.low[i % 2] * 0x1p-32);
+    return points;
 }
 
 class PenroseSampler final : public DeviceSampler
 {
 public:
     PenroseSampler(const Parameters& given, const SampleRequest& request, Engine engine, const DeviceProvider& device)
-        : DeviceSampler(engine, device)
+        : DeviceSampler(engine, device), seed_(request.seed), has_random_window_(given.flag(window_key))
     {
         const auto begin = std::chrono::steady_clock::now();
         CachedPenroseTable cached = cached_penrose_table(tile_cache_folder(), request.on_step);
         tiling_ = std::make_unique<PenroseTiling>(cached.table, density_bounds_of(given));
-        importance_ = importance_for_points(*tiling_, request.points);
+        importance_ = importance_for_points(*tiling_, points_of_square(given, request.points));
         if (device_) generator_.emplace(*device_, *tiling_);
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
         preparation_seconds_ = all.count() - build_seconds() - cached.waiting_seconds;
     }
 
-    PointSet sample(std::uint32_t) override
+    PointSet sample(std::uint32_t realization) override
     {
-        return generator_ ? generator_->points(importance_)
-                          : point_set_of(reference::penrose_points(*tiling_, importance_));
+        const PenroseWindow window = window_of(realization);
+        PointSet points = generator_ ? generator_->points(importance_, window)
+                                     : point_set_of(reference::penrose_points(*tiling_, importance_, window));
+        return has_random_window_ ? stretched(std::move(points), window) : points;
     }
 
+    /// Windows of one size have about as many points.
+    bool sizes_vary() const override { return has_random_window_; }
     bool is_window() const override { return true; }
     double preparation_seconds() const override { return preparation_seconds_; }
 
 private:
+    PenroseWindow window_of(std::uint32_t realization) const
+    {
+        if (!has_random_window_) return {};
+        const StreamKey place = stream_key(seed_, Purpose::penrose_window, realization);
+        return {{place[0] >> window_halvings, place[1] >> window_halvings}, std::uint64_t{1} << (32 - window_halvings)};
+    }
+
+    std::uint64_t seed_;
+    bool has_random_window_;
     std::unique_ptr<PenroseTiling> tiling_; ///< the generator points to it
     std::uint64_t importance_ = 0;
     std::optional<PenroseGenerator> generator_;
     double preparation_seconds_ = 0;
 };
 
-void check_density(const Parameters& given, const SampleRequest&, const SourceLocation&)
+void check_penrose(const Parameters& given, const SampleRequest&, const SourceLocation&)
 {
-    if (given.is_given(channel_key) && !(given.is_given(density_key) && is_file_name(density_named(given))))
-        throw given.error(channel_key, fmt::format("is for pictures, and there is none as {}", density_key));
-    density_bounds_of(given);
+    if (given_density(given) && given.flag(window_key))
+        throw given.error(window_key, "is for points that are the same everywhere, and there is a density");
+}
+
+std::vector<ParameterSpec> penrose_parameters()
+{
+    std::vector<ParameterSpec> specs = density_parameters();
+    specs.push_back({.key = window_key,
+                     .kind = ParameterSpec::Kind::boolean,
+                     .help = "realizations are windows of a larger tiling at random places, with about as many points; "
+                             "else all are the same",
+                     .otherwise = false});
+    return specs;
 }
 
 }
 
 SamplerSpec penrose_sampler()
 {
-    using Kind = ParameterSpec::Kind;
-    SamplerSpec spec = plain_spec(
-        "penrose", "Penrose tiling", "a window of a Penrose tiling whose points are moved by a table (all the same)",
-        {2},
-        {{.key = density_key,
-          .kind = Kind::text,
-          .help = "points follow it: a picture, from the folder of the config, or a formula in x and y from -1 to 1, "
-                  "such as \"exp(-8*(x^2+y^2))\"",
-          .unless_given = "the same everywhere"},
-         {.key = channel_key,
-          .kind = Kind::text,
-          .help = "of a picture: light, ink or one of its channels",
-          .otherwise = std::string("light")}});
-    spec.deterministic = true;
-    spec.check = check_density;
-    spec.outside_input = [](const Parameters& given) -> std::uint64_t {
-        if (!given.is_given(density_key) || !is_file_name(density_named(given))) return 0;
-        return xxh64_bytes(read_whole_file(density_named(given)));
-    };
+    SamplerSpec spec =
+        plain_spec("penrose", "Penrose tiling", "a window of a Penrose tiling whose points are moved by a table", {2},
+                   penrose_parameters());
+    spec.is_deterministic = [](const Parameters& given) { return !given.flag(window_key); };
+    spec.check = check_penrose;
+    spec.outside_input = density_hash;
     spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
-        return PenroseGenerator::memory(request.points, density_bounds_of(given).weights.size());
+        return PenroseGenerator::memory(points_of_square(given, request.points),
+                                        density_bounds_of(given).weights.size());
     };
     // Some more than asked for where the number lies between two rows of the table.
     spec.most_points = [](const Parameters&, const SampleRequest& request) -> std::size_t {
@@ -112,8 +121,8 @@ SamplerSpec penrose_sampler()
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         try {
             return std::make_unique<PenroseSampler>(given, request, engine, device);
-        } catch (const InputError& error) {
-            throw given.is_given(density_key) ? error.moved_to(given.location(density_key)) : error;
+        } catch (const InputError& error) { // tiles would have to be too fine
+            throw given.is_given("density") ? error.moved_to(given.location("density")) : error;
         }
     };
     return spec;

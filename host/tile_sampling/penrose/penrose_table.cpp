@@ -49,7 +49,7 @@ std::optional<PenroseTable> read_penrose_table(const std::filesystem::path& file
     PenroseTable table;
     for (auto& row : table.rows)
         for (PenroseVector& v : row) lines >> v.along >> v.left;
-    // What was written for these numbers is all there is to the file.
+    // The file is exactly what was written for these numbers.
     const std::string text = table_text(table);
     if (!lines || content != text + fmt::format("{}{:016x}\n", checksum_word, xxh64_bytes(text))) return std::nullopt;
     constexpr std::int32_t most = longest_vector << vector_bits;

@@ -20,7 +20,7 @@
 
 namespace poissonlab {
 
-/// How the levels of tiles become points.
+/// The way from the levels of tiles to points.
 enum class RecursiveDrawing
 {
     once,  ///< a tile's points, and of the tiles in its cells what these have beside them

@@ -8,7 +8,7 @@
 
 namespace poissonlab {
 
-/// How pieces are cut.
+/// The manner of cutting pieces.
 struct PuzzleCut
 {
     double piece = 30; ///< the side of a tile in millimetres

@@ -144,8 +144,8 @@ TEST(Oscillation, IsTheRootMeanSquareDeviationFromOne)
     EXPECT_EQ(oscillation(low, 100, 2).begin, 7);
 }
 
-/// What the noise of K periodograms makes of a flat spectrum: power is exponentially distributed, and f and -f have the
-/// same, so that the mean over the n samples of a bin has the variance 2 / (K n).
+/// The effect of the noise of K periodograms on a flat spectrum: power is exponentially distributed, and f and -f have
+/// the same, so that the mean over the n samples of a bin has the variance 2 / (K n).
 double squared_noise_floor(const std::vector<RadialBin>& radial, const Oscillation& measured, int realizations)
 {
     double noise = 0, samples = 0;

@@ -3,10 +3,12 @@
 #include "base/geometry/relative_radius.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"
+#include "tests/support/set_features.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
@@ -38,6 +40,51 @@ TEST(MinToroidalDistance, WrapsAroundEveryBorder)
     EXPECT_EQ(min_toroidal_distance({3, {0.3, 0.3, 0.0, 0.3, 0.3, 1.0 - 0x1p-53}}), 0x1p-53);
     // Across a border the two small parts add up without rounding each other away.
     EXPECT_NEAR(min_toroidal_distance({2, {0x1p-60, 0.5, 1.0 - 0x1p-53, 0.5}}), 0x1p-53 + 0x1p-60, 1e-15 * 0x1p-53);
+}
+
+TEST(MeanNearestDistance, AgreesWithAllPairs)
+{
+    std::mt19937_64 random(6);
+    for (int i = 0; i < 40; ++i) {
+        const int dimension = i % 2 + 2;
+        const std::size_t n = 2 + random() % (i < 30 ? 40 : 1000);
+        PointSet points = i % 4 < 2 ? random_points(n, dimension, random) : random_points_32(n, dimension, random);
+        if (i % 3 == 0) // all but one in a small corner
+            for (std::size_t k = static_cast<std::size_t>(dimension); k < points.coordinates.size(); ++k)
+                points.coordinates[k] = std::floor(points.coordinates[k] * 0x1p20) * 0x1p-30;
+        double sum = 0;
+        for (std::size_t a = 0; a < n; ++a) {
+            double least = 10;
+            for (std::size_t b = 0; b < n; ++b)
+                if (a != b) least = std::min(least, squared_distance(points[a], points[b]));
+            sum += std::sqrt(least);
+        }
+        const double expected = sum / static_cast<double>(n);
+        EXPECT_NEAR(mean_nearest_distance(points), expected, 1e-12 * expected)
+            << n << " points in " << dimension << "D";
+    }
+    EXPECT_EQ(mean_nearest_distance({2, {}}), std::numeric_limits<double>::infinity());
+}
+
+TEST(MeanNearestDistance, IsThatOfAPoissonProcess)
+{
+    // 1 / 2 in mean spacings, of the variance 1 / pi - 1 / 4 (Clark and Evans 1954), in 3D Gamma(4 / 3) (3 / 4
+    // pi)^(1/3) of the deviation 0.2013; nearest distances of neighbours depend on each other, for which twice that is
+    // taken.
+    std::mt19937_64 random(8);
+    constexpr std::size_t n = 40000;
+    EXPECT_NEAR(mean_nearest_distance(random_points(n, 2, random)) * std::sqrt(n), 0.5,
+                4 * 2 * std::sqrt((std::numbers::inv_pi - 0.25) / n));
+    const double in_space = std::tgamma(4.0 / 3) * std::cbrt(0.75 * std::numbers::inv_pi);
+    EXPECT_NEAR(mean_nearest_distance(random_points(n, 3, random)) * std::cbrt(n), in_space, 4 * 2 * 0.2013 / 200);
+    EXPECT_NEAR(in_space / max_min_distance(1, 3), 0.494, 5e-4); // as the catalogue says
+}
+
+TEST(MeanNearestDistance, OfAWindowGoesAcrossNoBorder)
+{
+    const PointSet points{2, {0.125, 0.5, 0.875, 0.5}};
+    EXPECT_EQ(mean_nearest_distance(points), 0.25);
+    EXPECT_EQ(mean_nearest_distance_in_window(points), 0.75);
 }
 
 TEST(MinToroidalDistance, AgreesWithAllPairsOnRandomSets)

@@ -83,6 +83,16 @@ TEST(LowFrequencyPower, WeighsBinsByTheirSamples)
     EXPECT_NEAR(fit->intercept, 0, 1e-3);
 }
 
+TEST(MeanPowerInARange, IsThatOfItsFrequencies)
+{
+    // 6 k samples of power k: sums of squares over sums, (n + 1)(2 n + 1) / 3 over n + 1 for k = 1 .. n.
+    const auto radial = radial_of(40, [](double f) { return f; });
+    EXPECT_NEAR(*mean_power_in(radial, {1, 10}), 7, 1e-12);
+    EXPECT_NEAR(*mean_power_in(radial, {0, 25.5}), 17, 1e-12);
+    EXPECT_EQ(*mean_power_in(radial, {7, 7}), 7);
+    EXPECT_FALSE(mean_power_in(radial, {41, 100}));
+}
+
 TEST(LowFrequencyPower, OfTooFewBinsIsNothing)
 {
     const auto radial = radial_of(40, [](double f) { return f; });

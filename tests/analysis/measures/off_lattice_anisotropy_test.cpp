@@ -33,7 +33,7 @@ TEST(OffLatticeAnisotropy, IsThatOfTheSpeckleAlone)
 {
     for (const int tiles : {1, 8, 64}) {
         const double variance = tiles > 1 ? 1.0 / (tiles - 1) : 0;
-        // Of a product of independent factors of mean 1.
+        // The variance of a product of independent factors of mean 1.
         const double expected = 10 * std::log10((1 + 0.1) * (1 + variance) - 1) + 10;
         for (const int dimension : {2, 3}) {
             const auto found =

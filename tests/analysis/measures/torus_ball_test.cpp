@@ -18,7 +18,7 @@ long double simpson(const std::function<long double(long double)>& f, long doubl
     return sum * (b - a) / n / 3;
 }
 
-/// What the disk of radius r has of the square, by columns: x = r sin t takes the root out of the integrand.
+/// The part of the square in the disk of radius r, by columns: x = r sin t takes the root out of the integrand.
 double disk_by_columns(double r, int n)
 {
     const auto column = [&](long double t) { return std::min(1.0L, 2 * r * std::cos(t)) * r * std::cos(t); };
@@ -28,7 +28,7 @@ double disk_by_columns(double r, int n)
     return static_cast<double>(2 * (simpson(column, 0, kink, n) + simpson(column, kink, end, n)));
 }
 
-/// What the ball has of the cube, by slices.
+/// The part of the cube in the ball, by slices.
 double ball_by_slices(double r, int n)
 {
     const auto slice = [&](long double z) {

@@ -14,7 +14,7 @@ using namespace test;
 /// The documented bound: each transform value is within 1e-11 N of the exact sum.
 constexpr double transform_error = 1e-11;
 
-/// What that bound allows in the power P = |S|^2 / N: a change by (2 |S| d + d^2) / N with d = 1e-11 N.
+/// The deviation that this bound allows in the power P = |S|^2 / N: a change by (2 |S| d + d^2) / N with d = 1e-11 N.
 double power_error(double power, std::size_t points)
 {
     const auto n = static_cast<double>(points);

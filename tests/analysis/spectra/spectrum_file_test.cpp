@@ -81,7 +81,7 @@ TEST_F(SpectrumFile, ComesBackAsFloats)
     EXPECT_EQ(read.points, 16'384u);
     EXPECT_EQ(read.realizations, 10);
     EXPECT_EQ(read.power, expected.power);
-    // Nothing else is left in the folder.
+    // No other file is left in the folder.
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 

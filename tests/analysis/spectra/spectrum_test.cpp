@@ -208,8 +208,8 @@ TEST(SpectrumEstimate, OfACubicLatticeIsItsReciprocalLattice)
 
 TEST(SpectrumEstimate, OfUniformPointsInACubeIsWhite)
 {
-    // As OfUniformPointsIsWhite: each shell of n' = samples / 2 independent values of variance 1/K. 20 + 20
-    // comparisons at 4.5 standard errors: the seed fails a correct program with probability 3e-4.
+    // The bound is that of OfUniformPointsIsWhite: each shell of n' = samples / 2 independent values of variance 1/K.
+    // 20 + 20 comparisons at 4.5 standard errors: the seed fails a correct program with probability 3e-4.
     constexpr int realizations = 6;
     std::mt19937_64 random(5);
     SpectrumEstimate estimate(3, 48);

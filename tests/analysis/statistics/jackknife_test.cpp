@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace poissonlab {
@@ -53,6 +54,37 @@ TEST(Jackknife, AgreesWithTheSpreadOfTheStatistic)
     // (4 m^2 v + 4 v^2 (1 + 1/9 ...)) / 50: nearly right far from 0, twice too much at 0 (Efron and Stein).
     EXPECT_NEAR(claimed_over_true(3, mean_square), 1, 4 * 0.032 + 0.01);
     EXPECT_NEAR(claimed_over_true(0, mean_square), 2, 2 * 4 * 0.032 + 2.0 / 9);
+}
+
+TEST(GroupMeans, TakeTurns)
+{
+    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 5}, 2), (std::vector<double>{3, 3}));
+    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 6}, 4), (std::vector<double>{3.5, 2, 3, 4}));
+    EXPECT_EQ(group_means(std::vector<double>{1, 2}, 3), (std::vector<double>{1, 2})) << "an empty group";
+    const std::vector<std::vector<double>> curves = {{1, 10}, {2, 20}, {3, 40}};
+    EXPECT_EQ(group_means(curves, 2), (std::vector<std::vector<double>>{{2, 25}, {2, 20}}));
+    EXPECT_THROW(group_means(curves, 0), std::invalid_argument);
+    EXPECT_THROW(group_means({{1.0}, {1.0, 2.0}}, 1), std::invalid_argument);
+}
+
+TEST(GroupMeans, GiveTheErrorThatGroupsHave)
+{
+    // Values are a group's normal deviate of variance 1 plus one of their own of variance 1/4: the variance of the mean
+    // over 4 groups of 5 is (1 + 1/20) / 4, of which the values by themselves would claim a fifth of 1.25 / 4 only.
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> normal;
+    double by_groups = 0, by_values = 0;
+    constexpr int trials = 4000;
+    for (int trial = 0; trial < trials; ++trial) {
+        const double groups[4] = {normal(random), normal(random), normal(random), normal(random)};
+        std::vector<double> values;
+        for (std::size_t k = 0; k < 20; ++k) values.push_back(groups[k % 4] + normal(random) / 2);
+        by_groups += std::pow(standard_error_of_mean(group_means(values, 4)), 2) / trials;
+        by_values += std::pow(standard_error_of_mean(values), 2) / trials;
+    }
+    // A variance of 3 degrees of freedom is known within sqrt(2 / 3 / 4000) = 1.3 %.
+    EXPECT_NEAR(by_groups, 1.05 / 4, 4 * 0.013 * 1.05 / 4);
+    EXPECT_LT(by_values, 0.3 * by_groups);
 }
 
 TEST(Jackknife, NeedsTwoOfASize)

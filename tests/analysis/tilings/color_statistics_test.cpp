@@ -77,7 +77,7 @@ TEST(ColorAutocorrelation, OfIndependentColorsIsStandardNormal)
     for (const double z : result.z) squares += z * z;
     const double n = 0.5 * (static_cast<double>(result.z.size()) - 1);
     EXPECT_NEAR(squares / 2 / n, 1, test::z_bound(1) * std::sqrt(2 / n));
-    // Of 20,200 displacements, one beyond the bound with probability 0.01.
+    // One of 20,200 displacements is beyond the bound with probability 0.01.
     EXPECT_NEAR(result.bound, 5.03, 0.01);
 }
 

@@ -88,7 +88,7 @@ TEST(ZonePlateError, IsResolvedUpToHalfACyclePerPixel)
     EXPECT_EQ(resolved_with_error_at(179), 0);
 }
 
-/// What the sampling test is for: regular sets make rings that are not there, jittered ones noise, and both
+/// The purpose of the sampling test: regular sets make rings that are not there, jittered ones noise, and both
 /// are right where the plate is coarse.
 TEST(ZonePlateError, TellsRegularFromJitteredFromRandom)
 {

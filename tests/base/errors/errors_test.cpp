@@ -56,7 +56,7 @@ TYPED_TEST(Errors, AreOneLineButForDetails)
     EXPECT_STREQ(TypeParam("a\nb", "; it said:\n    c").what(), "a\\nb; it said:\n    c");
 }
 
-/// As processes send them to each other.
+/// Errors as processes send them to each other.
 TYPED_TEST(Errors, StayAsTheyAreWhenThrownAgain)
 {
     const TypeParam error("a\nb \xff", ": c\n");

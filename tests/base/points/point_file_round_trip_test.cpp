@@ -1,4 +1,4 @@
-// What is written is read back bit for bit, in every format, dimension and locale.
+// Points are read back bit for bit as they were written, in every format, dimension and locale.
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
@@ -106,7 +106,7 @@ class DecimalCommaLocale
 public:
     DecimalCommaLocale() : c_locale_(std::setlocale(LC_ALL, nullptr))
     {
-        // Of C only where such a locale is installed, of C++ always.
+        // The locale of C is set only where such a one is installed, that of C++ always.
         for (const char* name : {"de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "nl_BE.UTF-8"}) {
             if (std::setlocale(LC_ALL, name) != nullptr) break;
         }

@@ -67,8 +67,18 @@ TEST(BeattyGeneratorLimits, RefusesWindowsThatReachBeyondThem)
 TEST(BeattyGeneratorLimits, SaysWhatMemoryItTakes)
 {
     // A table, a row more than the piece, and the tiles: pieces are of 2^23 tiles, or of one row.
-    EXPECT_EQ(poissonlab::BeattyGenerator::memory(1 << 20).total,
+    EXPECT_EQ(poissonlab::BeattyGenerator::memory({0, 0, 1 << 20, 100}).total,
               beatty_table_size + 9 * sizeof(contract::beatty_tiling::Row) + (std::size_t{1} << 23));
+    for (const TileWindow& window : {TileWindow{-5, 7, 1 << 20, 20}, TileWindow{0, 0, 300, 2}}) {
+        Device device = Device::open();
+        const std::uint64_t before = device.memory().total;
+        device.watch_memory();
+        poissonlab::BeattyGenerator generator(device, BeattyTiling(BeattySet::culik, 1));
+        generator.stream(window, [](auto) {});
+        const DeviceMemory foretold = poissonlab::BeattyGenerator::memory(window);
+        EXPECT_EQ(device.peak_memory().total - before, foretold.total);
+        EXPECT_EQ(device.peak_memory().largest, foretold.largest);
+    }
 }
 
 }

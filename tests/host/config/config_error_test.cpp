@@ -31,7 +31,7 @@ TEST(ConfigError, UnknownTopLevelKey)
     EXPECT_EQ(error_of("title = \"x\"\nsede = 1\n" + good_method),
               "c.toml:2: sede = 1: unknown key; did you mean \"seed\"? "
               "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
-              "distribution, include");
+              "distribution, scheme, texture, packing, include");
 }
 
 TEST(ConfigError, UnknownKeyThatIsLikeNoOther)
@@ -39,7 +39,7 @@ TEST(ConfigError, UnknownKeyThatIsLikeNoOther)
     EXPECT_EQ(error_of("wavelength = \"long\"\n" + good_method),
               "c.toml:1: wavelength = \"long\": unknown key; "
               "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
-              "distribution, include");
+              "distribution, scheme, texture, packing, include");
 }
 
 TEST(ConfigError, UnknownTable)
@@ -47,7 +47,7 @@ TEST(ConfigError, UnknownTable)
     EXPECT_EQ(error_of(good_method + "[analisys]\npoints = 3\n"),
               "c.toml:3: analisys = {...}: unknown key; did you mean \"analysis\"? "
               "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, construction, "
-              "distribution, include");
+              "distribution, scheme, texture, packing, include");
 }
 
 TEST(ConfigError, UnknownAnalysisKey)
@@ -63,13 +63,13 @@ TEST(ConfigError, UnknownMethodKey)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"dart-throwing\"\nrelative_radus = [0.70, 0.75]\n"),
               "c.toml:3: relative_radus = [0.70, 0.75]: unknown key; did you mean \"relative_radius\"? "
-              "known keys: sampler, label, points, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, order, relative_radius, stop, min_distance");
 }
 
 TEST(ConfigError, ParameterOfAnotherSampler)
 {
     EXPECT_EQ(error_of("[[method]]\nsampler = \"random\"\nrelative_radius = 0.7\n"),
-              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points");
+              "c.toml:3: relative_radius = 0.7: unknown key; known keys: sampler, label, points, order");
 }
 
 TEST(ConfigError, TheFirstOfSeveralMistakesIsReported)

@@ -75,13 +75,13 @@ TEST(Override, MistakesNameTheArgument)
               "--set analysis.points=abc: points = \"abc\": must be an integer from 1 to 134217728");
     EXPECT_EQ(error_with("sede=2"), "--set sede=2: sede = 2: unknown key; did you mean \"seed\"? "
                                     "known keys: title, seed, engine, device, analysis, method, tile_set, tiling, "
-                                    "construction, distribution, include");
+                                    "construction, distribution, scheme, texture, packing, include");
     EXPECT_EQ(error_with("method.1.relative_radius=2"), "--set method.1.relative_radius=2: relative_radius = 2: "
                                                         "must be a number greater than 0 and at most 1");
     EXPECT_EQ(error_with("method.relative_radus=0.5"),
               "--set method.relative_radus=0.5: relative_radus = 0.5: unknown key; did you mean "
               "\"relative_radius\"? "
-              "known keys: sampler, label, points, relative_radius, stop, min_distance");
+              "known keys: sampler, label, points, order, relative_radius, stop, min_distance");
 }
 
 TEST(Override, ThatCannotBeApplied)

@@ -1,4 +1,5 @@
-// What samplers say that they take of a device, held against what they take; and plans that are too large for one.
+// The memory that samplers say that they take of a device, held against what they take; and plans that are too large
+// for one.
 #include "host/config/plan_memory.hpp"
 
 #include "tests/support/errors.hpp"
@@ -39,6 +40,10 @@ points = [10, 1000, 10000]
 factor = [0.9, 0.998]
 [[method]]
 sampler = "sample-elimination"
+points = [5, 1000, 10000]
+[[method]]
+sampler = "random"
+order = "sample-elimination"
 points = [5, 1000, 10000]
 [[method]]
 sampler = "farthest-point"
@@ -113,6 +118,8 @@ relative_radius = 0.4
 points = [64, 70000]
 [[method]]
 sampler = "random"
+[[method]]
+sampler = "isohedral-tiles"
 [[method]]
 sampler = "jittered"
 [[method]]

@@ -1,4 +1,4 @@
-// What users are told of samplers is printed from their descriptions.
+// The help on samplers is printed from their descriptions.
 #include "host/config/sampler_help.hpp"
 
 #include "base/files/whole_file.hpp"

@@ -53,6 +53,50 @@ TEST(TilingTable, TakesEveryKey)
     EXPECT_EQ(tiling.label, "L");
 }
 
+TEST(TilingTable, TakesAllKindsOfTiles)
+{
+    const auto tilings =
+        tilings_in("[[tiling]]\nkind = \"domino\"\nwindow = [-3, 7]\n"
+                   "[[tiling]]\nkind = \"wang-cube\"\ncolors = 3\n"
+                   "[[tiling]]\nkind = \"wang\"\ncolors = 3\nvertical_colors = 2\n"
+                   "[[tiling]]\nkind = \"wang\"\ncolors = 3\nindices = [[0, 45], [22, 8], [36, 70]]\n");
+    EXPECT_EQ(tilings[0].window.x, -3);
+    EXPECT_EQ(tilings[0].window.width, 7);
+    EXPECT_EQ(tilings[0].window.height, 1);
+    EXPECT_EQ(tilings[1].request.algorithm, "face-hash");
+    EXPECT_EQ(tilings[1].window.depth, 4);
+    EXPECT_EQ(tilings[2].request.all_colors(), (WangColors{3, 2}));
+    EXPECT_EQ(tilings[2].label, "Edge-hash tiling of Wang tiles, 3 x 2 colours");
+    EXPECT_EQ(tilings[3].window.width, 2);
+    EXPECT_EQ(tilings[3].window.height, 3);
+    std::vector<TileIndex> tiles;
+    stream_tiles(tilings[3].request, tilings[3].window,
+                 [&](auto, auto, auto, auto row) { tiles.insert(tiles.end(), row.begin(), row.end()); });
+    EXPECT_EQ(tiles, (std::vector<TileIndex>{0, 45, 22, 8, 36, 70}));
+}
+
+TEST(TilingTable, SaysWhichGivenTilesAreWrong)
+{
+    const auto error_of = [](const std::string& lines) {
+        return message_of([&] { tilings_in("[[tiling]]\nkind = \"wang\"\ncolors = 3\n" + lines + "\n"); });
+    };
+    EXPECT_THAT(error_of("indices = [[0, 1]]"),
+                HasSubstr("indices: 1 in row 1, column 2: does not fit to the tile to the west"));
+    EXPECT_THAT(error_of("indices = [[0], [54]]"),
+                HasSubstr("indices: 54 in row 2, column 1: does not fit to the tile to the north"));
+    EXPECT_THAT(error_of("indices = [[81]]"), HasSubstr("indices: 81 in row 1, column 1: must be less than 81"));
+    EXPECT_THAT(error_of("indices = [[0, 45], [22]]"), HasSubstr("must be rows"));
+    EXPECT_THAT(error_of("indices = [0, 45]"), HasSubstr("must be rows"));
+    EXPECT_THAT(error_of("indices = [[0]]\nhash = \"xxh64\""), HasSubstr("has no place beside indices"));
+    EXPECT_THAT(error_of("vertical_colors = 1"), HasSubstr("must be an integer from 2 to 256"));
+    EXPECT_THAT(error_of("vertical_colors = 2\nalgorithm = \"scanline-compact\""),
+                HasSubstr("vertical_colors = 2: must be 3, as colors is, with compact"));
+    EXPECT_THAT(message_of([] { tilings_in("[[tiling]]\nkind = \"cube\"\nvertical_colors = 3\n"); }),
+                HasSubstr("vertical_colors = 3: is for Wang tiles only"));
+    EXPECT_THAT(message_of([] { tilings_in("[[tiling]]\nkind = \"domino\"\nregions = 0.1\n"); }),
+                HasSubstr("is for Wang tiles, corner tiles and corner cubes"));
+}
+
 TEST(TilingTable, SaysWhatIsAllowed)
 {
     const auto error_of = [](const std::string& lines) {

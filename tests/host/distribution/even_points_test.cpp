@@ -3,11 +3,14 @@
 #include "host/distribution/even_points.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace poissonlab {
@@ -67,6 +70,40 @@ TEST(EvenPoints, OfTilesAreThoseOfTheTiling)
             is_of_the_set = is_of_the_set || std::ranges::equal(tiles.tile(t), units);
         EXPECT_TRUE(is_of_the_set) << tile;
     }
+}
+
+/// The least distance of two points; over the left and right border as well where it closes there.
+double least_distance(const SquarePoints& points, double width, double height, bool closes)
+{
+    double least = INFINITY;
+    for (std::size_t i = 0; i < points.size(); i += 2)
+        for (std::size_t k = 0; k < i; k += 2) {
+            double x = std::abs(points[i] / 0x1p32 - points[k] / 0x1p32);
+            if (closes) x = std::min(x, 1 - x);
+            least = std::min(least, std::hypot(x * width, (points[i + 1] / 0x1p32 - points[k + 1] / 0x1p32) * height));
+        }
+    return least;
+}
+
+/// Numbers that are no whole tiles, one point, and proportions that leave less than a tile along a side.
+TEST(EvenPoints, OfTilesAreAsManyAsAreAskedFor)
+{
+    const PoissonTileSet tiles = read_tile_set(source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles");
+    for (const Seam seam : {Seam::open, Seam::closed})
+        for (const auto& [points, width, height] :
+             {std::tuple{1, 1, 1}, {3, 2, 1}, {1000, 3, 2}, {1001, 2, 1}, {777, 40, 1}, {1000, 1, 1}, {1500, 1, 3}}) {
+            const auto count = static_cast<std::size_t>(points);
+            const SquarePoints square = even_points(tiles, count, width, height, 5, work_on(Engine::reference), seam);
+            ASSERT_EQ(square.size(), 2 * count);
+            EXPECT_EQ(even_points(tiles, count, width, height, 5, work_on(Engine::opencl), seam), square);
+            if (points < 700 || height > width) continue;
+            // The distance of the tiling, 0.75 of the largest one of so many points, but for as many as a border has;
+            // closed strips are of whole tiles, which are not square then.
+            const double largest = std::sqrt(2 / std::sqrt(3.0) * width * height / points);
+            const double allowed = seam == Seam::closed ? 0.8 : 0.96;
+            EXPECT_GE(least_distance(square, width, height, seam == Seam::closed), 0.75 * allowed * largest)
+                << points << " " << width << " " << height;
+        }
 }
 
 /// A lattice of 16 x 16, of which the lower half has 128 places: the rectangle's sides are whole.

@@ -42,7 +42,7 @@ TEST_P(TileFinderCases, FindsTheTilesOfItsTwin)
 INSTANTIATE_TEST_SUITE_P(Small, TileFinderCases, testing::Values(16, 77));
 INSTANTIATE_TEST_SUITE_P(Large, TileFinderCases, testing::Values(1, 28, 43));
 
-/// Whether a point of the plane is inside of a tile, with the distance to its outline.
+/// True if a point of the plane is inside of a tile, with the distance to its outline.
 struct InsideTest
 {
     bool is_inside = false;
@@ -102,6 +102,22 @@ TEST(TileLookup, EveryPlaceIsInExactlyOneTile)
             EXPECT_THROW(reference::find_tiles(others, std::vector{point}), std::logic_error) << "IH" << type.number;
         }
     }
+}
+
+TEST(TileFinderMemory, IsForetold)
+{
+    const TileLookup lookup(random_tile(isohedral_types()[27], 2, 0.3, 0.12));
+    const auto points = tried_points(5000);
+    Device device = Device::open();
+    const std::uint64_t before = device.memory().total;
+    device.watch_memory();
+    TileFinder finder(device, lookup);
+    finder.find(points);
+    const DeviceMemory taken{device.peak_memory().largest, device.peak_memory().total - before};
+    const DeviceMemory foretold = finder.memory(points.size());
+    EXPECT_GE(foretold.total, taken.total);
+    EXPECT_GE(foretold.largest, taken.largest);
+    EXPECT_LE(static_cast<double>(foretold.total), 1.3 * static_cast<double>(taken.total));
 }
 
 }

@@ -32,7 +32,7 @@ std::size_t cell_of(std::span<const double> point, std::uint64_t side)
     return index;
 }
 
-/// How many standard deviations a chi-square statistic of equally likely bins is above its mean
+/// The standard deviations by which a chi-square statistic of equally likely bins is above its mean
 /// (Wilson and Hilferty 1931: its cube root is normal; good to two digits from 30 bins on).
 double chi_square_z(const std::vector<std::uint64_t>& counts)
 {

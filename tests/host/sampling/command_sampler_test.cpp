@@ -215,6 +215,44 @@ TEST_F(CommandSampling, MistakesShowBeforeAnythingRuns)
     EXPECT_THAT(error_of("command = \"sh {points}\"\n"), HasSubstr("c.toml:3: command = sh {points}: must have {out}"));
     EXPECT_THAT(error_of("command = 3\n"), HasSubstr("must be a command in quotes, such as"));
     EXPECT_THAT(error_of("command = \"sh {out}\"\ntime_limit = 0\n"), HasSubstr("must be a number greater than 0"));
+    EXPECT_THAT(error_of("command = \"sh {out}\"\nneeds = \"sh '\"\n"),
+                HasSubstr("c.toml:4: needs = sh ': a quote or backslash at the end is left open"));
+}
+
+TEST_F(CommandSampling, IsLeftOutWhereWhatItNeedsIsNotThere)
+{
+    const auto run = [&](const std::string& more) {
+        folder_.write("c.toml", "[analysis]\npoints = 16\nrealizations = 2\n[[method]]\nsampler = \"random\"\n"
+                                "[[method]]\nlabel = \"Mine\"\nsampler = \"command\"\n" +
+                                    more);
+        fs::remove_all(folder_.path() / "out");
+        return run_program(folder_.path(), {"run", "c.toml"});
+    };
+    const auto series_made = [&] {
+        return nlohmann::json::parse(content_of(folder_.path() / "out/c/results.json"))["series"].size();
+    };
+    Outcome outcome = run("command = \"no-such-program {out}\"\nneeds = \"no-such-program --help\"\n");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, HasSubstr("Mine: left out: there is no program no-such-program in the folders of PATH"));
+    EXPECT_EQ(series_made(), 1U);
+    outcome = run("command = \"sh -c 'echo 0.5 0.5 > {out}'\"\nneeds = \"sh -c 'exit 1'\"\n");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, HasSubstr("Mine: left out: what it needs is not there: sh -c 'exit 1'"));
+    EXPECT_EQ(series_made(), 1U);
+    outcome = run("command = \"sh -c 'echo 0.5 0.5 > {out}'\"\nneeds = \"sh -c 'exit 0'\"\n");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, testing::Not(HasSubstr("left out")));
+    EXPECT_EQ(series_made(), 2U);
+}
+
+TEST_F(CommandSampling, NothingButWhatIsNotThereIsAnError)
+{
+    folder_.write("c.toml", "[[method]]\nsampler = \"command\"\nlabel = \"Mine\"\n"
+                            "command = \"sh -c x {out}\"\nneeds = \"no-such-program\"\n");
+    const Outcome outcome = run_program(folder_.path(), {"run", "c.toml"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.error, HasSubstr("c.toml: no series is left. Mine: left out: there is no program"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
 TEST_F(CommandSampling, SeriesAreNamedAfterTheProgram)

@@ -1,4 +1,4 @@
-// What the sampler "dart-throwing" accepts, refuses, and says.
+// Values that the sampler "dart-throwing" accepts and refuses, and its words.
 #include "host/config/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"

@@ -37,7 +37,7 @@ const std::vector<PointSet>& kernel_sets()
     return sets;
 }
 
-/// As many by the textbook.
+/// As many points as the textbook's program makes.
 const std::vector<PointSet>& textbook_sets()
 {
     static const std::vector<PointSet> sets = [] {
@@ -57,7 +57,7 @@ void expect_same_means(const test::Features& features)
 
 TEST(DartThrowingStatistics, PairCorrelationNearContactIsTheTextbooks)
 {
-    // From contact to twice the minimum distance, in 20 classes.
+    // Distances from contact to twice the minimum distance, in 20 classes.
     expect_same_means(
         [](const PointSet& set) { return test::pairs_by_distance(set, min_distance(), 2 * min_distance(), 20); });
 }

@@ -123,7 +123,7 @@ TEST(DartThrowingOrder, StreamsDiffer)
     for (std::size_t i = 0; i < a.coordinates.size(); ++i) EXPECT_NE(a.coordinates[i], b.coordinates[i]);
 }
 
-/// What the kernels are timed against must do the same work.
+/// The program that kernels are timed against must do the same work.
 template <int D>
 void check_plain_version(std::size_t count, double relative_radius)
 {

@@ -1,4 +1,4 @@
-// What the sampler "lloyd" accepts, refuses, and makes.
+// Values that the sampler "lloyd" accepts and refuses, and the sets that it makes.
 #include "host/config/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"

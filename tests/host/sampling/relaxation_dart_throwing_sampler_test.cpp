@@ -1,4 +1,4 @@
-// What the sampler "relaxation-dart-throwing" accepts, refuses, and makes when nothing is said.
+// Values that the sampler "relaxation-dart-throwing" accepts and refuses, and the sets that it makes by default.
 #include "host/config/sampler_registry.hpp"
 
 #include "host/device/device.hpp"

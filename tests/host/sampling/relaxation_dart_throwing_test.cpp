@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, RelaxationDartThrowing,
                                            Case{2, 3, 0.5, 0.9, 100, 3}, Case{2, 17, 0.5, 0.99, 20, 4},
                                            Case{2, 100, 0.15, 0.99, 1000, 6}, Case{2, 1024, 0.15, 0.9, 100, 8},
                                            Case{2, 1024, 0.15, 0.99, 1000, 9}, Case{2, 1024, 0.15, 0.999, 500, 10},
-                                           // Nothing is ever rejected; one failure is enough; many levels a batch.
+                                           // No dart is ever rejected; one failure is enough; many levels a batch.
                                            Case{2, 1024, 1e-7, 0.9, 100, 11}, Case{2, 3000, 0.15, 0.5, 1, 12},
                                            Case{2, 500, 0.3, 0.9999, 1, 13}, Case{2, 2, 1e-300, 0.5, 1, 14},
                                            Case{2, 16384, 0.15, 0.9, 100, 15}, Case{3, 1, 0.15, 0.9, 100, 16},

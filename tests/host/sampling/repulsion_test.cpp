@@ -30,7 +30,7 @@ Domain tile_domain(double r, int dimension)
     return domain;
 }
 
-/// How deep a point is in the regions, at most.
+/// The depth of a point in the regions, at most.
 double depth_in(const Domain& domain, std::span<const double> point)
 {
     double deepest = 0;

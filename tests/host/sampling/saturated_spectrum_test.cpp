@@ -92,7 +92,7 @@ NearContact near_contact(const PointSet& set, double d, int j)
 
 // Pomeau, Some asymptotic estimates in the random parking problem, J. Phys. A 13, L193 (1980); Swendsen,
 // Dynamics of random sequential adsorption, Phys. Rev. A 24, 504 (1981): g grows as the logarithm of the gap.
-// From one quarter of the gap to the next it grows by the same amount, where a finite value at contact would
+// The value grows from one quarter of the gap to the next by the same amount, where a finite value at contact would
 // take smaller and smaller steps and a power larger ones.
 TEST(SaturatedSpectrum, PairCorrelationGrowsLogarithmicallyTowardsContact)
 {

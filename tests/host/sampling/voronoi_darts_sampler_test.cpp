@@ -1,4 +1,5 @@
-// What the sampler "voronoi-darts" accepts and refuses; dart_throwing_sampler_test.cpp has what both have in common.
+// Values that the sampler "voronoi-darts" accepts and refuses; dart_throwing_sampler_test.cpp has what both have in
+// common.
 #include "host/config/sampler_registry.hpp"
 #include "tests/support/errors.hpp"
 

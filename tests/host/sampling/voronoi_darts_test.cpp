@@ -81,7 +81,7 @@ TEST(VoronoiDarts, FillTheTorus)
 
 TEST(VoronoiDarts, CoverWhatRandomSequentialAdditionCovers)
 {
-    // As in saturation_test.cpp; 24 sets of about 16,384 points.
+    // The sets are those of saturation_test.cpp: 24 sets of about 16,384 points.
     const double distance = min_distance_for(saturation_relative_radius(2), 16384, 2);
     VoronoiDarts darts(Device::open());
     std::vector<double> fractions;

@@ -46,8 +46,8 @@ SourceFiles includes(const std::string& file)
     return names;
 }
 
-/// How work is asked for, dealt out and stored changes no result; what is measured on points, and how samplers make
-/// them, is a version of its own.
+/// The way in which work is asked for, dealt out and stored changes no result; what is measured on points, and how
+/// samplers make them, is a version of its own.
 bool may_change(const std::string& version, const std::string& file)
 {
     const auto is_in = [&](const char* folder) { return file.starts_with(folder); };

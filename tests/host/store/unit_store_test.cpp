@@ -113,7 +113,7 @@ TEST_F(UnitStoring, AKeyOfTheSameNameIsNotTheSameKey)
 {
     UnitStore store(units());
     store_one(store);
-    // As if the hashes of two keys were equal: the unit of one under the name of the other.
+    // The hashes of two keys could be equal: the unit of one under the name of the other.
     const UnitKey other = UnitKey("test").add("points", 65);
     store.store(other, "record");
     const auto manifest_of = [&](const UnitKey& key) {

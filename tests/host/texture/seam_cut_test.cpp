@@ -77,7 +77,7 @@ TEST(MinimumCut, CostsTheLeastOfAllLabelings)
     }
 }
 
-/// What a minimum cut keeps is kept by all of them.
+/// A pixel that a minimum cut keeps is kept by all of them.
 TEST(MinimumCut, KeepsAsLittleAsItCan)
 {
     int several = 0;

@@ -227,7 +227,7 @@ TEST(ChainCertificate, SaysWhatDistanceThereIs)
     EXPECT_THAT(message, HasSubstr("must be at most sqrt 3 times the minimum distance, 3464.1"));
 }
 
-// What it is good for.
+// The gain of chains.
 
 TEST(JointRelaxation, NullingTakesThePowerOutOfTheMeanTile)
 {

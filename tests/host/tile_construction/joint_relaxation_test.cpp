@@ -34,7 +34,7 @@ TEST_P(JointTiling, ShowsEveryTile)
     }
 }
 
-/// Of the pieces around each tile, those at the same place on the torus are the same.
+/// The pieces around each tile that are at the same place on the torus are the same.
 TEST_P(JointTiling, HasTilesThatFitTogether)
 {
     const auto tiles = joint_tiling(p_, 0);

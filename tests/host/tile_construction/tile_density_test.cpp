@@ -28,7 +28,7 @@ std::unique_ptr<TileFiller> filler_for(const PoissonTileParameters& p)
     return make_tile_filler(fill_settings(p), Device::open());
 }
 
-/// How much the number of points in a whole region varies in untiled sets of the same method: the standard
+/// The variation of the number of points in a whole region in untiled sets of the same method: the standard
 /// deviation, for corners and for edges.
 std::array<double, 2> spread_of_counts()
 {

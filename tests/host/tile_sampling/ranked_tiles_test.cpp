@@ -39,7 +39,7 @@ std::vector<TorusPoint> tiling_points(const PoissonTileSet& set, std::uint32_t s
 /// The mean power over frequencies below half the principal frequency of as many points, by the definition.
 double low_power(const std::vector<TorusPoint>& points, int dimension)
 {
-    // Of hexagonal lattices, and of face-centred cubic ones.
+    // Distances of hexagonal lattices, and of face-centred cubic ones.
     const auto n = static_cast<double>(points.size());
     const double principal = dimension == 2 ? std::sqrt(2 / std::sqrt(3.0) * n) : std::sqrt(3.0) * std::cbrt(n / 4);
     const int reach = static_cast<int>(principal / 2), layers = dimension == 3 ? reach : 0;

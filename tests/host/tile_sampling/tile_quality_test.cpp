@@ -1,4 +1,4 @@
-// What tilings show in their spectra: the order of the methods, and what more colours bring.
+// The spectra of tilings: the order of the methods, and what more colours bring.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 6.9 to 6.11.
 #include "analysis/measures/lattice_peaks.hpp"

@@ -1,4 +1,4 @@
-// What the samplers of Poisson disk tiles accept, refuse, and make.
+// Values that the samplers of Poisson disk tiles accept and refuse, and the sets that they make.
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include "base/geometry/relative_radius.hpp"
@@ -10,7 +10,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <set>
 
 namespace poissonlab {
 namespace {
@@ -38,10 +41,10 @@ protected:
     ~TileSamplers() override { unsetenv("POISSONLAB_CACHE"); }
 
     std::unique_ptr<Sampler> create(const std::string& name, Values values, std::size_t points,
-                                    Engine engine = Engine::opencl)
+                                    Engine engine = Engine::opencl, std::uint64_t seed = 7)
     {
         const SamplerSpec& spec = *find_sampler(name);
-        return spec.create(parameters_of(spec, values), {points, spec.dimensions.front(), 7}, engine,
+        return spec.create(parameters_of(spec, values), {points, spec.dimensions.front(), seed}, engine,
                            [this]() -> Device& { return device_; });
     }
 
@@ -191,6 +194,38 @@ TEST_F(TileSamplers, RefuseWhatCannotBe)
         AllOf(StartsWith("test.toml:12: relative_radius = 0.8"), HasSubstr("at most 0.54")));
     EXPECT_THAT(refusal("corner-tiles", {{"colors", whole(32)}, {"points_per_tile", whole(4096)}}),
                 HasSubstr("more than 4 GiB"));
+}
+
+/// The places of a tiling's points in their tiles, of 8 tiles along each axis.
+std::set<std::pair<double, double>> places_in_tiles(const PointSet& tiling)
+{
+    std::set<std::pair<double, double>> places;
+    for (std::size_t i = 0; i < tiling.coordinates.size(); i += 2) {
+        const double x = 8 * tiling.coordinates[i], y = 8 * tiling.coordinates[i + 1];
+        places.emplace(x - std::floor(x), y - std::floor(y));
+    }
+    return places;
+}
+
+TEST_F(TileSamplers, TakeSeveralSetsInTurn)
+{
+    const auto sampler = [&](std::int64_t sets, Engine engine, std::uint64_t seed) {
+        return create("corner-tiles", {{"colors", whole(2)}, {"points_per_tile", whole(16)}, {"sets", whole(sets)}},
+                      1024, engine, seed);
+    };
+    const auto first = sampler(1, Engine::opencl, 7), second = sampler(1, Engine::opencl, 8);
+    const auto all = sampler(3, Engine::opencl, 7), twin = sampler(3, Engine::reference, 7);
+    EXPECT_EQ(first->tile_sets(), 1);
+    EXPECT_EQ(all->tile_sets(), 3);
+    std::set<std::pair<double, double>> of_second;
+    for (std::uint32_t k = 0; k < 8; ++k) of_second.merge(places_in_tiles(second->sample(k)));
+    for (std::uint32_t k = 0; k < 5; ++k) {
+        const PointSet tiling = all->sample(k);
+        EXPECT_EQ(twin->sample(k), tiling) << k;
+        EXPECT_EQ(first->sample(k) == tiling, k % 3 == 0) << "the first set is that of the seed, realization " << k;
+        EXPECT_EQ(std::ranges::includes(of_second, places_in_tiles(tiling)), k % 3 == 1)
+            << "the second set is that of the seed after it, realization " << k;
+    }
 }
 
 }

@@ -101,6 +101,8 @@ TEST_F(EndlessPage, HasThemABillionTilesAway)
     EXPECT_EQ(shown("2000000000, 0, 4, 3"), expected(5, {2e9, 0}, 4, 3));
     EXPECT_THAT(evaluate("document.getElementById('status').textContent").get<std::string>(),
                 HasSubstr("around tile (2000000000, 0); the nearest two are 0.1"));
+    EXPECT_THAT(evaluate("byId('status').textContent").get<std::string>(),
+                HasSubstr("coordinates of 32-bit floats would leave "));
     EXPECT_THAT(evaluate("document.getElementById('command').textContent").get<std::string>(),
                 HasSubstr("poissonlab tiles points corner-c3-n64-r075.ptiles --window 19999999"));
     browser_->click("#jump"); // round the end of what 32 bits name
@@ -114,7 +116,7 @@ TEST_F(EndlessPage, ThinsByRanks)
     EXPECT_EQ(shown("0, 0, 6, 6"), expected(1, {0, 0}, 6, 6, 0.3));
     open();
     const nlohmann::json all = shown("-4, -4, 8, 8");
-    evaluate("document.getElementById('painting').checked = true, document.getElementById('brush').value = 0");
+    evaluate("byId('painting').checked = true, byId('brush').value = 0");
     browser_->click("#view");
     const nlohmann::json painted = shown("-4, -4, 8, 8");
     EXPECT_LT(painted.size(), all.size() - 5);
@@ -124,12 +126,11 @@ TEST_F(EndlessPage, ThinsByRanks)
     EXPECT_EQ(shown("-4, -4, 8, 8"), all);
 }
 
-/// Pixels at points are ink, those at empty places are not: by the canvas itself.
-TEST_F(EndlessPage, DrawsThePoints)
+/// Pixels at points are ink, those at empty places are not: of the plain canvas.
+TEST_F(EndlessPage, DrawsThePointsOnAPlainCanvas)
 {
-    open("tile=7,-3&zoom=200");
+    open("tile=7,-3&zoom=200&show=&draw=canvas");
     const nlohmann::json dark = evaluate(R"js((() => {
-        state.borders = false;
         drawNow();
         const context = canvas.getContext("2d");
         const [width, height] = [canvas.width, canvas.height];
@@ -144,8 +145,184 @@ TEST_F(EndlessPage, DrawsThePoints)
     EXPECT_EQ(dark[1], dark[0]);
     EXPECT_LT(dark[2].get<int>(), dark[0].get<int>() / 10);
     for (const char* look : {"distances", "instances"}) {
-        open(std::string("look=") + look);
+        open(std::string("draw=canvas&look=") + look);
         EXPECT_GT(test::decode_png(browser_->screenshot()).variance(), 100) << look;
+    }
+}
+
+/// The middles of the spots that WebGL2 draws, in tiles from the middle of the view, and of points whose disks are
+/// whole the number that has not exactly one of these within half a pixel. `points` are from the same middle.
+constexpr auto spots_script = R"js(((points) => {
+    drawNow();
+    const { gl } = glPoints;
+    const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+    const pixels = new Uint8Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const ink = Uint8Array.from({ length: width * height }, (_, n) => pixels[4 * n + 3]);
+    const spots = [];
+    for (let start = 0; start < ink.length; ++start) {
+        if (ink[start] === 0) continue;
+        const waiting = [start];
+        const spot = { x: 0, y: 0, sum: 0, whole: true };
+        while (waiting.length > 0) {
+            const n = waiting.pop();
+            if (!ink[n]) continue; // also outside
+            const [x, y] = [n % width, Math.floor(n / width)];
+            spot.x += ink[n] * (x + 0.5);
+            spot.y += ink[n] * (y + 0.5);
+            spot.sum += ink[n];
+            if (x === 0 || y === 0 || x === width - 1 || y === height - 1) spot.whole = false;
+            if (x > 0) waiting.push(n - 1);
+            if (x < width - 1) waiting.push(n + 1);
+            waiting.push(n - width, n + width);
+            ink[n] = 0;
+        }
+        spots.push({ x: spot.x / spot.sum - width / 2, y: spot.y / spot.sum - height / 2, whole: spot.whole });
+    }
+    const scale = state.zoom * devicePixelRatio;
+    const margin = pointRadius(minDistance, scale) + 2;
+    const whole = points.map(([x, y]) => [x * scale, y * scale])
+        .filter(([x, y]) => Math.abs(x) < width / 2 - margin && Math.abs(y) < height / 2 - margin);
+    const near = ([x, y]) => spots.filter((s) => Math.hypot(s.x - x, s.y - y) < 0.5).length;
+    const stray = spots.filter((s) => s.whole && !points.some(([x, y]) => Math.hypot(s.x - x * scale, s.y - y * scale) < 0.5));
+    return [whole.length, whole.filter((p) => near(p) !== 1).length, stray.length];
+}))js";
+
+/// Points of the header around a place, from that place.
+nlohmann::json from_place(const nlohmann::json& points, double x, double y)
+{
+    nlohmann::json places = nlohmann::json::array();
+    for (const auto& point : points) places.push_back({point[0].get<double>() - x, point[1].get<double>() - y});
+    return places;
+}
+
+/// Every point of the header is drawn where it is and nothing else, at home and a billion tiles away, all of them and
+/// those of a density.
+TEST_F(EndlessPage, DrawsThePointsByWebGl)
+{
+    for (const double x : {7.0, 1e9, -2e9})
+        for (const double density : {1.0, 0.37}) {
+            open(fmt::format("tile={:.0f},-3&at=0.3,0.6&zoom=200&show=&density={}", x, density));
+            if (evaluate("glPoints === null").get<bool>()) GTEST_SKIP() << "no WebGL2";
+            const nlohmann::json points = expected(1, {x - 4, -7}, 9, 9, density);
+            const nlohmann::json spots =
+                evaluate(std::string(spots_script) + "(" + from_place(points, x + 0.3, -2.4).dump() + ")");
+            EXPECT_GT(spots[0].get<int>(), density < 1 ? 250 : 700);
+            EXPECT_EQ(spots[1], 0) << x << " " << density;
+            EXPECT_EQ(spots[2], 0) << x << " " << density;
+        }
+}
+
+TEST_F(EndlessPage, PaintsForWebGlWhatItPaintsForTheFiles)
+{
+    open("zoom=200&show=&at=0.3,0.6&tile=-5,4");
+    if (evaluate("glPoints === null").get<bool>()) GTEST_SKIP() << "no WebGL2";
+    evaluate("painted.paint([-5, 4], [0.2, 0.4], 1.5, 0.3), painted.paint([-6, 4], [0.9, 0.1], 0.4, 0)");
+    const nlohmann::json points = evaluate("windowPoints([-9, 1, 9, 8]).map(p => p.position)");
+    ASSERT_LT(points.size(), 9 * 8 * 64 - 200u);
+    const nlohmann::json spots = evaluate(std::string(spots_script) + "(" + from_place(points, -4.7, 4.6).dump() + ")");
+    EXPECT_GT(spots[0].get<int>(), 400);
+    EXPECT_EQ(spots[1], 0);
+    EXPECT_EQ(spots[2], 0);
+}
+
+/// Both ways of drawing show the same; a browser that takes WebGL2 away is left with the plain canvas.
+TEST_F(EndlessPage, LooksTheSameByWebGlAndOnAPlainCanvas)
+{
+    for (const std::string look : {"disks", "distances", "instances"}) {
+        open("show=&zoom=90&look=" + look);
+        if (evaluate("glPoints === null").get<bool>()) GTEST_SKIP() << "no WebGL2";
+        const std::string grey = R"js(((picture) => {
+            const small = document.createElement("canvas");
+            [small.width, small.height] = [40, 30];
+            const context = small.getContext("2d");
+            context.fillStyle = "#fff";
+            context.fillRect(0, 0, 40, 30);
+            context.imageSmoothingQuality = "high";
+            context.drawImage(picture, 0, 0, 40, 30);
+            return Array.from(context.getImageData(0, 0, 40, 30).data);
+        }))js";
+        const auto by_gl = evaluate("(drawNow(), " + grey + "(byId('points')))").get<std::vector<int>>();
+        evaluate("new Promise((done) => { byId('points').addEventListener('webglcontextlost', () => setTimeout(done));"
+                 "glPoints.gl.getExtension('WEBGL_lose_context').loseContext(); })");
+        const auto on_canvas = evaluate("(drawNow(), " + grey + "(canvas))").get<std::vector<int>>();
+        EXPECT_TRUE(evaluate("glPoints === null && byId('points').hidden").get<bool>());
+        double sum = 0, worst = 0;
+        for (std::size_t i = 0; i < by_gl.size(); ++i) {
+            const double apart = std::abs(by_gl[i] - on_canvas[i]);
+            sum += apart;
+            worst = std::max(worst, apart);
+        }
+        // A plain canvas has distances at every second pixel, and both smooth the edges of shapes in their own way.
+        EXPECT_LT(sum / static_cast<double>(by_gl.size()), 4) << look;
+        EXPECT_LT(worst, 64) << look;
+    }
+}
+
+/// Far out each tile has some points left, those of low ranks; close up, parts of 1/65,536 are apart.
+TEST_F(EndlessPage, ZoomsWithoutEnd)
+{
+    open("zoom=4");
+    EXPECT_LT(evaluate("drawnTiles().shown").get<int>(), 64);
+    EXPECT_THAT(evaluate("(drawNow(), byId('status').textContent)").get<std::string>(),
+                HasSubstr("; of each tile the first"));
+    const nlohmann::json near = evaluate(R"js((() => {
+        const point = windowPoints([5, 5, 1, 1])[0];
+        Object.assign(state, { tile: [5, 5], at: point.position.map((v) => v - 5), zoom: 5e6 });
+        drawNow();
+        const seen = seenPoints(...halves());
+        return [seen.length, seen[0].x, seen[0].y];
+    })())js");
+    EXPECT_EQ(near, (nlohmann::json{1, 0, 0}));
+    EXPECT_EQ(evaluate("(zoomBy(1000), state.zoom)"), 1e7);
+    EXPECT_THAT(browser_->messages(), IsEmpty());
+}
+
+/// A link holds the view; Tab goes to everything that can be pressed, in the page's order.
+TEST_F(EndlessPage, IsReachedByKeysAndByLinks)
+{
+    open("seed=9&tile=3,-4&at=0.25,0.75&zoom=80&look=instances&density=0.5&show=corners,beside");
+    const std::string link = evaluate("(drawNow(), byId('link').href)");
+    const std::string state = evaluate("JSON.stringify([state, boxes.filter(isShown)])");
+    open();
+    EXPECT_NE(evaluate("JSON.stringify([state, boxes.filter(isShown)])"), state);
+    open(link.substr(link.find('#') + 1));
+    EXPECT_EQ(evaluate("JSON.stringify([state, boxes.filter(isShown)])"), state);
+
+    const std::string names = "(e) => e.id || e.dataset.save || e.dataset.copy";
+    const nlohmann::json all = evaluate("Array.from(document.querySelectorAll('input, select, button, a[href], "
+                                        "[tabindex]'), " +
+                                        names + ")");
+    evaluate("document.activeElement.blur()");
+    nlohmann::json reached = nlohmann::json::array();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        browser_->press("Tab");
+        reached.push_back(evaluate("(" + names + ")(document.activeElement)"));
+    }
+    EXPECT_EQ(reached, all);
+    EXPECT_GT(all.size(), 20u);
+
+    // The space bar paints in the middle.
+    open("zoom=100");
+    evaluate("byId('painting').checked = true, byId('brush').value = 0, canvas.focus()");
+    const std::size_t before = evaluate("seenPoints(0.3, 0.3).length");
+    browser_->press("Space");
+    EXPECT_LT(evaluate("seenPoints(0.3, 0.3).length").get<std::size_t>(), before / 2);
+}
+
+/// The number of frames a second is said, on the page and here; a promise of a number would be one of machines.
+TEST_F(EndlessPage, FliesAndCountsFrames)
+{
+    for (const std::string draw : {"", "draw=canvas"}) {
+        open(draw);
+        browser_->resize(1920, 1080);
+        browser_->click("#fly");
+        const std::string frames =
+            evaluate("new Promise((done) => setTimeout(() => done(byId('frames').textContent), 2500))");
+        EXPECT_THAT(frames, HasSubstr(" frames a second by ")) << draw;
+        EXPECT_GT(evaluate("state.tile[0] + state.at[0]").get<double>(), 0.5);
+        RecordProperty(draw.empty() ? "webgl" : "canvas", frames);
+        browser_->click("#fly");
     }
 }
 
@@ -161,7 +338,7 @@ TEST_F(EndlessPage, GoesByKeysAndByTheMouse)
     EXPECT_NEAR(evaluate("state.zoom").get<double>(), 125, 1e-9);
     browser_->press("Home");
     EXPECT_EQ(evaluate("[state.tile, state.at]"), (nlohmann::json{{0, 0}, {0.5, 0.5}}));
-    // What is under the mouse stays there.
+    // The place under the mouse stays there.
     EXPECT_NEAR(evaluate("zoomBy(2, 100, 50), state.at[0] + 100 / state.zoom").get<double>(), 0.5 + 100.0 / 125, 1e-9);
     EXPECT_NEAR(evaluate("state.at[1] - 50 / state.zoom").get<double>(), 0.5 - 50.0 / 125, 1e-9);
 }
@@ -223,13 +400,15 @@ TEST_F(EndlessPage, ComputesSpectraByTheirDefinition)
 TEST_F(EndlessPage, WritesFiles)
 {
     open();
-    const std::string csv = evaluate("fileOf('csv', windowPoints([0, 0, 2, 1]), 'x')");
+    const std::string csv = evaluate("fileOf('csv', windowPoints([0, 0, 2, 1]), 'x', 0.1)");
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), expected(1, {0, 0}, 2, 1).size() + 1);
     EXPECT_THAT(csv, testing::StartsWith("x,y,level,id\n"));
-    const std::string ply = evaluate("fileOf('ply', windowPoints([0, 0, 2, 1]), 'x')");
+    const std::string ply = evaluate("fileOf('ply', windowPoints([0, 0, 2, 1]), 'x', 0.1)");
     EXPECT_THAT(ply, HasSubstr(fmt::format("element vertex {}\n", expected(1, {0, 0}, 2, 1).size())));
-    EXPECT_THAT(evaluate("fileOf('usda', windowPoints([0, 0, 1, 1]), 'x')").get<std::string>(),
-                HasSubstr("def PointInstancer \"points\""));
+    const std::string usd = evaluate("fileOf('usda', windowPoints([0, 0, 1, 1]), 'x', 0.1)");
+    EXPECT_THAT(usd, HasSubstr("def PointInstancer \"points\""));
+    // A quaternion and a scale each: their numbers of brackets, and those of positions and the triangle's corners.
+    EXPECT_EQ(std::ranges::count(usd, '('), static_cast<std::ptrdiff_t>(3 * expected(1, {0, 0}, 1, 1).size() + 3));
 }
 
 TEST(EndlessPages, OfTilesInSpaceAreRefused)

@@ -127,6 +127,45 @@ TEST_F(CompareResults, DoesNotCompareTimesOfOtherMachines)
     EXPECT_THAT(comparison.remarks, ElementsAre("device: Test device → Another device"));
 }
 
+/// A run with a texture whose seams differ so much.
+void write_run_with_texture(const std::filesystem::path& folder, double mismatch)
+{
+    nlohmann::json results = test::write_made_up_run(folder, {});
+    const nlohmann::json sets{{"key", "sets"}, {"title", "Sets"}, {"value", 4}, {"meaning", "sets"}};
+    const nlohmann::json seams{{"key", "seam_mismatch"},
+                               {"title", "Seam mismatch"},
+                               {"value", mismatch},
+                               {"meaning", "of a natural step"},
+                               {"standard_error", 0.01}};
+    const nlohmann::json picture{{"file", "texture/a.png"}, {"caption", "A."}};
+    results["distributions"] = nlohmann::json::array({{{"name", "texture"},
+                                                       {"label", "Texture"},
+                                                       {"kind", "texture"},
+                                                       {"facts", {"a fact"}},
+                                                       {"numbers", nlohmann::json::array({sets, seams})},
+                                                       {"pictures", nlohmann::json::array({picture})},
+                                                       {"files", nlohmann::json::array()}}});
+    std::filesystem::create_directories(folder / "texture");
+    write_whole_file(folder / "texture" / "a.png", "no reader looks into it");
+    write_whole_file(folder / "results.json", results.dump());
+}
+
+TEST_F(CompareResults, ComparesTextures)
+{
+    write_run_with_texture(folder_.path() / "old", 1.2);
+    write_run_with_texture(folder_.path() / "new", 1.5);
+    const auto comparison = compare_results(folder_.path() / "old", folder_.path() / "new");
+    ASSERT_EQ(comparison.series.size(), 2u);
+    const SeriesComparison& texture = comparison.series.back();
+    EXPECT_EQ(texture.name(), "texture");
+    ASSERT_EQ(texture.numbers.size(), 2u);
+    EXPECT_EQ(texture.numbers[0].verdict, Verdict::identical);
+    EXPECT_EQ(texture.numbers[1].quantity, "Seam mismatch");
+    EXPECT_EQ(texture.numbers[1].verdict, Verdict::changed);
+    EXPECT_EQ(texture.numbers[1].improved(), false);
+    EXPECT_THAT(comparison_table(comparison, true), HasSubstr("Seam mismatch"));
+}
+
 TEST_F(CompareResults, MatchesTheRunsOfCollectionsByFolder)
 {
     MadeUpRun worse;

@@ -195,5 +195,22 @@ TEST(CubeTileImage, RefusesWhatItCannotDraw)
     EXPECT_THROW(draw_cubes({2, {0, 1, 1}, {}, true}), std::logic_error);
 }
 
+TEST(CubeTileImage, WangCubesShowTheirFacesAndThoseBehind)
+{
+    // North 0, east 1, south 2, west 3, top 4, bottom 5.
+    const CubeGrid grid{6, {1, 1, 1}, {wang_cube_index({0, 1, 2, 3, 4, 5}, 6)}, true, TileKind::wang_cube};
+    const test::Pixels pixels(draw_cubes(grid), 10);
+    const View view;
+    EXPECT_EQ(pixels.at(view(0.15, 0.5, 1)), tile_color(4));
+    EXPECT_EQ(pixels.at(view(0.5, 0.5, 1)), tile_color(5));
+    EXPECT_EQ(pixels.at(view(0.15, 0, 0.5)), mixed_color(tile_color(2), "#000000", 0.08));
+    EXPECT_EQ(pixels.at(view(0.5, 0, 0.5)), mixed_color(tile_color(0), "#000000", 0.08));
+    EXPECT_EQ(pixels.at(view(1, 0.15, 0.5)), mixed_color(tile_color(1), "#000000", 0.16));
+    EXPECT_EQ(pixels.at(view(1, 0.5, 0.5)), mixed_color(tile_color(3), "#000000", 0.16));
+    CubeGrid block = grid;
+    block.has_gaps = false;
+    EXPECT_EQ(test::Pixels(draw_cubes(block), 10).at(view(0.5, 0.5, 1)), tile_color(4));
+}
+
 }
 }

@@ -17,7 +17,7 @@
 namespace poissonlab {
 namespace {
 
-/// How much of a picture red shapes cover, in pixels.
+/// The area of a picture that red shapes cover, in pixels.
 double red_area(const test::ColorPicture& picture)
 {
     double area = 0;

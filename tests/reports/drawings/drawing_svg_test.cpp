@@ -90,7 +90,7 @@ TEST(DrawingSvg, RefusesWhatItCannotDraw)
     EXPECT_THROW(drawing_svg({0, 4, {}}), std::logic_error);
 }
 
-/// What may come through from below where two shapes meet, in grey levels. A border at distance t from the
+/// The light that may come through from below where two shapes meet, in grey levels. A border at distance t from the
 /// middle of a pixel leaves (1/2 - t) of it to one fill and (1/2 + t) to the other, of which strokes one
 /// pixel wide leave t: the product is t^2 (1/4 - t^2) <= 1/64 or 4 levels. Four blends round by at most one
 /// each.

@@ -23,7 +23,7 @@ std::vector<Spectrum> planes_with_spike(std::size_t plane, int fx, int fy)
     return planes;
 }
 
-/// Whether the pixel of a frequency is white, in the cell at a column and row of the picture.
+/// True if the pixel of a frequency is white, in the cell at a column and row of the picture.
 bool is_white(const Drawing& drawing, int cell_column, int cell_row, int fx, int fy)
 {
     const int left = cell_column * (size + gap);

@@ -146,5 +146,18 @@ TEST(TileImage, RefusesCubes)
     EXPECT_THROW(draw_tiles(tile_set_grid(TileSet::complete(TileKind::cube, 2))), std::logic_error);
 }
 
+TEST(TileImage, DominoesAreTwoHalves)
+{
+    const TileGrid grid{TileKind::domino, {4, 4}, 2, {domino_index({2, 1}, 4), domino_index({3, 2}, 4)}, false};
+    const Drawing drawing = draw_tiles(grid);
+    EXPECT_EQ(drawing.width, 16 + 64);
+    EXPECT_EQ(drawing.height, 16 + 32);
+    const test::Pixels pixels(drawing, 10);
+    EXPECT_EQ(pixels.at(16, 24), tile_color(1));
+    EXPECT_EQ(pixels.at(32, 24), tile_color(2));
+    EXPECT_EQ(pixels.at(48, 24), tile_color(2));
+    EXPECT_EQ(pixels.at(64, 24), tile_color(3));
+}
+
 }
 }

@@ -12,7 +12,7 @@ namespace {
 class PictureStoreTest : public testing::Test
 {
 protected:
-    /// Whether a new store draws the picture.
+    /// True if a new store draws the picture.
     bool draws(const std::string& input)
     {
         PictureStore store(folder_.path(), folder_.path() / "keys");

@@ -1,5 +1,6 @@
 // Iterations in the report: which plots there are, what their axes say, and damaged results.
 #include "reports/plots/iteration_curves.hpp"
+#include "results/iteration_records.hpp"
 #include "tests/reports/support/page_text.hpp"
 #include "tests/reports/support/report_fixture.hpp"
 #include "tests/support/picture.hpp"
@@ -30,7 +31,9 @@ void add_iterations(const fs::path& folder, nlohmann::json& series, int iteratio
         return nlohmann::json{{"min", values}, {"mean", values}, {"max", values}};
     };
     const auto file = series["name"].get<std::string>() + "/iterations.csv";
-    write_whole_file(folder / file, "realization,iteration,relative_radius,energy\n");
+    std::vector<IterationRecord> records;
+    for (std::size_t i = 0; i < radius.size(); ++i) records.push_back({radius[i], energy[i]});
+    write_whole_file(folder / file, iterations_csv({records, records}));
     series["iterations"] = {{"file", file},
                             {"realizations", std::vector<int>(radius.size(), 2)},
                             {"relative_radius", spread(radius)},
@@ -50,7 +53,7 @@ TEST_F(IterationReport, PlotsSeriesThatHaveThemAndAllOfThese)
     EXPECT_THAT(text, HasSubstr("From 0.1000 to 0.7000 in 16 iterations. Mean over 2 sets"));
     EXPECT_THAT(text, HasSubstr("From 0.3000 to 0.1700 in 20 iterations."));
     EXPECT_THAT(text, HasSubstr("<b>Energy</b> over iterations."));
-    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 5 + 2 * 2 + 2 * (2 + 2)) << "overlays are on two pages";
+    EXPECT_EQ(test::count_of(text, "<figcaption>"), 3 * 7 + 2 * 2 + 2 * (3 + 2)) << "overlays are on two pages";
     for (const char* file :
          {"random/relative-radius", "random/energy", "jittered/energy", "relative-radius-all", "energy-all"}) {
         const auto png = read_whole_file(path() / (std::string(file) + ".png"));

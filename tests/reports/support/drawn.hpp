@@ -1,4 +1,4 @@
-// What drawings look like: their pixels, and the exact areas of their shapes.
+// The looks of drawings: their pixels, and the exact areas of their shapes.
 #pragma once
 
 #include "reports/drawings/drawing.hpp"

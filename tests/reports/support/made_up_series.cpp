@@ -29,7 +29,7 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
     return series;
 }
 
-// What is stored is const to reports; the test's own is not.
+// Stored results are const to reports; the test's own is not.
 static Series& stored_of(ReportSeries& series) { return const_cast<Series&>(*series.stored); }
 
 void MadeUpReport::set_radius(ReportSeries& series, double radius)
@@ -66,6 +66,11 @@ void MadeUpReport::set_peaks(ReportSeries& series, int tiles, double mean_ratio)
 void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius)
 {
     Iterations iterations;
+    series.iterations.clear();
+    for (int k = 0; k < 10; ++k) {
+        std::vector<IterationRecord>& realization = series.iterations.emplace_back();
+        for (const double radius : mean_radius) realization.push_back({radius, 0});
+    }
     iterations.realizations.assign(mean_radius.size(), 10);
     iterations.relative_radius.mean = std::move(mean_radius);
     stored_of(series).iterations = iterations;

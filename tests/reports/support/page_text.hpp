@@ -21,11 +21,11 @@ std::string without_data_uris(const std::string& page);
 /// All pages of a site, by their paths below its folder.
 std::map<std::string, std::string> pages_below(const std::filesystem::path& folder);
 
-/// What is wrong with the pages, a line each: markup, ids that are there twice, links and sources that lead nowhere or
+/// The faults of the pages, a line each: markup, ids that are there twice, links and sources that lead nowhere or
 /// to the network, pictures without alternative text. Empty: nothing.
 std::string site_errors(const std::filesystem::path& folder);
 
-/// How often a text is there.
+/// The number of times that a text is there.
 std::size_t count_of(const std::string& text, const std::string& part);
 
 }

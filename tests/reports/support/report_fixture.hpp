@@ -34,7 +34,7 @@ protected:
 
     std::string svg(const std::string& name) const { return read_whole_file(path() / name); }
 
-    /// What the report says about results of which `damage` has changed that member of the first series.
+    /// The report's complaint about results of which `damage` has changed that member of the first series.
     template <class Damage>
     std::string error_after(const std::string& member, const Damage& damage)
     {

@@ -1,4 +1,4 @@
-// What every reader of a stored table says about damaged ones.
+// The complaints of every reader of a stored table about damaged ones.
 #pragma once
 
 #include "base/errors/errors.hpp"

@@ -20,7 +20,9 @@ MarkPicture some_marks()
     picture.width = 20;
     picture.height = 10;
     picture.pixels = 200;
-    picture.groups = {{"#ff0000", {{5, 2.5, 1}}, {}}, {"#0000ff", {}, {{12, 8, 18, 8, 1}}}};
+    picture.groups = {{"#ff0000", {{5, 2.5, 1}}, {}},
+                      {"#0000ff", {}, {{12, 8, 18, 8, 1}}},
+                      {"#00ff00", {}, {}, {{{1, 6}, {3, 6}, {3, 9}, {1, 9}}, {{6, 6}, {8, 6}, {8, 8}}}}};
     picture.words = {{{10, 5}, 1, "words"}};
     return picture;
 }
@@ -45,6 +47,10 @@ TEST(MarkPicture, IsDrawnWhereMarksAre)
     EXPECT_EQ(pixels.at(50, 62), "#ffffff");
     EXPECT_EQ(pixels.at(150, 20), "#0000ff");
     EXPECT_EQ(pixels.at(150, 28), "#ffffff");
+    EXPECT_EQ(pixels.at(20, 25), "#00ff00");
+    EXPECT_EQ(pixels.at(35, 25), "#ffffff");
+    EXPECT_EQ(pixels.at(75, 35), "#00ff00");
+    EXPECT_EQ(pixels.at(65, 25), "#ffffff");
 }
 
 TEST(MarkPicture, IsRefusedWhereItIsDamaged)
@@ -58,6 +64,8 @@ TEST(MarkPicture, IsRefusedWhereItIsDamaged)
     };
     EXPECT_THAT(refusal("poissonlab-marks", "else"), HasSubstr("must be \"poissonlab-marks\""));
     EXPECT_THAT(refusal("#ff0000", "red"), HasSubstr("must be #rrggbb"));
+    EXPECT_THAT(refusal("\"polygons\":[4", "\"polygons\":[40"), HasSubstr("must have the number of corners"));
+    EXPECT_THAT(refusal("\"polygons\":[4", "\"polygons\":[2"), HasSubstr("must have the number of corners"));
     EXPECT_THAT(refusal("5.0,2.5,1.0", "5.0,2.5"), HasSubstr("must have 3 numbers for each mark"));
     EXPECT_THAT(refusal("\"width\":20.0", "\"width\":0"), HasSubstr("must be a rectangle"));
     EXPECT_THAT(refusal("\"pixels\":200", "\"pixels\":99999"), HasSubstr("must be at most"));

@@ -221,7 +221,7 @@ TEST(TilingSearch, ProvesThatThereIsNone)
     EXPECT_FALSE(proven);
     EXPECT_FALSE(search_tiling(two, {3, 1, 1}, &proven));
     EXPECT_TRUE(proven);
-    // What fits locally along every border but not as a whole takes backtracking: odd columns of two colours, closed.
+    // A border that fits locally everywhere but not as a whole takes backtracking: odd columns of two colours, closed.
     const WangList odd{{{0, 0, 1, 0}, {1, 0, 2, 0}, {2, 0, 3, 0}}, {4, 1}};
     EXPECT_FALSE(search_tiling(odd, {4, 4, 1}, &proven));
     EXPECT_TRUE(proven);

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// How a rectangle of tiles is closed.
+/// The ways in which a rectangle of tiles is closed.
 struct SatShape
 {
     int width = 1;

@@ -123,7 +123,7 @@ std::vector<PlaneMotion> symmetries_of(const IsohedralTile& tile)
     return symmetries;
 }
 
-/// How many symmetries of the tile map all tiles around it to tiles, as far as outlines show.
+/// The number of symmetries of the tile that map all tiles around it to tiles, as far as outlines show.
 std::size_t symmetries_in_tiling(const IsohedralTile& tile)
 {
     const double reach = 6 * std::sqrt(area_of(tile.outline()));

@@ -23,7 +23,7 @@ CgalPolygon polygon_of(const std::vector<PiecePoint>& outline)
     return polygon;
 }
 
-/// How far two lines of as many points are apart at most, the second one run backwards after a step by (x, y).
+/// The largest distance of two lines of as many points, the second one run backwards after a step by (x, y).
 double distance_when_joined(const std::vector<PiecePoint>& line, const std::vector<PiecePoint>& other, double x,
                             double y)
 {

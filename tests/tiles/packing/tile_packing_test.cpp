@@ -1,4 +1,4 @@
-// What is a packing and what is none, and packings as text.
+// Packings and lists that are none, and packings as text.
 #include "tiles/packing/tile_packing.hpp"
 
 #include "tests/support/errors.hpp"

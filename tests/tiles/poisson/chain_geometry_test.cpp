@@ -1,4 +1,4 @@
-// What chains are checked for, against plain definitions in floating point.
+// The checks of chains, against plain definitions in floating point.
 #include "tiles/poisson/chain_geometry.hpp"
 
 #include <gtest/gtest.h>

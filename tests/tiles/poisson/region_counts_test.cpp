@@ -1,4 +1,4 @@
-// How points are spread over regions, against closed forms of their areas.
+// The spread of points over regions, against closed forms of their areas.
 #include "tiles/poisson/region_counts.hpp"
 
 #include "tests/support/random_tile_set.hpp"

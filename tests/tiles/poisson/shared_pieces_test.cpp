@@ -9,7 +9,7 @@
 namespace poissonlab {
 namespace {
 
-/// Whether a cell of the tile at `place` is on the border of the tile at the origin, or is its interior.
+/// True if a cell of the tile at `place` is on the border of the tile at the origin, or is its interior.
 bool is_at_origin(const TileCell& cell, const std::array<int, 3>& place)
 {
     for (unsigned k = 0; k < 3; ++k) {

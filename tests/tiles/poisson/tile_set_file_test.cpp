@@ -307,7 +307,7 @@ protected:
         text_ = read_whole_file(folder_.path() / "a.json");
     }
 
-    /// What reading says after a part of the text was replaced.
+    /// The complaint of the reader after a part of the text was replaced.
     std::string error_with(const std::string& part, const std::string& replacement) const
     {
         std::string text = text_;

@@ -115,7 +115,7 @@ TEST(PolyominoClasses, OccurAsOftenAsTheirFrequenciesSay)
     for (const Collar& collar : collars_on_torus(Polyomino::P, tiles, 320)) ++counted[class_of(all, collar)];
     double total = 0;
     for (std::size_t i = 0; i < counted.size(); ++i) {
-        // Those along the border of the first tiles halve with each division, which is where the two differ.
+        // The pairs along the border of the first tiles halve with each division, which is where the two differ.
         EXPECT_NEAR(counted[i] / static_cast<double>(tiles.size()), frequencies[i], 0.02);
         total += frequencies[i];
     }

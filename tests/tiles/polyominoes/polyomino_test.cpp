@@ -14,7 +14,7 @@ namespace {
 class Polyominoes : public ::testing::TestWithParam<Polyomino>
 {
 protected:
-    /// How many tiles each cell of a torus has.
+    /// The number of tiles that each cell of a torus has.
     std::map<LatticePlace, int> covers(const std::vector<Pose>& tiles, std::int64_t side) const
     {
         std::map<LatticePlace, int> counts;

@@ -44,14 +44,14 @@ TEST(SeamMeasures, KnowRamps)
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 100; ++x) ramp.values.push_back(static_cast<std::uint8_t>(x));
     TextureSet set = test::quartered_set(ramp, 16, {{20, 20}, {50, 20}});
-    // Of all tiles, only that with colour 0 in the west and 1 in the east.
+    // The only tile with colour 0 in the west and 1 in the east.
     const std::size_t tile = corner_index({1, 1, 0, 0}, 2);
     const auto sources = set.sources_of(tile);
     set.sources = {sources.begin(), sources.end()};
     set.tiles = {set.tiles[tile]};
     const SeamMeasures seams = seam_measures(set);
     EXPECT_EQ(seams.pairs_a_tile, 2 * 16);
-    // From column 20 + 15 to 50 + 0: where one goes on to 36, the other shows 50.
+    // The border goes from column 20 + 15 to 50 + 0: where one goes on to 36, the other shows 50.
     EXPECT_DOUBLE_EQ(seams.mismatch, 14);
     EXPECT_DOUBLE_EQ(seams.excess, 14);
     // Vertical joints are conspicuous, horizontal ones are no steps at all; the line is as long as the tile.

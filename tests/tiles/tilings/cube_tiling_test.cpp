@@ -66,6 +66,71 @@ TEST(CubeTiling, NeighboursMatch)
     }
 }
 
+/// North, east, south, west, top, bottom.
+std::vector<Color> faces_of(const CubeTiling& tiling, std::int64_t x, std::int64_t y, std::int64_t z)
+{
+    const Color c = tiling.tile_set().colors().horizontal;
+    return test::digits(tiling.tile(x, y, z), {c, c, c, c, c, c});
+}
+
+TEST(WangCubeTiling, NeighboursMatch)
+{
+    for (const HashKind hash : cube_hashes)
+        for (const Color colors : {2U, 3U, 8U})
+            for (const Period period : {Period{}, Period{4, 5, 3}}) {
+                const CubeTiling tiling(colors, hash, 1, period, TileKind::wang_cube);
+                for (std::int64_t i = -40; i < 40; ++i) {
+                    const std::int64_t x = i, y = 3 - i, z = 7 * i;
+                    const auto here = faces_of(tiling, x, y, z);
+                    ASSERT_EQ(here[0], faces_of(tiling, x, y + 1, z)[2]);
+                    ASSERT_EQ(here[1], faces_of(tiling, x + 1, y, z)[3]);
+                    ASSERT_EQ(here[4], faces_of(tiling, x, y, z + 1)[5]);
+                    if (period.x > 0) {
+                        ASSERT_EQ(here, faces_of(tiling, x - 4, y + 10, z + 3));
+                    }
+                }
+            }
+}
+
+TEST(WangCubeTiling, HasAllCubesEquallyOften)
+{
+    // 64 cubes at 40 x 40 x 40 places, two apart so that they share no faces: chi-square with 63 degrees of freedom
+    // passes 103.4 once in a thousand.
+    const CubeTiling tiling(2, HashKind::xxh64, 3, {}, TileKind::wang_cube);
+    ASSERT_EQ(tiling.tile_set().size(), 64);
+    std::vector<double> counts(64);
+    for (std::int64_t x = 0; x < 80; x += 2)
+        for (std::int64_t y = 0; y < 80; y += 2)
+            for (std::int64_t z = 0; z < 80; z += 2) ++counts.at(tiling.tile(x, y, z));
+    double chi_square = 0;
+    for (const double count : counts) chi_square += (count - 1000) * (count - 1000) / 1000;
+    EXPECT_LT(chi_square, 103.4);
+}
+
+TEST(WangCubeTiling, FacesAreThoseOfTheIndex)
+{
+    for (TileIndex index = 0; index < 729; ++index) {
+        const WangCube cube = wang_cube(index, 3);
+        const auto digits = test::digits(index, {3, 3, 3, 3, 3, 3});
+        ASSERT_EQ(digits, (std::vector<Color>{cube.north, cube.east, cube.south, cube.west, cube.top, cube.bottom}));
+        ASSERT_EQ(wang_cube_index(cube, 3), index);
+    }
+}
+
+TEST(DominoTiling, IsStreamedAsItIs)
+{
+    const DominoTiling tiling(3, HashKind::permutation, 9);
+    std::vector<TileIndex> streamed;
+    tiling.stream({-5, 0, 0, 10'000, 1, 1}, [&](std::int64_t x, auto, auto, std::span<const TileIndex> dominoes) {
+        ASSERT_EQ(x, -5 + static_cast<std::int64_t>(streamed.size()));
+        streamed.insert(streamed.end(), dominoes.begin(), dominoes.end());
+    });
+    ASSERT_EQ(streamed.size(), 10'000);
+    for (std::size_t i = 0; i < streamed.size(); ++i)
+        ASSERT_EQ(domino(streamed[i], 3), (Domino{domino(tiling.tile(static_cast<std::int64_t>(i) - 5), 3).east,
+                                                  tiling.tile(static_cast<std::int64_t>(i) - 5) % 3}));
+}
+
 TEST(CubeTiling, IsMadeOfTheHashFunction)
 {
     for (const HashKind hash : cube_hashes) {

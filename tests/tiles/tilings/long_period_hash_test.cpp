@@ -16,7 +16,7 @@ const StreamKey long_period_key = stream_key(1, Purpose::tiling_colors, 0);
 /// For Perlin's noise (dissertation, section 3.4.4): range 16, and two primes on either side.
 const LongPeriodDesign noise_design{16, {11, 13, 16, 17, 19}};
 
-/// What the device is given: tag, colours, number of tables, sizes, entries.
+/// The data that the device is given: tag, colours, number of tables, sizes, entries.
 struct Tables
 {
     explicit Tables(const LongPeriodHash& hash)

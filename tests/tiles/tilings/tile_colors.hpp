@@ -20,7 +20,7 @@ inline std::vector<Color> digits(TileIndex index, std::vector<Color> bases)
     return result;
 }
 
-/// What a tile shows to its neighbours on each side: colours from west to east, or from south to north.
+/// The colours that a tile shows to its neighbours on each side: colours from west to east, or from south to north.
 struct Sides
 {
     std::vector<Color> north, east, south, west;

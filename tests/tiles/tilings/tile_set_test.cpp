@@ -130,7 +130,7 @@ TEST(TileSet, PositionsGoBothWays)
     }
 }
 
-/// Whether the Wang tile `east` may be to the east of `west`.
+/// True if the Wang tile `east` may be to the east of `west`.
 bool fits_east(const WangTile& west, const WangTile& east) { return west.east == east.west; }
 bool fits_north(const WangTile& south, const WangTile& north) { return south.north == north.south; }
 
@@ -167,6 +167,14 @@ TEST(TileSet, RefusesColorsThatItCannotCount)
     EXPECT_THROW(equivalent_wang_set(TileSet::complete(TileKind::corner, 17)), InputError);
     EXPECT_THROW(TileSet(TileKind::corner, {2, 2}, {3, 3}), std::logic_error);
     EXPECT_THROW(TileSet(TileKind::corner, {2, 2}, {16}), std::logic_error);
+}
+
+TEST(TileSet, TheCompactSetOverTwoColorsIsTheOneOfTheClassNotes)
+{
+    const TileSet set = compact_wang_set(2);
+    std::vector<TileIndex> tiles;
+    for (std::uint64_t i = 0; i < set.size(); ++i) tiles.push_back(set.index(i));
+    EXPECT_EQ(tiles, (std::vector<TileIndex>{0, 3, 5, 6, 9, 10, 12, 15}));
 }
 
 }

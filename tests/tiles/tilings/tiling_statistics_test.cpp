@@ -18,7 +18,7 @@ namespace {
 /// pairs for two algorithms; permutation tables; dominoes and cubes.
 constexpr std::size_t comparisons = 4 * 7 * 2 + 2 * 2 * 2 + 4 * 7 + 2 * 7 + 2 * 2;
 
-/// How often each tile of the set is at `samples` random places.
+/// The number of times that each tile of the set is at `samples` random places.
 std::vector<std::uint64_t> counts_at_random_places(const Tiling& tiling, std::uint64_t samples)
 {
     std::mt19937_64 random(17);

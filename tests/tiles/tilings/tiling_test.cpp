@@ -200,7 +200,7 @@ TEST(Tiling, ClosesAfterItsPeriodAndNotElsewhere)
     }
 }
 
-/// Whether a region is the same so many tiles to the east, and to the north.
+/// True if a region is the same so many tiles to the east, and to the north.
 bool repeats(const Tiling& tiling, std::int64_t steps)
 {
     for (std::int64_t x = 0; x < 40; ++x) {

@@ -8,7 +8,9 @@
 #include "kernels/common/farthest_point.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -23,12 +25,43 @@ struct WindowPoint
     double x, y; ///< with its repetition
 };
 
+constexpr int window_side = 2 * NEIGHBOUR_REACH + 1;
+
 /// The points around a cell, and its borders.
 struct PointWindow
 {
-    std::vector<WindowPoint> points;
-    double low_x, low_y, high_x, high_y;
+    std::vector<WindowPoint> points; ///< cell by cell
+    std::array<std::size_t, window_side * window_side + 1> begins;
+    double low_x, low_y, high_x, high_y, width;
 };
+
+/// The cells of a window in the order in which they cut the Voronoi cell of a place: that in the middle, whose points
+/// may have moved out of it, then ring by ring around the place.
+struct RingCell
+{
+    int ring;
+    std::size_t slot;
+};
+
+int window_column(double offset, double width)
+{
+    return std::clamp(static_cast<int>(std::floor(offset / width)), 0, window_side - 1);
+}
+
+std::vector<RingCell> ring_by_ring(const PointWindow& window, double x, double y)
+{
+    constexpr std::size_t middle = window_side * window_side / 2;
+    const int column = window_column(x - window.low_x, window.width),
+              row = window_column(y - window.low_y, window.width);
+    std::vector<RingCell> cells{{0, middle}};
+    for (int ring = 0; ring < window_side; ++ring)
+        for (std::size_t slot = 0; slot < window_side * window_side; ++slot) {
+            const int across = std::abs(static_cast<int>(slot % window_side) - column);
+            const int up = std::abs(static_cast<int>(slot / window_side) - row);
+            if (std::max(across, up) == ring && slot != middle) cells.push_back({ring, slot});
+        }
+    return cells;
+}
 
 class PlainFarthestState
 {
@@ -65,12 +98,17 @@ private:
     PointWindow window_around(const PlainCells& cells, const std::array<int, 3>& cell) const
     {
         PointWindow window;
+        std::size_t slot = 0;
         for (int y = -NEIGHBOUR_REACH; y <= NEIGHBOUR_REACH; ++y)
-            for (int x = -NEIGHBOUR_REACH; x <= NEIGHBOUR_REACH; ++x)
+            for (int x = -NEIGHBOUR_REACH; x <= NEIGHBOUR_REACH; ++x) {
+                window.begins[slot++] = window.points.size();
                 cells.for_each_in({cell[0] + x, cell[1] + y, 0}, [&](std::size_t id, const std::array<int, 3>& turns) {
                     window.points.push_back({id, points_[id][0] + turns[0], points_[id][1] + turns[1]});
                 });
+            }
+        window.begins[slot] = window.points.size();
         const double width = 1.0 / grid_size_;
+        window.width = width;
         window.low_x = (cell[0] - NEIGHBOUR_REACH) * width;
         window.low_y = (cell[1] - NEIGHBOUR_REACH) * width;
         window.high_x = (cell[0] + NEIGHBOUR_REACH + 1) * width;
@@ -85,13 +123,17 @@ private:
         const double far = (window.high_x - window.low_x) + (window.high_y - window.low_y);
         CutPolygon cell = square_around(far);
         double squared_radius = 2 * far * far;
-        for (std::size_t i = 0; i < window.points.size(); ++i) {
-            const WindowPoint& point = window.points[i];
-            const double to_x = point.x - x, to_y = point.y - y;
-            if (point.id == left_out || i == own || to_x * to_x + to_y * to_y >= 4 * squared_radius) continue;
-            cell = without_side(cell, to_x, to_y, static_cast<std::uint32_t>(i));
-            if (cell.size() > max_cut_vertices) return {};
-            squared_radius = squared_radius_of(cell);
+        for (const auto& [ring, slot] : ring_by_ring(window, x, y)) {
+            const double gap = (ring - 1) * window.width - RING_SLACK;
+            if (gap > 0 && gap * gap >= 4 * squared_radius) break;
+            for (std::size_t i = window.begins[slot]; i < window.begins[slot + 1]; ++i) {
+                const WindowPoint& point = window.points[i];
+                const double to_x = point.x - x, to_y = point.y - y;
+                if (point.id == left_out || i == own || to_x * to_x + to_y * to_y >= 4 * squared_radius) continue;
+                cell = without_side(cell, to_x, to_y, static_cast<std::uint32_t>(i));
+                if (cell.size() > max_cut_vertices) return {};
+                squared_radius = squared_radius_of(cell);
+            }
         }
         return cell;
     }

@@ -63,5 +63,61 @@ TEST(DistributionTable, RefusesWhatItDoesNotKnow)
     expect_refusal("density = \"x+1\"\ndensity_from = \"ink\"\npoints = 9", "\"ink\" is for pictures");
 }
 
+TEST(DistributionTable, ReadsStipplingAndHatching)
+{
+    const auto read = distributions_of("kind = \"stippling\"\nimage = \"0.3\"\npoints = 12\nink = 0.5");
+    const StippleSettings& dots = std::get<StippleSettings>(read.at(0).settings);
+    EXPECT_EQ(read[0].label, "Stippling of 0.3");
+    EXPECT_EQ(dots.points, 12);
+    EXPECT_EQ(dots.ink, 0.5);
+    EXPECT_FALSE(dots.has_strokes);
+    const auto hatched = distributions_of("kind = \"hatching\"\nimage = \"0.3\"\nstroke = 2.5\nangle = 1");
+    const StippleSettings& strokes = std::get<StippleSettings>(hatched.at(0).settings);
+    EXPECT_TRUE(strokes.has_strokes);
+    EXPECT_EQ(strokes.mark_width, 2.5);
+    EXPECT_EQ(strokes.angle, 1);
+    const std::string image = "kind = \"stippling\"\nimage = \"0.3\"\n";
+    expect_refusal("kind = \"stippling\"\npoints = 3", "[[distribution]]: needs image");
+    expect_refusal("kind = \"stippling\"\nimage = \"x+\"\npoints = 3", "c.toml:4: image: formula \"x+\"");
+    expect_refusal(image, "needs points or dot");
+    expect_refusal(image + "points = 3\ndot = 2", "c.toml:6: dot = 2: does not go with points");
+    expect_refusal(image + "points = 3\nby = \"rank\"", "by = \"rank\"");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "is for by = \"warping\"");
+    expect_refusal(image + "points = 3\nink = 2", "ink = 2: must be");
+    expect_refusal(image + "points = 3\nangle = 2", "c.toml:6: angle");
+}
+
+TEST(DistributionTable, ReadsIcons)
+{
+    const auto read = distributions_of("kind = \"icons\"\nu = \"-y\"\nv = \"x\"\npoints = 12\nlength = \"one\"");
+    const IconSettings& icons = std::get<IconSettings>(read.at(0).settings);
+    EXPECT_EQ(read[0].label, "Icons of (-y, x)");
+    EXPECT_TRUE(icons.have_one_length);
+    expect_refusal("kind = \"icons\"\npoints = 3\nu = \"x\"", "needs field, or u and v");
+    expect_refusal("kind = \"icons\"\npoints = 3\nu = \"x\"\nv = \"x+\"", "c.toml:6: v: formula \"x+\"");
+    expect_refusal("kind = \"icons\"\npoints = 3\nfield = \"none.exr\"", "must be a picture's file");
+}
+
+TEST(DistributionTable, ReadsInstances)
+{
+    const auto read = distributions_of("kind = \"instances\"\nscene = \"asteroids\"\nring = [0.2, 0.4, 0.1]\n"
+                                       "scale = { uniform = [0.5, 0.75] }");
+    const InstanceSettings& belt = std::get<InstanceSettings>(read.at(0).settings);
+    EXPECT_EQ(read[0].label, "Instances: asteroids");
+    EXPECT_EQ(belt.ring[1], 0.4);
+    EXPECT_EQ(belt.scale.b, 0.75);
+    EXPECT_EQ(belt.models, 8);
+    const std::string forest = "kind = \"instances\"\n";
+    expect_refusal(forest + "scene = \"wood\"", "c.toml:4: scene = \"wood\": must be");
+    expect_refusal(forest + "window = [0, 0, 1]", "must be [x, y, width, height]");
+    expect_refusal(forest + "window = [0, 0, 1, 0]", "window");
+    expect_refusal(forest + "window = [0, 0, 1000, 1000]", "2000000000 instances in the window: must be at most");
+    expect_refusal(forest + "ring = [0.2, 0.4, 0.1]", "is for scene = \"asteroids\"");
+    expect_refusal(forest + "height = 2", "c.toml:4: height = 2: goes with terrain");
+    expect_refusal(forest + "terrain = \"x\"", "needs terrain_area");
+    expect_refusal(forest + "scale = 2", "scale = 2: must be a number from 0.001 to 1");
+    expect_refusal(forest + "scene = \"asteroids\"\nring = [0.4, 0.2, 0.1]", "must be [inner, outer, thickness] with");
+}
+
 }
 }

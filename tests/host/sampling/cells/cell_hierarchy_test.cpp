@@ -84,7 +84,7 @@ TEST(PoissonThresholds, AreTheCumulativeDistribution)
             // One unit for rounding down, and rounding errors of some 2^-52 relative, 2^-20 in these units.
             EXPECT_NEAR(thresholds[k], cumulative * 0x1p32, 1.01) << mean << " " << k;
         }
-        // What is left out is less than one unit.
+        // The part that is left out is less than one unit.
         EXPECT_GT(cumulative + probability(thresholds.size()), 1 - 1.01 * 0x1p-32);
     }
 }

@@ -17,7 +17,7 @@ namespace {
 /// A few sums and products of numbers up to 1.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// What counts as on the boundary, and rounding.
+/// The distance that counts as on the boundary, and rounding.
 constexpr double depth_allowed = 0x1p-46 + rounding;
 
 constexpr double r = 0.08;
@@ -42,7 +42,7 @@ Vector wrapped(Vector p)
     return p;
 }
 
-/// How far above a region's boundary a position is, by the half-space that it is farthest above; negative
+/// The height of a position above a region's boundary, by the half-space that it is farthest above; negative
 /// inside.
 double height_over(const ConvexRegion& region, const Vector& position)
 {
@@ -156,7 +156,7 @@ TEST(Domain, MovementEndsAtASquareOrSlidesAlongIt)
     EXPECT_EQ(allowed_displacement(domain, left, {0.05, 0.02, 0}, true), (Vector{0.05, 0.02, 0}));
     // A step that would pass over it ends before it.
     expect_near(allowed_displacement(domain, left, {0.5, 0, 0}, false), {0.1, 0, 0});
-    // From the other side, across the border.
+    // The same place from the other side, across the border.
     expect_near(allowed_displacement(domain, {0.9, 0.5, 0}, {0.7, 0, 0}, false), {0.5, 0, 0});
 }
 

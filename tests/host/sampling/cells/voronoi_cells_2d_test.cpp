@@ -16,7 +16,7 @@ struct Case2D
 {
     const char* name;
     PointSet points;
-    /// How much vertices magnify rounding: one over the smallest angle, in order of magnitude, between
+    /// The factor by which vertices magnify rounding: one over the smallest angle, in order of magnitude, between
     /// bisectors that make a vertex. 1 for even sets, about n for n random points (the smallest of n angles),
     /// more where clusters leave cells that reach through the torus.
     double magnification = 1;

@@ -157,7 +157,7 @@ TEST_P(VoronoiCells3d, AreThoseOfTheReference)
     double volume_error = 0, moment_error = 0, energy_error = 0, near_error = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const double volume = cells.volumes[i];
-        // What is empty is so exactly.
+        // An empty cell is so exactly.
         EXPECT_EQ(volume == 0, expected.volumes[i] == 0) << i;
         volume_error = std::max(volume_error, std::abs(volume - expected.volumes[i]));
         energy_error = std::max(energy_error, std::abs(cells.energies[i] - expected.energies[i]));

@@ -27,7 +27,7 @@ std::unique_ptr<Sampler> create(const SamplerSpec& spec, const SampleRequest& re
     return spec.create(parameters, request, Engine::reference, {});
 }
 
-/// How many points are in each box of a lattice of boxes, of those with any.
+/// The number of points in each box of a lattice of boxes, of those with any.
 std::map<std::size_t, std::size_t> boxes_by_count(const PointSet& set, const std::vector<std::size_t>& boxes)
 {
     std::map<std::vector<std::size_t>, std::size_t> counts;

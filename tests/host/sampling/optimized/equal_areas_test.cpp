@@ -31,7 +31,7 @@ std::vector<double> random_weights(std::size_t points, double part, unsigned see
     return weights;
 }
 
-/// What the neighbour lists hold, without what is behind their ends.
+/// The contents of the neighbour lists, without what is behind their ends.
 std::vector<std::pair<std::uint32_t, double>> neighbours_of(const PowerCells& cells, std::size_t point)
 {
     using contract::power_cells::MAX_NEIGHBORS;

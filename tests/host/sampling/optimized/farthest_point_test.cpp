@@ -1,6 +1,7 @@
 // Farthest point optimization: both engines give the same points, and these are what the paper says of its own.
 #include "host/sampling/optimized/farthest_point.hpp"
 
+#include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus_delaunay.hpp"
 #include "host/config/sampler_registry.hpp"
@@ -98,18 +99,6 @@ TEST(FarthestPoint, MovesAPointToTheFarthestVertexAroundItsNeighbours)
         ++moved;
     }
     EXPECT_GT(moved, 20);
-}
-
-double mean_nearest_distance(const PointSet& set)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < set.size(); ++i) {
-        double nearest = 2;
-        for (std::size_t j = 0; j < set.size(); ++j)
-            if (j != i) nearest = std::min(nearest, test::squared_distance(set[i], set[j]));
-        sum += std::sqrt(nearest);
-    }
-    return sum / static_cast<double>(set.size());
 }
 
 /// Figure 1 of the paper, 1,024 points: 0.925 for the least and 0.932 for the mean of the distances to the nearest

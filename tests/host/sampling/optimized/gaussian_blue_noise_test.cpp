@@ -164,5 +164,64 @@ TEST(GaussianBlueNoiseSampler, RefusesTorusesThatAreTooNarrow)
     EXPECT_THAT(refusal(500, 2), testing::HasSubstr("test.toml:10: sigma = 2: 500 points are too few"));
 }
 
+/// Children at plus and minus a quarter q along each axis multiply the transform of the coarse set by 2 cos(2 pi f q).
+TEST(GaussianLevels, SplitPointsKeepTheTransformOfTheCoarseSet)
+{
+    for (const int dimension : {2, 3}) {
+        const std::size_t count = dimension == 2 ? 100 : 64;
+        const PointSet coarse = random_gaussian_start(count, dimension, 9);
+        const std::size_t children = std::size_t{1} << dimension;
+        const PointSet fine = split_points(coarse, children * count);
+        ASSERT_EQ(fine.size(), children * count);
+        const double quarter = 0.25 / (dimension == 2 ? 10 : 4);
+        for (const std::array<int, 3> f : {std::array{1, 0, 0}, std::array{3, -2, 0}, std::array{0, 7, 0}}) {
+            std::complex<long double> expected = test::brute_force_transform(coarse, f);
+            for (int k = 0; k < dimension; ++k)
+                expected *= 2 * std::cos(2 * std::numbers::pi * f[static_cast<std::size_t>(k)] * quarter);
+            EXPECT_LT(std::abs(test::brute_force_transform(fine, f) - expected), 1e-10);
+        }
+        EXPECT_EQ(coarser_points(children * count, dimension), count);
+        EXPECT_EQ(coarser_points(children * count - 1, dimension), count);
+        EXPECT_EQ(split_points(coarse, children * count - 1).size(), children * count - 1);
+    }
+}
+
+/// Waves as long as the torus decay by a step as slowly as they are long in mean distances: a coarse set needs fewer.
+TEST(GaussianLevels, MakeSetsEvenAtLargeDistancesInFewerSteps)
+{
+    const SamplerSpec& spec = *find_sampler("gaussian-blue-noise");
+    Device device = Device::open();
+    const auto low_power = [&](std::int64_t levels, Engine engine) {
+        Parameters parameters(spec.parameters);
+        parameters.set("iterations", std::int64_t{30});
+        parameters.set("levels", levels);
+        const auto sampler = spec.create(parameters, {4093, 2, 3}, engine, [&]() -> Device& { return device; });
+        const PointSet set = sampler->sample(0);
+        EXPECT_EQ(set.size(), 4093u);
+        EXPECT_EQ(sampler->iterations().size(), 31 * (static_cast<std::size_t>(levels) + 1));
+        double power = 0;
+        for (const std::array<int, 3> f : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{1, 1, 0},
+                                           std::array{1, -1, 0}, std::array{2, 0, 0}, std::array{0, 2, 0}})
+            power += test::brute_force_power(set, f) / 6;
+        return power;
+    };
+    // 30 steps leave exp(-30 * 0.25 * k^2 * 2 pi) = 0.65 of a wave's height at k = 2 pi / 64, and of that of a coarse
+    // set, which is 4 times as wide, 0.001.
+    EXPECT_LT(low_power(2, Engine::opencl), 0.1 * low_power(0, Engine::opencl));
+    EXPECT_EQ(low_power(2, Engine::opencl), low_power(2, Engine::reference));
+}
+
+TEST(GaussianLevels, TooManyAreSaid)
+{
+    const SamplerSpec& spec = *find_sampler("gaussian-blue-noise");
+    Parameters parameters(spec.parameters);
+    parameters.set("levels", std::int64_t{2}, {"test.toml", 4});
+    EXPECT_THAT(
+        message_of([&] {
+            spec.check(parameters, {1000, 2, 1}, {"test.toml", 3});
+        }),
+        testing::HasSubstr("test.toml:4: levels = 2: the coarsest sets would have 63 points, and need at least 135"));
+}
+
 }
 }

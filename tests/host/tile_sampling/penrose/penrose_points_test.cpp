@@ -56,6 +56,16 @@ TEST_P(PenrosePoints, OfKernelAndTwinAreTheSame)
     }
 }
 
+/// Few enough for an interpreter of kernels.
+TEST(FewPenrosePoints, OfKernelAndTwinAreTheSame)
+{
+    const PenroseTiling tiling = tiling_with("x > 0 ? 1 : 0.1");
+    PenroseGenerator generator(Device::open(), tiling, 7);
+    for (const std::uint64_t importance : {1U, 20U, 999U})
+        EXPECT_EQ(generator.points(importance), point_set_of(reference::penrose_points(tiling, importance)))
+            << importance;
+}
+
 TEST_P(PenrosePoints, OfAWindowAreThoseOfTheSquareThere)
 {
     const auto all = reference::penrose_points(tiling_, 150'000);

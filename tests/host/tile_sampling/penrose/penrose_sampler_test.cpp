@@ -29,17 +29,17 @@ protected:
     }
     ~PenroseSamplerTest() override { ::unsetenv("POISSONLAB_CACHE"); }
 
-    void give(const std::string& key, const std::string& value)
+    void give(const std::string& key, const ParameterValue& value)
     {
         given_.set(key, value, {(cache_.path() / "test.toml").string(), 7});
     }
 
-    PointSet sample(std::size_t points, Engine engine = Engine::reference)
+    PointSet sample(std::size_t points, Engine engine = Engine::reference, std::uint32_t realization = 0)
     {
         Device device = Device::open();
         const auto sampler = spec_.create(given_, {points, 2, 1}, engine, [&]() -> Device& { return device; });
         EXPECT_TRUE(sampler->is_window());
-        return sampler->sample(0);
+        return sampler->sample(realization);
     }
 
     std::string refusal(std::size_t points = 1000)
@@ -59,31 +59,47 @@ TEST_F(PenroseSamplerTest, GivesTheSameSetsByBothEngines)
 {
     EXPECT_EQ(sample(3000).size(), 3000U);
     EXPECT_EQ(sample(3000, Engine::opencl), sample(3000));
-    give("density", "exp(-4*(x^2+y^2))");
+    give("density", std::string("exp(-4*(x^2+y^2))"));
     EXPECT_NEAR(static_cast<double>(sample(3000).size()), 3000, 15);
     EXPECT_EQ(sample(3000, Engine::opencl), sample(3000));
+}
+
+TEST_F(PenroseSamplerTest, TakesWindowsAtRandomPlaces)
+{
+    give("random_window", true);
+    EXPECT_FALSE(spec_.is_deterministic(given_));
+    const PointSet first = sample(3000), second = sample(3000, Engine::reference, 1);
+    EXPECT_EQ(sample(3000, Engine::opencl, 1), second);
+    EXPECT_NE(first, second);
+    for (const PointSet* set : {&first, &second}) {
+        // The tiling's density is even: what its border lets in and out is a small part of 4 sqrt(3000) = 220 points.
+        EXPECT_NEAR(static_cast<double>(set->size()), 3000, 110);
+        for (const double x : set->coordinates) EXPECT_TRUE(x >= 0 && x < 1) << x;
+    }
+    give("density", std::string("1"));
+    EXPECT_THAT(refusal(), HasSubstr("random_window = true: is for points that are the same everywhere"));
 }
 
 TEST_F(PenroseSamplerTest, RefusesDensitiesInOneLine)
 {
     const std::string place = (cache_.path() / "test.toml").string() + ":7: ";
-    give("density", "0");
-    EXPECT_THAT(refusal(), AllOf(StartsWith(place + "density: "), HasSubstr("is 0 everywhere")));
-    give("density", "x");
+    give("density", std::string("0"));
+    EXPECT_THAT(refusal(), AllOf(StartsWith(place + "density = 0: "), HasSubstr("is 0 everywhere")));
+    give("density", std::string("x"));
     EXPECT_THAT(refusal(), AllOf(StartsWith(place), HasSubstr("not negative")));
-    give("density", "missing.png");
+    give("density", std::string("missing.png"));
     EXPECT_THAT(refusal(), AllOf(StartsWith(place), HasSubstr("no such file")));
     cache_.write("empty.png", "");
-    give("density", "empty.png");
+    give("density", std::string("empty.png"));
     EXPECT_THAT(refusal(), StartsWith(place));
-    give("density", "1");
-    give("density_from", "ink");
+    give("density", std::string("1"));
+    give("density_from", std::string("ink"));
     EXPECT_THAT(refusal(), AllOf(StartsWith(place), HasSubstr("is for pictures")));
 }
 
 TEST_F(PenroseSamplerTest, RefusesPeaksThatNeedTooFineTiles)
 {
-    give("density", "abs(x) < 0.001 && abs(y) < 0.001 ? 1 : 0");
+    give("density", std::string("abs(x) < 0.001 && abs(y) < 0.001 ? 1 : 0"));
     EXPECT_EQ(refusal(1000), "accepted");
     EXPECT_THAT(refusal(2'000'000'000), HasSubstr("finer than level 30"));
 }

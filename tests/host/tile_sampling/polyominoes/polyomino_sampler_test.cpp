@@ -74,6 +74,16 @@ TEST_F(PolyominoSampling, KernelsMakeTheSamePoints)
     }
 }
 
+/// Few enough for an interpreter of kernels.
+TEST_F(PolyominoSampling, KernelsMakeTheSameFewPoints)
+{
+    const PolyominoTable table = cached_polyomino_table(Polyomino::P, folder()).table;
+    PolyominoGenerator generator(Device::open(), Polyomino::P, 48);
+    const PolyominoTorus torus(table, 5, 2, 1);
+    for (const std::size_t points : {1U, 400U})
+        ASSERT_EQ(generator.points(torus, points), polyomino_points(torus, points));
+}
+
 TEST_F(PolyominoSampling, SetsOfADensityHaveAboutAsManyPoints)
 {
     const auto polyominoes = sampler(5000, "exp(-4*(x^2+y^2))");

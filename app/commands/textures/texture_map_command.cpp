@@ -1,0 +1,177 @@
+// poissonlab texture map: an endless plane with texture tiles in perspective.
+#include "app/commands/command.hpp"
+#include "base/errors/errors.hpp"
+#include "host/config/nearest_key.hpp"
+#include "host/device/device.hpp"
+#include "host/run/progress.hpp"
+#include "host/sampling/sampler.hpp"
+#include "host/texture/texture_map.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto texture_map_notes =
+    R"(DIR has a complete set of corner tiles. The camera is above the middle of a tile and looks to the north; a --pitch of
+90 looks straight down. Filters:
+  nearest      one texel
+  bilinear     four texels; the distance shimmers
+  mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance
+  anisotropic  up to 16 such look-ups along it (the default)
+Look-ups:
+  exact        each texel through its own tile, at all levels (the default)
+  packed       neighbours in the atlas, as graphics cards read them: the same up to the level that the ring allows
+  clamped      no neighbours: tiles become visible
+  repeated     the atlas itself, side by side, for comparison
+Averages are of light. The same tiles lie where the program of runtime/texture_tiles.h, C, OpenCL C or GLSL, sees them.
+--frames writes a fly-through: PICTURE gets a number before its suffix.
+  poissonlab texture map gravel --size 1024 576 --pitch 12 --out plain.png
+  poissonlab texture map gravel --frames 60 --advance 6 --out fly.png)";
+
+struct TextureMapOptions
+{
+    std::filesystem::path folder;
+    std::filesystem::path out;
+    std::vector<std::int64_t> size{1024, 576}, tile{0, 0};
+    double above = 2, pitch = 15, yaw = 0, field = 60;
+    std::uint32_t samples = 1;
+    std::string filter = "anisotropic";
+    std::string lookup = "exact";
+    std::uint32_t frames = 1;
+    double advance = 0;
+    std::uint64_t seed = 1;
+    std::string engine = "opencl";
+    std::string device;
+    bool quiet = false;
+};
+
+constexpr std::int64_t most_map_pixels = 16'384;
+constexpr std::uint32_t most_map_samples = 16, most_map_frames = 100'000;
+
+template <class Table>
+auto map_word(const Table& table, const std::string& option, const std::string& word)
+{
+    const auto value = table.find(word);
+    if (!value)
+        throw InputError(fmt::format("texture map: {} \"{}\": unknown{} (known: {})", option, word,
+                                     did_you_mean(word, table.all()), fmt::join(table.all(), ", ")));
+    return *value;
+}
+
+void check_map_number(const char* option, double value, double lowest, double highest)
+{
+    if (!(value >= lowest && value <= highest))
+        throw InputError(
+            fmt::format("texture map: {} {}: must be a number from {} to {}", option, value, lowest, highest));
+}
+
+void check_map_count(const char* option, std::int64_t value, std::int64_t highest)
+{
+    if (value < 1 || value > highest)
+        throw InputError(fmt::format("texture map: {} {}: must be an integer from 1 to {}", option, value, highest));
+}
+
+TextureCamera checked_camera(const TextureMapOptions& o)
+{
+    if (o.size.size() != 2)
+        throw InputError(fmt::format("texture map: --size {}: must be W H", fmt::join(o.size, " ")));
+    if (o.tile.size() != 2)
+        throw InputError(fmt::format("texture map: --tile {}: must be X Y", fmt::join(o.tile, " ")));
+    for (const std::int64_t pixels : o.size) check_map_count("--size", pixels, most_map_pixels);
+    check_map_number("--above", o.above, 0.01, 10'000);
+    check_map_number("--pitch", o.pitch, 0, 90);
+    check_map_number("--yaw", o.yaw, -360, 360);
+    check_map_number("--field", o.field, 1, 150);
+    check_map_number("--advance", o.advance, -1e6, 1e6);
+    check_map_count("--samples", o.samples, most_map_samples);
+    check_map_count("--frames", o.frames, most_map_frames);
+    TextureCamera camera;
+    camera.width = static_cast<int>(o.size[0]);
+    camera.height = static_cast<int>(o.size[1]);
+    camera.tile_x = o.tile[0];
+    camera.tile_y = o.tile[1];
+    camera.above = o.above;
+    camera.pitch = o.pitch;
+    camera.yaw = o.yaw;
+    camera.field = o.field;
+    camera.samples = static_cast<int>(o.samples);
+    camera.filter = map_word(texture_filters, "--filter", o.filter);
+    return camera;
+}
+
+std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame)
+{
+    if (o.frames == 1) return o.out;
+    std::filesystem::path file = o.out;
+    file.replace_filename(fmt::format("{}-{:05}{}", o.out.stem().string(), frame, o.out.extension().string()));
+    return file;
+}
+
+void map_texture_plane(const TextureMapOptions& o)
+{
+    TextureCamera camera = checked_camera(o);
+    const TextureLookup lookup = map_word(texture_lookups, "--lookup", o.lookup);
+    const Engine engine = map_word(engines, "--engine", o.engine);
+    if (o.out.extension() != ".png")
+        throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
+    const TexturePyramid pyramid = [&] {
+        try {
+            return texture_pyramid(read_texture_set(o.folder), o.seed);
+        } catch (const InputError& error) {
+            if (!error.place().file.empty()) throw;
+            throw error.moved_to({o.folder.string()});
+        }
+    }();
+    Progress progress(Progress::detect(o.quiet));
+    for (std::uint32_t frame = 0; frame < o.frames; ++frame) {
+        camera.forward = o.advance * frame / o.frames;
+        const TextureView view = view_of(camera);
+        std::vector<float> light;
+        if (engine == Engine::reference) {
+            light = reference_map_texture(pyramid, lookup, view);
+        } else {
+            Device device = Device::open(o.device);
+            light = map_texture(device, pyramid, lookup, view, default_work_group_size);
+        }
+        const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
+        write_png(frame_file(o, frame), {pixels.width, pixels.height, pixels.channels},
+                  [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+        progress.step(fmt::format("frame {} of {}", frame + 1, o.frames));
+    }
+    progress.finish();
+}
+
+}
+
+Command texture_map_command()
+{
+    const auto o = std::make_shared<TextureMapOptions>();
+    return {"map",
+            "Draw the endless plane that texture tiles cover, in perspective",
+            {{"DIR", &o->folder, "What texture build made: a complete set of corner tiles"},
+             {"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
+             {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
+             {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
+             {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
+             {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
+             {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
+             {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
+             {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+             {"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
+             {"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
+             {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
+             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+             {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
+             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
+             {"--out", &o->out, "The picture (.png)", "PICTURE", required},
+             {"--quiet", &o->quiet, "Print nothing but errors"}},
+            texture_map_notes,
+            action_on(o, map_texture_plane)};
+}
+
+}

@@ -1,0 +1,39 @@
+// The tables [[texture]] and [[packing]] of a config become these checked settings.
+#pragma once
+
+#include "host/texture/texture_request.hpp"
+#include "tiles/tilings/tile_set.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// A table [[texture]]: tiles from a picture, how well they fit, and a tiling with them.
+struct TextureSettings
+{
+    TextureRequest request;                ///< its seed is that of the first set
+    std::filesystem::path exemplar;        ///< empty: a pattern
+    std::filesystem::path marked_exemplar; ///< of marked corners; empty: none are marked
+    std::filesystem::path marks;           ///< a picture whose lighter part is marked; empty: corners are at random
+    std::string pattern;                   ///< one of exemplar_patterns()
+    int pattern_size = 256;                ///< pixels along a side
+    int sets = 1;                          ///< with other patches each, over which measures are averaged
+    std::uint64_t columns = 8;             ///< tiles of the window that is drawn
+    std::uint64_t rows = 4;
+    std::vector<std::string> show; ///< some of texture_shows()
+};
+
+/// A table [[packing]]: see tiles/packing.
+struct PackingSettings
+{
+    TileKind kind = TileKind::corner; ///< or wang
+    Color colors = 2;
+    std::string method; ///< one of packing_methods()
+    std::string show;   ///< one of packing_shows()
+    std::uint64_t seed = 1;
+};
+
+}

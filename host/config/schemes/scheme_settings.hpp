@@ -1,0 +1,97 @@
+// The tables [[scheme]] of a config become these checked settings: pictures, counts and tables of tilings and tile
+// sets.
+#pragma once
+
+#include "host/config/tiling_request.hpp"
+#include "tiles/aperiodic/corner_constructions.hpp"
+#include "tiles/isohedral/isohedral_tile.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace poissonlab {
+
+/// kind = "corner-problem": what lies diagonally to a Wang tile and to a corner tile.
+struct CornerProblemSettings
+{
+    Color colors = 2;
+};
+
+/// kind = "scanline": the scanline algorithm at work.
+struct ScanlineStepsSettings
+{
+    TileKind tiles = TileKind::wang; ///< or corner
+    Color colors = 2;
+    bool is_compact = true;
+};
+
+/// kind = "direct": the colours of a lattice, and the tiles that they become.
+struct DirectTilingSettings
+{
+    TilingRequest request;
+    TileWindow window;
+};
+
+/// kind = "noise": Perlin's noise with the hash functions of tilings.
+struct NoiseSettings
+{
+    std::uint32_t pixels = 384;
+    std::uint32_t cells = 12; ///< of the lattice along each side of the picture
+};
+
+/// kind = "tiling-costs": hash evaluations and times a tile.
+struct TilingCostSettings
+{
+    Color colors = 4;
+    std::uint32_t tiles = 1 << 17; ///< of each measurement
+};
+
+/// kind = "construction": the lattices of Wang tiles and of the corner tiles that are made of them.
+struct ConstructionSettings
+{
+    std::string set; ///< of Wang tiles: "ammann", "kari" or "culik"
+    CornerConstruction construction = CornerConstruction::diagonal;
+    std::uint64_t width = 4, height = 3; ///< Wang tiles
+};
+
+/// kind = "aperiodic-tables": the printed tables beside the computed ones, and periods.
+struct AperiodicTableSettings
+{
+    std::size_t width = 6; ///< the widest cylinder of the search
+};
+
+/// kind = "diffraction": how much tilings repeat.
+struct DiffractionSettings
+{
+    std::vector<TilingRequest> tilings; ///< at least one
+    std::uint64_t size = 512;           ///< tiles along each axis
+    Color color = 0;
+};
+
+/// kind = "isohedral": a tiling of a type with parameters, curves and a colouring.
+struct IsohedralSettings
+{
+    int type = 16;
+    IsohedralParameters parameters;
+    bool is_random = false;
+    std::optional<TileColoring> coloring; ///< none: the fewest colours
+    double columns = 10, rows = 10;       ///< of the window, in sides of a square as large as the tile
+};
+
+/// kind = "surface": corner tiles on the faces of a polycube.
+struct SurfaceSettings
+{
+    std::vector<std::array<int, 3>> cubes; ///< different ones, at least one
+    Color colors = 3;
+};
+
+using SchemeSettings =
+    std::variant<CornerProblemSettings, ScanlineStepsSettings, DirectTilingSettings, NoiseSettings, TilingCostSettings,
+                 ConstructionSettings, AperiodicTableSettings, DiffractionSettings, IsohedralSettings, SurfaceSettings>;
+
+}

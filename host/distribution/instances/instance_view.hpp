@@ -1,0 +1,16 @@
+// Shaded views of instances from above: trees as crowns, sunflowers, asteroids around a planet.
+//
+// Bodies are simple ones that show model, turn, scale and tilt; meshes are for renderers, see instance_files.hpp.
+// Colours depend on the C library's sines and may differ by rounding elsewhere.
+#pragma once
+
+#include "base/images/png_file.hpp"
+#include "host/distribution/instances/instances.hpp"
+
+namespace poissonlab {
+
+/// The window of settings with these instances on its ground. Each pixel is the mean of 3 x 3 places. Throws
+/// InputError for views of more than 4,096 pixels along a side, and Interrupted.
+PngPixels view_from_above(const std::vector<Instance>& instances, const InstanceSettings& settings, double radius);
+
+}

@@ -1,0 +1,67 @@
+// Instances of models at the points of a tiling: forests, fields of sunflowers, belts of asteroids.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.5, figures 7.5 and 7.6; Cohen and others, Wang tiles
+// for image and texture generation, 2003, figure 10. Neither says rules: here all that an instance is follows from its
+// point's identity by hashes, each with its own purpose, so that windows in parts and at once have the same instances.
+#pragma once
+
+#include "base/densities/density_values.hpp"
+#include "host/config/distributions/distribution_config.hpp"
+#include "host/distribution/objects.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+struct Instance
+{
+    std::array<double, 3> position{}; ///< units; z from the terrain, or in a belt
+    std::uint32_t model = 0;
+    double turn = 0;           ///< about z, radians
+    double scale = 1;          ///< of a model that fits a disk of instance_radius()
+    double tilt = 0;           ///< from z, radians
+    double tilt_direction = 0; ///< about z, radians
+    std::array<std::int32_t, 3> tile{};
+    std::uint32_t index = 0; ///< in the tile; with it, what tells instances apart
+    std::uint32_t id = 0;    ///< random bits, of which some 65,000 instances share some
+
+    bool operator==(const Instance&) const = default;
+};
+
+/// Heights over an area; beyond it, those of its border. Between the middles of pixels they are linear.
+class Terrain
+{
+public:
+    /// Throws InputError for what cannot be read and heights that are not finite.
+    explicit Terrain(const InstanceSettings& settings);
+
+    /// The height at a place, in units.
+    double at(double x, double y) const;
+
+private:
+    PixelValues heights_;
+    std::array<double, 4> area_;
+    double scale_;
+};
+
+/// The terrain of settings; none: flat.
+std::optional<Terrain> terrain_of(const InstanceSettings& settings);
+
+/// Dimension of a scene's tiles: 3 for asteroids.
+int instance_dimension(const InstanceSettings& settings);
+
+/// The radius of the disks or spheres that do not overlap, in units.
+double instance_radius(const ObjectTileSet& tiles, const InstanceSettings& settings);
+
+/// The instances with a position in the window, x and y from its lowest corner on, and in the ring where the scene has
+/// one; by rows of tiles. Throws Interrupted.
+std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
+                                   const InstanceSettings& settings);
+
+/// The number of instances on average.
+double expected_instances(const InstanceSettings& settings);
+
+}

@@ -1,0 +1,15 @@
+// The tile sets that objects and instances are placed by.
+#pragma once
+
+#include "host/distribution/distribution_place.hpp"
+#include "tiles/poisson/poisson_tile_set.hpp"
+
+#include <filesystem>
+
+namespace poissonlab {
+
+/// The set of a file; empty: corner tiles of 3 colours and 32 points, as the dissertation has them, in space of 2
+/// colours and 128 points. Throws InputError for a set of another dimension.
+PoissonTileSet object_tile_set(const std::filesystem::path& file, int dimension, const DistributionPlace& place);
+
+}

@@ -1,0 +1,42 @@
+// kind = "icons": arrows of a vector field.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.4.
+#include "base/files/whole_file.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/distribution/icons.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+
+DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                              DistributionFiles& files)
+{
+    const VectorField field = read_field(settings);
+    const SquarePoints points =
+        even_points(chosen_method(settings.method), settings.points, field.u.width, field.u.height, seed, place);
+    const Icons icons = icons_at(points, field, settings.have_one_length);
+
+    DistributionResult result;
+    result.facts = {fmt::format("{} x {} pixels", field.u.width, field.u.height),
+                    fmt::format("{} icons", icons.icons.size()), method_words(settings.method)};
+    if (icons.holes > 0) result.facts.push_back(fmt::format("{} points in holes", icons.holes));
+    files.add_marks("icons.json", icon_picture(icons, field), "Arrows, each in its disk; vectors too short are dots.",
+                    result);
+    write_whole_file(files.add("icons.csv"), icons_csv(icons));
+    result.files.push_back("icons.csv");
+    const double radius = static_cast<double>(icons.radius) / static_cast<double>(icon_units);
+    const double longest = std::max(field.u.width, field.u.height);
+    const double area = field.u.width / longest * (field.u.height / longest);
+    result.numbers.push_back({"disk_radius", "Disk radius", radius, "of the longest side: no arrow leaves its disk"});
+    result.numbers.push_back(
+        {"relative_radius", "Relative radius",
+         2 * radius * std::sqrt(static_cast<double>(points.size()) / 2 * std::numbers::sqrt3 / 2 / area),
+         "least distance of two points, 1 for the densest packing: how large arrows can be"});
+    return result;
+}
+
+}

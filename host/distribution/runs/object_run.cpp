@@ -1,0 +1,140 @@
+// kind = "objects": pictures of the procedural object distribution function, and how much of them is covered.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.6, figures 7.7 to 7.16.
+#include "base/images/png_file.hpp"
+#include "base/random/random.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/distribution/lookup_costs.hpp"
+#include "host/distribution/object_shapes.hpp"
+#include "host/distribution/object_tiles.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+using namespace contract::objects;
+
+Spread spread_of(const SpreadChoice& choice, double unit)
+{
+    return {choice.kind == SpreadChoice::Kind::constant  ? std::uint32_t{SPREAD_CONSTANT}
+            : choice.kind == SpreadChoice::Kind::uniform ? std::uint32_t{SPREAD_UNIFORM}
+                                                         : std::uint32_t{SPREAD_NORMAL},
+            static_cast<float>(choice.a / unit), static_cast<float>(choice.b / unit)};
+}
+
+/// Tiles a unit of length: D 7.6.2.2, where the text has its inverse.
+double tiles_per_unit(const ObjectSettings& settings, std::uint32_t points_per_tile)
+{
+    const double tiles = settings.objects / points_per_tile;
+    return settings.dimension == 3 ? std::cbrt(tiles) : std::sqrt(tiles);
+}
+
+ObjectScene scene_of(const ObjectSettings& settings, const ObjectTileSet& tiles)
+{
+    ObjectScene scene{};
+    const double scale = tiles_per_unit(settings, tiles.tiles().parameters.points_per_tile);
+    constexpr double place_units = 4294967296.0;
+    scene.width = scene.height = settings.pixels;
+    scene.samples = settings.samples;
+    scene.view = settings.view == "sphere" ? VIEW_SPHERE : settings.view == "torus" ? VIEW_TORUS : VIEW_PLANE;
+    scene.step = std::max<std::int64_t>(
+        1, std::llround(settings.window * scale / settings.pixels / settings.samples * place_units));
+    scene.left = std::llround(settings.origin[0] * scale * place_units) + scene.step / 2;
+    scene.bottom = std::llround(settings.origin[1] * scale * place_units) + scene.step / 2;
+    scene.z = 1 << 30;
+    scene.radius = static_cast<float>(tiles.radius());
+    scene.extent = static_cast<float>(settings.window * scale);
+    scene.size = spread_of(settings.size, 1);
+    scene.turn = spread_of(settings.orientation, 2 * std::numbers::pi);
+    scene.aspect = spread_of(settings.aspect, 1);
+    set_look(scene, settings.object, settings.dimension);
+    return scene;
+}
+
+/// The mean of size^dimension over objects: what a constant size is to the share that disks cover. Those of other kinds
+/// are cut at 0 and 1, so that their share is taken from the objects that are seen.
+std::optional<double> mean_power_of_size(const SpreadChoice& size, int dimension)
+{
+    if (size.kind == SpreadChoice::Kind::constant) return std::pow(size.a, dimension);
+    if (size.kind == SpreadChoice::Kind::normal) return std::nullopt;
+    const int n = dimension + 1;
+    if (size.b == size.a) return std::pow(size.a, dimension);
+    return (std::pow(size.b, n) - std::pow(size.a, n)) / (n * (size.b - size.a));
+}
+
+void add_numbers(const ObjectSettings& settings, const ObjectTileSet& tiles, const ObjectPicture& picture,
+                 DistributionResult& result)
+{
+    const auto n = static_cast<double>(tiles.tiles().parameters.points_per_tile);
+    const double disk = settings.dimension == 3 ? 4.0 / 3 * std::numbers::pi * std::pow(tiles.radius(), 3)
+                                                : std::numbers::pi * std::pow(tiles.radius(), 2);
+    if (settings.view == "plane") {
+        double inside = 0;
+        for (std::size_t i = 3; i < picture.pixels.size(); i += 4) inside += picture.pixels[i];
+        const double samples = static_cast<double>(picture.ids.size()) * settings.samples * settings.samples;
+        result.numbers.push_back(
+            {"share_inside", "Share inside", inside / samples, "of the picture, in objects' disks"});
+    }
+    if (const auto power = mean_power_of_size(settings.size, settings.dimension))
+        result.numbers.push_back({"expected_share", "Share of the whole", n * disk * *power,
+                                  settings.dimension == 3 ? "4/3 π R³ of each point" : "π R² of each point"});
+}
+
+/// Speeds of this machine: they differ from run to run, and are measured where the config asks for them.
+void add_costs(const ObjectSettings& settings, const ObjectTileSet& tiles, DistributionResult& result)
+{
+    if (!settings.has_timing) return;
+    const LookupCosts costs = lookup_costs(tiles);
+    result.numbers.push_back({"timed_dimension", "Dimension of look-ups", static_cast<double>(settings.dimension),
+                              "of what follows, on the host, by one thread"});
+    result.numbers.push_back({"lookups_anywhere", "Look-ups a second", costs.lookups_anywhere, "at random places"});
+    result.numbers.push_back({"lookups_in_rows", "Look-ups a second", costs.lookups_in_rows, "in rows of pixels"});
+    result.numbers.push_back({"noise_calls_anywhere", "Calls of Perlin's noise",
+                              costs.noise_anywhere / costs.lookups_anywhere,
+                              "in the time of a look-up, random places"});
+    result.numbers.push_back({"noise_calls_in_rows", "Calls of Perlin's noise",
+                              costs.noise_in_rows / costs.lookups_in_rows, "in the time of a look-up, rows of pixels"});
+}
+
+ObjectPicture painted(const ObjectTileSet& tiles, const PoissonTiling& tiling, const ObjectScene& scene,
+                      const DistributionPlace& place)
+{
+    if (place.engine == Engine::reference) return reference::draw_objects(tiles, tiling, scene, object_shapes());
+    Device& device = place.device();
+    check_fits("the picture of objects",
+               ObjectPainter::memory(tiles, object_shapes(), std::size_t{scene.width} * scene.height), device.info());
+    return ObjectPainter(device, tiles, object_shapes()).draw(tiling, scene);
+}
+
+}
+
+DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                                DistributionFiles& files)
+{
+    const ObjectTileSet tiles(object_tile_set(settings.tiles, settings.dimension, place));
+    const PoissonTileParameters& p = tiles.tiles().parameters;
+    const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0], settings.period};
+    const ObjectScene scene = scene_of(settings, tiles);
+    const ObjectPicture picture = painted(tiles, tiling, scene, place);
+
+    DistributionResult result;
+    result.facts = {fmt::format("{} objects a unit {}", settings.objects, settings.dimension == 3 ? "cube" : "square"),
+                    fmt::format("{} units wide", settings.window), fmt::format("{} points per tile", p.points_per_tile),
+                    fmt::format("relative radius {:.3f}", relative_radius_of(tiles.tiles().squared_min_distance, p))};
+    std::vector<std::uint8_t> colors;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        if (i % 4 != 3) colors.push_back(picture.pixels[i]);
+    write_png(files.add("objects.png"), {static_cast<int>(scene.width), static_cast<int>(scene.height), 3},
+              [&](int first, int) { return &colors[static_cast<std::size_t>(first) * scene.width * 3]; });
+    result.pictures.push_back(
+        {"objects.png", fmt::format("Each pixel is the mean of {0} x {0} places.", settings.samples)});
+    add_numbers(settings, tiles, picture, result);
+    add_costs(settings, tiles, result);
+    return result;
+}
+
+}

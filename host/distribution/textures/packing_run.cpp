@@ -1,0 +1,225 @@
+// A table [[packing]]: all tiles of a set on a torus with their numbers, puzzles of them, and what rows of tiles are
+// packed by.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5 and figures 5.7 to 5.13.
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "tiles/packing/closed_packing.hpp"
+#include "tiles/packing/euler_packing.hpp"
+#include "tiles/packing/packing_search.hpp"
+#include "tiles/packing/printed_packings.hpp"
+#include "tiles/packing/puzzle_piece.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+/// The colours of corners and edges: those that the papers draw with come first.
+constexpr std::array<const char*, 8> packed_colors{"#d9422f", "#3f9e4a", "#3a6fd0", "#e8b62c",
+                                                   "#9a4fc0", "#2fb0b8", "#ee7f2d", "#8a8a8a"};
+constexpr const char* lines = "#303030";
+constexpr int packing_pixels = 1024;
+
+TilePacking chosen_packing(const PackingSettings& settings)
+{
+    if (settings.method == "printed") return printed_packing(settings.kind, settings.colors);
+    if (settings.method == "product") return printed_product_packing();
+    if (settings.method == "eulerian") return euler_packing(settings.colors, settings.seed);
+    if (settings.method == "search") return random_packing(settings.kind, settings.colors, settings.seed);
+    if (settings.method == "grown") return grown_packing(printed_packing(settings.kind, 2), settings.seed);
+    return closed_packing(settings.kind, settings.colors);
+}
+
+/// A group for each colour, then one for lines.
+MarkPicture colored_marks(double width, double height, Color colors)
+{
+    MarkPicture picture{width, height, packing_pixels};
+    for (Color color = 0; color < colors; ++color) picture.groups.push_back({packed_colors[color]});
+    picture.groups.push_back({lines});
+    return picture;
+}
+
+void add_square(MarkPicture& picture, double x, double y, double width)
+{
+    for (const auto& ends : {std::array{x, y, x + 1, y}, std::array{x + 1, y, x + 1, y + 1},
+                             std::array{x + 1, y + 1, x, y + 1}, std::array{x, y + 1, x, y}})
+        picture.groups.back().strokes.push_back({ends[0], ends[1], ends[2], ends[3], width});
+}
+
+/// Colours of edges inside of a tile: strokes beside its sides, which meet those of its neighbours.
+void add_wang_tile(MarkPicture& picture, const WangTile& tile, double x, double y)
+{
+    constexpr double wide = 0.16, inset = 0.08, reach = 0.26;
+    picture.groups[tile.south].strokes.push_back({x + reach, y + inset, x + 1 - reach, y + inset, wide});
+    picture.groups[tile.north].strokes.push_back({x + reach, y + 1 - inset, x + 1 - reach, y + 1 - inset, wide});
+    picture.groups[tile.west].strokes.push_back({x + inset, y + reach, x + inset, y + 1 - reach, wide});
+    picture.groups[tile.east].strokes.push_back({x + 1 - inset, y + reach, x + 1 - inset, y + 1 - reach, wide});
+}
+
+MarkPicture drawn_packing(const TilePacking& packing)
+{
+    const double side = packing.side();
+    constexpr double margin = 0.3;
+    MarkPicture picture = colored_marks(side + 2 * margin, side + 2 * margin, packing.colors);
+    for (Color row = 0; row < packing.side(); ++row)
+        for (Color column = 0; column < packing.side(); ++column) {
+            const TileIndex index = packing.at({column, row});
+            const double x = column + margin, y = row + margin;
+            add_square(picture, x, y, 0.02);
+            picture.words.push_back({{x + 0.5, y + 0.5}, 0.3, std::to_string(index)});
+            if (packing.kind == TileKind::wang)
+                add_wang_tile(picture, wang_tile(index, {packing.colors, packing.colors}), x, y);
+        }
+    if (packing.kind == TileKind::corner) {
+        const std::vector<Color> corners = corner_colors_of(packing);
+        for (Color row = 0; row <= packing.side(); ++row)
+            for (Color column = 0; column <= packing.side(); ++column)
+                picture.groups[corners[row % packing.side() * packing.side() + column % packing.side()]]
+                    .disks.push_back({column + margin, row + margin, 0.2});
+    }
+    return picture;
+}
+
+/// Pieces with lines between them, each tile's number where a picture would be.
+MarkPicture drawn_puzzle(const TilePacking& packing)
+{
+    const double side = packing.side();
+    constexpr double margin = 0.4;
+    MarkPicture picture{side + 2 * margin, side + 2 * margin, packing_pixels};
+    picture.groups.push_back({lines});
+    for (Color row = 0; row < packing.side(); ++row)
+        for (Color column = 0; column < packing.side(); ++column) {
+            const auto outline = piece_outline(packing.kind, packing.at({column, row}), packing.colors);
+            for (std::size_t i = 0; i < outline.size(); ++i) {
+                const PiecePoint a = outline[i], b = outline[(i + 1) % outline.size()];
+                picture.groups.back().strokes.push_back(
+                    {column + margin + a[0], row + margin + a[1], column + margin + b[0], row + margin + b[1], 0.025});
+            }
+        }
+    return picture;
+}
+
+void add_domino(MarkPicture& picture, Color west, Color east, double x, double y)
+{
+    constexpr double wide = 0.3;
+    picture.groups[west].strokes.push_back({x + wide / 2, y + 0.2, x + wide / 2, y + 0.8, wide});
+    picture.groups[east].strokes.push_back({x + 1 - wide / 2, y + 0.2, x + 1 - wide / 2, y + 0.8, wide});
+    add_square(picture, x, y, 0.02);
+}
+
+/// All dominoes, apart from each other, or in the order of Wei's circle.
+MarkPicture drawn_dominoes(Color colors, bool is_packed)
+{
+    const Color count = colors * colors;
+    const double pitch = is_packed ? 1 : 1.3;
+    const Color in_row = is_packed ? count : colors;
+    const double rows = is_packed ? 1 : colors;
+    const double gap = pitch - 1;
+    MarkPicture picture = colored_marks(in_row * pitch - gap + 0.4, rows * pitch - gap + 0.4, colors);
+    for (Color i = 0; i < count; ++i) {
+        const Color west = is_packed ? wei_color(i) : i / colors,
+                    east = is_packed ? wei_color((i + 1) % count) : i % colors;
+        add_domino(picture, west, east, 0.2 + (i % in_row) * pitch, 0.2 + (rows - 1 - i / in_row) * pitch);
+    }
+    return picture;
+}
+
+/// A circle of small strokes.
+void add_loop(MarkPicture& picture, double x, double y, double radius, double width)
+{
+    constexpr int pieces = 48;
+    const auto at = [&](int i) {
+        const double angle = 2 * std::numbers::pi * i / pieces;
+        return std::array{x + radius * std::cos(angle), y + radius * std::sin(angle)};
+    };
+    for (int i = 0; i < pieces; ++i)
+        picture.groups.back().strokes.push_back({at(i)[0], at(i)[1], at(i + 1)[0], at(i + 1)[1], width});
+}
+
+/// A stroke from one vertex to another, bent to its right so that the way back lies beside it, with a head.
+void add_arrow(MarkPicture& picture, std::array<double, 2> from, std::array<double, 2> to, double vertex)
+{
+    const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+    const double right = 0.07 / length, east = dx / length, north = dy / length;
+    const std::array start{from[0] + dy * right + east * vertex, from[1] - dx * right + north * vertex},
+        end{to[0] + dy * right - east * vertex, to[1] - dx * right - north * vertex};
+    auto& strokes = picture.groups.back().strokes;
+    strokes.push_back({start[0], start[1], end[0], end[1], 0.02});
+    for (const double turn : {2.7, -2.7}) {
+        const double c = std::cos(turn), s = std::sin(turn);
+        strokes.push_back(
+            {end[0], end[1], end[0] + 0.14 * (c * east - s * north), end[1] + 0.14 * (s * east + c * north), 0.02});
+    }
+}
+
+/// A vertex a colour and an edge a domino: an Eulerian circuit is a packing (D. figure 5.8).
+MarkPicture drawn_graph(Color colors)
+{
+    constexpr double middle = 2, around = 1.1, vertex = 0.18, loop = 0.2;
+    MarkPicture picture = colored_marks(2 * middle, 2 * middle, colors);
+    std::vector<std::array<double, 2>> places;
+    for (Color color = 0; color < colors; ++color) {
+        const double angle = 2 * std::numbers::pi * (0.25 + static_cast<double>(color) / colors);
+        places.push_back({middle + around * std::cos(angle), middle + around * std::sin(angle)});
+        picture.groups[color].disks.push_back({places.back()[0], places.back()[1], vertex});
+        const double out = (around + vertex + loop) / around;
+        add_loop(picture, middle + (places.back()[0] - middle) * out, middle + (places.back()[1] - middle) * out, loop,
+                 0.02);
+    }
+    for (Color from = 0; from < colors; ++from)
+        for (Color to = 0; to < colors; ++to)
+            if (from != to) add_arrow(picture, places[from], places[to], vertex);
+    return picture;
+}
+
+void add_indices(const TilePacking& packing, DistributionFiles& files, DistributionResult& result)
+{
+    std::string text;
+    for (Color row = packing.side(); row-- > 0;)
+        for (Color column = 0; column < packing.side(); ++column)
+            text += fmt::format("{}{}", packing.at({column, row}), column + 1 == packing.side() ? "\n" : " ");
+    write_whole_file(files.add("tiles.txt"), text);
+    result.files.emplace_back("tiles.txt");
+}
+
+}
+
+DistributionResult make_packing(const PackingSettings& settings, DistributionFiles& files)
+{
+    DistributionResult result;
+    if (settings.show == "dominoes" || settings.show == "row") {
+        const bool is_packed = settings.show == "row";
+        result.facts = {fmt::format("{} tiles", settings.colors * settings.colors)};
+        files.add_marks("dominoes.json", drawn_dominoes(settings.colors, is_packed),
+                        is_packed ? "Each once on a circle, neighbours having the same colour where they meet."
+                                  : "The complete set: all pairs of colours.",
+                        result);
+        return result;
+    }
+    if (settings.show == "graph") {
+        files.add_marks("graph.json", drawn_graph(settings.colors),
+                        "A vertex a colour, an edge a tile: every Eulerian circuit is a packing.", result);
+        return result;
+    }
+    const TilePacking packing = chosen_packing(settings);
+    if (const auto fault = packing_fault(packing)) throw std::logic_error("a packing that is none: " + *fault);
+    result.facts = {fmt::format("{} x {} places", packing.side(), packing.side()),
+                    fmt::format("{} tiles, each once", packing.tiles.size())};
+    add_indices(packing, files, result);
+    if (settings.show == "puzzle")
+        files.add_marks("puzzle.json", drawn_puzzle(packing),
+                        "Pieces that fit where their colours do, and nowhere else.", result);
+    else
+        files.add_marks("packing.json", drawn_packing(packing),
+                        "All tiles with their numbers; opposite sides fit as well. The first row is the lowest.",
+                        result);
+    return result;
+}
+
+}

@@ -1,0 +1,278 @@
+// A table [[texture]]: texture tiles, how well they fit over several sets, and pictures of the first one.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 5.3 and 5.4.
+#include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/device/device.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/distribution/textures/texture_pictures.hpp"
+#include "host/texture/exemplar.hpp"
+#include "host/texture/synthetic_exemplar.hpp"
+#include "results/texture_measures.hpp"
+#include "tiles/texture/seam_measures.hpp"
+#include "tiles/texture/texture_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::uint64_t measured_side = 16; // tiles of the window that is measured
+constexpr int plane_width = 1024, plane_height = 576;
+
+/// Values by the keys of texture_measures().
+using TextureValues = std::map<std::string, double>;
+
+TextureValues values_of(const TextureSet& set, std::uint64_t seed)
+{
+    const SeamMeasures seams = seam_measures(set);
+    const TextureCertificate proof = certify_texture(set);
+    const auto pairs = static_cast<double>(proof.tile_pairs);
+    const PngPixels tiling = texture_window_pixels(set, texture_window(set, {0, 0, measured_side, measured_side}, seed),
+                                                   set.values, set.exemplar.channels);
+    const StepMap steps = step_map(tiling, set.exemplar, set.size);
+    return {{"tiles", static_cast<double>(set.tiles.size())},
+            {"atlas_pixels", static_cast<double>(set.tiles.size() * set.pixels_a_tile())},
+            {"seam_pairs", seams.pairs_a_tile},
+            {"seam_mismatch", seams.mismatch},
+            {"seam_excess", seams.excess},
+            {"conspicuous_seams", seams.conspicuous},
+            {"longest_run", seams.longest_run},
+            {"border_joints", static_cast<double>(proof.joints) / pairs},
+            {"border_exceptions", static_cast<double>(proof.exceptions) / pairs},
+            {"border_step", steps.border},
+            {"largest_step", steps.largest},
+            {"coverage", seams.coverage},
+            {"lattice_power", lattice_power(tiling, set.size)},
+            {"double_lattice_power", lattice_power(tiling, 2 * set.size)},
+            {"color_distance", color_distance(tiling, set.exemplar)}};
+}
+
+/// Means over sets, with standard errors where there are several and values differ.
+std::vector<DistributionNumber> numbers_of(const std::vector<TextureValues>& sets)
+{
+    std::vector<DistributionNumber> numbers;
+    const auto count = static_cast<double>(sets.size());
+    for (const Measure& measure : texture_measures()) {
+        if (measure.key == "sets") {
+            numbers.push_back(texture_number(measure.key, count, std::nullopt));
+            continue;
+        }
+        double sum = 0, squares = 0;
+        for (const TextureValues& values : sets) sum += values.at(measure.key);
+        const double mean = sum / count;
+        for (const TextureValues& values : sets) squares += std::pow(values.at(measure.key) - mean, 2);
+        std::optional<double> error;
+        if (sets.size() > 1) error = std::sqrt(squares / (count - 1) / count);
+        numbers.push_back(texture_number(measure.key, mean, error));
+    }
+    return numbers;
+}
+
+PngPixels exemplar_of(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+{
+    if (settings.pattern.empty()) return read_exemplar(settings.exemplar);
+    SquarePoints places;
+    if (settings.pattern == "pebbles")
+        places = even_points(default_even_method(), pebble_count(settings.pattern_size), 1, 1, seed, place);
+    return synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places);
+}
+
+/// Makes the pictures that a table asks for.
+class TextureShow
+{
+public:
+    TextureShow(const TextureSettings& settings, const BuiltTexture& built, const DistributionPlace& place,
+                DistributionFiles& files, DistributionResult& result)
+        : settings_(settings), built_(built), set_(built.set), place_(place), files_(files), result_(result)
+    {}
+
+    void add(const std::string& word)
+    {
+        if (word == "exemplar") result_.pictures.push_back({"exemplar.png", "The exemplar."});
+        if (word == "set")
+            result_.pictures.push_back(
+                {"atlas.png",
+                 set_.is_complete() ? "All tiles, packed: neighbours fit, and so do opposite sides." : "All tiles."});
+        if (word == "windows")
+            write("windows.png", window_picture(set_.exemplar, built_.windows, patches()),
+                  "The windows that tiles show: those of the colours in colours, those of new pieces in white.");
+        if (word == "steps" && set_.has_corners())
+            write("steps.png", step_picture(built_),
+                  "A tile: four patches, the part that is cut out, the tile with a new piece over the seam, and the "
+                  "same with "
+                  "new pieces in grey.");
+        if (word == "seams")
+            write("seams.png", seam_picture(set_), "Seams of all tiles, where sources are no neighbours.");
+        if (word == "pieces")
+            write("pieces.png", atlas_of_pieces(), "The source map: colours tell windows of the exemplar apart.");
+        if (word == "tiling") write("tiling.png", window_of(set_.values, set_.exemplar.channels), "A tiling.");
+        if (word == "tiling-pieces")
+            write("tiling-pieces.png", window_of(piece_values(set_), 3), "Its windows of the exemplar.");
+        if (word == "gradients") add_gradients();
+        if (word == "levels" && is_mapped())
+            write(
+                "levels.png", level_picture(texture_pyramid(set_, settings_.request.seed)),
+                fmt::format("Levels of the atlas, in light. Look-ups in it are exact up to level {}.", exact_level()));
+        if (word == "plane" && is_mapped()) add_plane();
+    }
+
+private:
+    /// True if graphics cards can map it: see texture_pyramid().
+    bool is_mapped() const
+    {
+        return set_.kind == TextureKind::corner && set_.is_complete() && (set_.size & (set_.size - 1)) == 0;
+    }
+
+    int exact_level() const
+    {
+        int level = 0;
+        while (2 << level <= set_.ring) ++level;
+        return level;
+    }
+
+    std::size_t patches() const
+    {
+        return set_.has_corners() ? set_.colors.horizontal : set_.colors.horizontal + set_.colors.vertical;
+    }
+
+    void write(const std::string& name, const PngPixels& pixels, const std::string& caption)
+    {
+        write_png(files_.add(name), {pixels.width, pixels.height, pixels.channels},
+                  [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
+        result_.pictures.push_back({name, caption});
+    }
+
+    /// The tiling that is shown: with the marks, where there are some.
+    TextureWindow shown_window() const
+    {
+        const TileWindow window{0, 0, settings_.columns, settings_.rows};
+        if (settings_.marks.empty()) return texture_window(set_, window, settings_.request.seed);
+        return marked_texture_window(set_, window, settings_.request.seed,
+                                     corner_marks(read_exemplar(settings_.marks), settings_.columns, settings_.rows));
+    }
+
+    PngPixels window_of(std::span<const std::uint8_t> values, int channels) const
+    {
+        return texture_window_pixels(set_, shown_window(), values, channels);
+    }
+
+    PngPixels atlas_of_pieces() const
+    {
+        TextureSet pieces = set_;
+        pieces.values = piece_values(set_);
+        pieces.exemplar.channels = 3;
+        return atlas_of(pieces);
+    }
+
+    void add_gradients()
+    {
+        const PngPixels tiling = texture_window_pixels(
+            set_, texture_window(set_, {0, 0, measured_side, measured_side}, settings_.request.seed), set_.values,
+            set_.exemplar.channels);
+        write("gradients.png", step_map_picture(step_map(tiling, set_.exemplar, set_.size)),
+              "Differences between neighbours by their place in the tile, over 16 x 16 tiles: grey is the exemplar's "
+              "mean, "
+              "white twice as much. Seams are lighter lines.");
+    }
+
+    void add_plane()
+    {
+        TextureCamera camera;
+        camera.width = plane_width;
+        camera.height = plane_height;
+        const TexturePyramid pyramid = texture_pyramid(set_, settings_.request.seed);
+        const TextureView view = view_of(camera);
+        std::vector<float> light;
+        if (place_.engine == Engine::reference)
+            light = reference_map_texture(pyramid, TextureLookup::exact, view);
+        else
+            light = map_texture(place_.device(), pyramid, TextureLookup::exact, view, default_work_group_size);
+        write("plane.png", encoded_pixels(light, plane_width, plane_height, pyramid.channels),
+              "The endless plane, with anisotropic filtering.");
+    }
+
+    const TextureSettings& settings_;
+    const BuiltTexture& built_;
+    const TextureSet& set_;
+    const DistributionPlace& place_;
+    DistributionFiles& files_;
+    DistributionResult& result_;
+};
+
+std::vector<std::string> facts_of(const TextureSettings& settings, const BuiltTexture& built)
+{
+    const TextureSet& set = built.set;
+    std::vector<std::string> facts{
+        fmt::format("{} {} tiles of {} x {} pixels", set.tiles.size(), texture_kinds[set.kind], set.size, set.size),
+        fmt::format("exemplar of {} x {}", set.exemplar.width, set.exemplar.height),
+        fmt::format("{} windows", built.windows.size()), fmt::format("ring of {}", set.ring)};
+    if (settings.sets > 1) facts.push_back(fmt::format("measures over {} sets", settings.sets));
+    return facts;
+}
+
+/// The words that tell placements and exemplars apart.
+std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& settings)
+{
+    std::vector<DistributionParameter> parameters{
+        {"exemplar", settings.pattern.empty() ? settings.exemplar.stem().string() : "pattern of " + settings.pattern},
+        {"kind", texture_kinds[settings.request.kind]},
+        {"colors", std::to_string(settings.request.colors.horizontal)},
+        {"size", std::to_string(settings.request.size)},
+        {"smooth", settings.request.smooth ? "true" : "false"},
+        {"overlap", fmt::format("{}", settings.request.overlap)},
+    };
+    for (const auto& [key, value] : parameters_of(settings.request)) {
+        const auto is_there = [&](const DistributionParameter& parameter) { return parameter.key == key; };
+        if (std::ranges::none_of(parameters, is_there)) parameters.push_back({key, value});
+    }
+    return parameters;
+}
+
+}
+
+DistributionResult make_texture(const TextureSettings& settings, const DistributionPlace& place,
+                                DistributionFiles& files)
+{
+    PngPixels exemplar = exemplar_of(settings, settings.request.seed, place);
+    int split = 0;
+    if (!settings.marked_exemplar.empty()) {
+        split = exemplar.width;
+        exemplar = side_by_side(exemplar, read_exemplar(settings.marked_exemplar));
+    }
+    const HarmonicSolver solve = [&](GradientDomain& domain) {
+        if (place.engine == Engine::reference)
+            relax_reference(domain);
+        else
+            relax_on(place.device(), domain, default_work_group_size);
+    };
+    DistributionResult result;
+    result.parameters = parameters_for_claims(settings);
+    std::vector<TextureValues> values;
+    for (int number = 0; number < settings.sets; ++number) {
+        TextureRequest request = settings.request;
+        request.seed += static_cast<std::uint64_t>(number);
+        request.split = split;
+        const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {
+            stop_if_interrupted();
+            if (place.on_step) place.on_step(fmt::format("set {}, {}: {} of {}", number + 1, stage, done, total));
+        };
+        const BuiltTexture built = build_texture(request, exemplar, tell, solve);
+        values.push_back(values_of(built.set, request.seed));
+        if (number > 0) continue;
+        result.facts = facts_of(settings, built);
+        write_texture_files([&](const std::string& name) { return files.add(name); }, built.set);
+        for (const char* name : {"texture.json", "atlas.png", "sources.png", "exemplar.png"})
+            result.files.emplace_back(name);
+        TextureShow show(settings, built, place, files, result);
+        for (const std::string& word : settings.show) show.add(word);
+    }
+    result.numbers = numbers_of(values);
+    return result;
+}
+
+}

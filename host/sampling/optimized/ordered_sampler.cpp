@@ -1,0 +1,96 @@
+#include "host/sampling/optimized/ordered_sampler.hpp"
+
+#include "host/sampling/device_sampler.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* order_key = "order";
+constexpr const char* own_order = "own";
+
+/// The memory of putting so many points into order, of which half come first.
+DeviceMemory ordering_memory(std::size_t points, int dimension)
+{
+    return SampleElimination::memory(dimension, points, std::max<std::size_t>(1, points / 2));
+}
+
+/// All else that a sampler says is said by the one that makes the sets.
+class OrderedSampler final : public DeviceSampler
+{
+public:
+    OrderedSampler(std::unique_ptr<Sampler> made, Parameters parameters, Engine engine, const DeviceProvider& device)
+        : DeviceSampler(engine, device), made_(std::move(made)), parameters_(std::move(parameters))
+    {
+        if (device_) elimination_.emplace(*device_);
+    }
+
+    PointSet sample(std::uint32_t realization) override
+    {
+        if (made_->is_window())
+            throw parameters_.error(order_key, "does not go with this method: its sets are windows of the plane, and "
+                                               "the order needs a torus; leave it out");
+        const PointSet points = made_->sample(realization);
+        if (!elimination_) return eliminate(points, points.size(), reference::removal_order);
+        return eliminate(points, points.size(), [&](const PointSet& left, const EliminationReach& reach) {
+            return elimination_->removal_order(left, reach);
+        });
+    }
+
+    bool sizes_vary() const override { return made_->sizes_vary(); }
+    bool is_window() const override { return made_->is_window(); }
+    bool is_progressive() const override { return true; }
+    std::vector<IterationRecord> iterations() const override { return made_->iterations(); }
+    double preparation_seconds() const override { return made_->preparation_seconds(); }
+    std::optional<TileSetRecord> tile_set() const override { return made_->tile_set(); }
+    std::optional<double> proven_relative_radius() const override { return made_->proven_relative_radius(); }
+    std::uint32_t tiles_along_axis() const override { return made_->tiles_along_axis(); }
+
+private:
+    std::unique_ptr<Sampler> made_;
+    Parameters parameters_;
+    std::optional<SampleElimination> elimination_;
+};
+
+}
+
+const ParameterSpec& order_parameter()
+{
+    static const ParameterSpec order{
+        .key = order_key,
+        .kind = ParameterSpec::Kind::choice,
+        .help = "the order of a set's points: that in which they are made, or one whose first parts, whatever their "
+                "size, are well spread (Yuksel 2015)",
+        .choices = {own_order, "sample-elimination"},
+        .otherwise = std::string(own_order)};
+    return order;
+}
+
+bool is_ordered(const Parameters& parameters)
+{
+    return parameters.is_given(order_key) && parameters.text(order_key) != own_order;
+}
+
+SamplerSpec in_progressive_order(SamplerSpec method)
+{
+    SamplerSpec spec = method;
+    spec.device_memory = [method](const Parameters& parameters, const SampleRequest& request,
+                                  const DeviceInfo& device) {
+        const std::size_t points = method.most_points ? method.most_points(parameters, request) : request.points;
+        const DeviceMemory memory = ordering_memory(points, request.dimension);
+        return method.device_memory ? memory + method.device_memory(parameters, request, device) : memory;
+    };
+    spec.create = [method = std::move(method)](const Parameters& parameters, const SampleRequest& request,
+                                               Engine engine,
+                                               const DeviceProvider& device) -> std::unique_ptr<Sampler> {
+        return std::make_unique<OrderedSampler>(method.create(parameters, request, engine, device), parameters, engine,
+                                                device);
+    };
+    return spec;
+}
+
+}

@@ -1,0 +1,168 @@
+#include "host/texture/texture_map.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
+#include "host/device/device.hpp"
+#include "host/texture/texture_light.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+/// The atlas as light, south first.
+std::vector<float> base_level(const PngPixels& atlas)
+{
+    std::vector<float> light;
+    light.reserve(atlas.values.size());
+    for (int row = atlas.height; row-- > 0;)
+        for (std::size_t i = atlas.at(0, row, 0); i < atlas.at(0, row + 1, 0); ++i)
+            light.push_back(light_of_bytes()[atlas.values[i]]);
+    return light;
+}
+
+/// Appends the level above the one that begins at `below` and is `width` texels wide: means of 2 x 2.
+void append_level(std::vector<float>& light, std::size_t below, int width, int channels)
+{
+    const auto row_values = static_cast<std::size_t>(width * channels);
+    const auto step = static_cast<std::size_t>(channels);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(width); row += 2)
+        for (std::size_t column = 0; column < static_cast<std::size_t>(width); column += 2)
+            for (std::size_t c = 0; c < step; ++c) {
+                const std::size_t at = below + row * row_values + column * step + c;
+                light.push_back(
+                    ((light[at] + light[at + step]) + (light[at + row_values] + light[at + row_values + step])) *
+                    0.25f);
+            }
+}
+
+/// Appends the mean of the values from `first` on, which are means of tiles.
+void append_mean(std::vector<float>& light, std::size_t first, int channels)
+{
+    const auto step = static_cast<std::size_t>(channels);
+    const std::size_t end = light.size();
+    for (std::size_t c = 0; c < step; ++c) {
+        double sum = 0;
+        for (std::size_t i = first + c; i < end; i += step) sum += static_cast<double>(light[i]);
+        light.push_back(static_cast<float>(sum / static_cast<double>((end - first) / step)));
+    }
+}
+
+double rounded(double value) { return std::round(value * 0x1p40) * 0x1p-40; }
+
+/// A direction in tiles: east, north, up.
+using Direction = std::array<double, 3>;
+
+/// Pixels that are enqueued at a time: Ctrl-C waits for these.
+constexpr std::size_t samples_at_once = std::size_t{1} << 20;
+
+}
+
+TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed)
+{
+    if (set.kind != TextureKind::corner || !set.is_complete())
+        throw InputError(
+            fmt::format("{} tiles: must be a complete set of corner tiles, whose places in the atlas follow "
+                        "from their colours",
+                        texture_kinds[set.kind]));
+    if (!std::has_single_bit(static_cast<unsigned>(set.size)))
+        throw InputError(fmt::format("tile_size = {}: must be a power of two, so that texels of all levels are within "
+                                     "tiles",
+                                     set.size));
+    TexturePyramid pyramid;
+    pyramid.channels = set.exemplar.channels;
+    auto& levels = pyramid.levels;
+    levels.seed = static_cast<std::uint32_t>(seed);
+    levels.colors = static_cast<int>(set.colors.horizontal);
+    levels.size = set.size;
+    levels.top = std::countr_zero(static_cast<unsigned>(set.size));
+    pyramid.light = base_level(atlas_of(set));
+    for (int level = 1; level <= levels.top; ++level) {
+        const std::size_t below = levels.offsets[level - 1];
+        levels.offsets[level] = static_cast<std::uint32_t>(pyramid.light.size());
+        append_level(pyramid.light, below, pyramid.width(level - 1), pyramid.channels);
+    }
+    levels.offsets[levels.top + 1] = static_cast<std::uint32_t>(pyramid.light.size());
+    append_mean(pyramid.light, levels.offsets[levels.top], pyramid.channels);
+    return pyramid;
+}
+
+PngPixels level_pixels(const TexturePyramid& pyramid, int level)
+{
+    const int width = pyramid.width(level);
+    PngPixels pixels{width, width, pyramid.channels, {}};
+    for (int row = width; row-- > 0;)
+        for (std::size_t i = pixels.at(0, row, 0); i < pixels.at(0, row + 1, 0); ++i)
+            pixels.values.push_back(byte_of_light(pyramid.light[pyramid.levels.offsets[level] + i]));
+    return pixels;
+}
+
+TextureView view_of(const TextureCamera& camera)
+{
+    constexpr double degree = std::numbers::pi / 180;
+    const double pitch = camera.pitch * degree, yaw = camera.yaw * degree;
+    const Direction ahead{std::sin(yaw), std::cos(yaw), 0}, right{std::cos(yaw), -std::sin(yaw), 0};
+    const double down = std::sin(pitch), level = std::cos(pitch);
+    const Direction axis{ahead[0] * level, ahead[1] * level, -down}, up{ahead[0] * down, ahead[1] * down, level};
+    const double rows = static_cast<double>(camera.height) * camera.samples,
+                 columns = static_cast<double>(camera.width) * camera.samples;
+    const double half = std::tan(camera.field * degree / 2), step = 2 * half / rows;
+    // The direction of a sample is that of the corner plus steps; it meets the plane where it has gone down by `above`.
+    TextureView view{};
+    std::array<Direction, 3> directions;
+    for (std::size_t a = 0; a < 3; ++a)
+        directions[a] = {axis[a] - half * columns / rows * right[a] + half * up[a], step * right[a], -step * up[a]};
+    const std::array<double, 2> start{0.5 + camera.forward * ahead[0], 0.5 + camera.forward * ahead[1]};
+    for (std::size_t i = 0; i < 3; ++i) {
+        view.w[i] = rounded(-directions[2][i] / camera.above);
+        view.u[i] = rounded(directions[0][i] + start[0] * view.w[i]);
+        view.v[i] = rounded(directions[1][i] + start[1] * view.w[i]);
+    }
+    view.tile_x = static_cast<std::uint32_t>(camera.tile_x);
+    view.tile_y = static_cast<std::uint32_t>(camera.tile_y);
+    view.width = camera.width;
+    view.height = camera.height;
+    view.samples = camera.samples;
+    view.filter = static_cast<int>(camera.filter);
+    return view;
+}
+
+std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,
+                               const TextureView& view, std::size_t work_group_size)
+{
+    const std::size_t count = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
+                      channels = static_cast<std::size_t>(pyramid.channels),
+                      samples = static_cast<std::size_t>(view.samples) * static_cast<std::size_t>(view.samples),
+                      at_once = std::max<std::size_t>(1, std::min(count, samples_at_once / samples));
+    Buffer<float> light = device.buffer<float>(pyramid.light.size());
+    const Buffer<float> shown = device.buffer<float>(at_once * channels);
+    light.write(pyramid.light);
+    Kernel kernel =
+        device.kernel(kernel_program("texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
+                                                        {"CHANNELS", std::to_string(channels)}}),
+                      "map_texture");
+    std::vector<float> pixels(count * channels);
+    for (std::size_t first = 0; first < count; first += at_once) {
+        stop_if_interrupted();
+        const std::size_t part = std::min(at_once, count - first);
+        kernel.run(part, work_group_size, view, pyramid.levels, static_cast<std::uint32_t>(first),
+                   static_cast<std::uint32_t>(part), light, shown);
+        shown.read(std::span(pixels).subspan(first * channels, part * channels));
+    }
+    return pixels;
+}
+
+PngPixels encoded_pixels(const std::vector<float>& light, int width, int height, int channels)
+{
+    PngPixels pixels{width, height, channels, {}};
+    for (const float value : light) pixels.values.push_back(byte_of_light(value));
+    return pixels;
+}
+
+}

@@ -1,0 +1,92 @@
+// Tile-based texture mapping: views of the endless plane that a complete set of corner tiles covers.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4; Lagae, Dutre, An Alternative for Wang Tiles, 2006,
+// section 6.3. Averages are of light, not of encoded bytes. With a ring of w texels, bilinear look-ups in the packed
+// atlas are those in the endless texture at every level with 2^level <= w; exact look-ups are at all levels, where
+// texels beyond a tile's own levels are means of 2 x 2 and 4 x 4 whole tiles, and then that of all tiles. The papers
+// leave levels and rings open.
+#pragma once
+
+#include "base/word_table.hpp"
+#include "kernels/common/texture_map.h"
+#include "tiles/texture/texture_set.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+class Device;
+
+using contract::texture_map::TextureView;
+
+enum class TextureFilter
+{
+    nearest = contract::texture_map::FILTER_NEAREST,
+    bilinear = contract::texture_map::FILTER_BILINEAR,
+    mipmap = contract::texture_map::FILTER_MIPMAP,
+    anisotropic = contract::texture_map::FILTER_ANISOTROPIC,
+};
+inline constexpr WordTable<TextureFilter, 4> texture_filters{{{{TextureFilter::nearest, "nearest"},
+                                                               {TextureFilter::bilinear, "bilinear"},
+                                                               {TextureFilter::mipmap, "mipmap"},
+                                                               {TextureFilter::anisotropic, "anisotropic"}}}};
+
+enum class TextureLookup
+{
+    packed = contract::texture_map::LOOKUP_PACKED,
+    exact = contract::texture_map::LOOKUP_EXACT,
+    clamped = contract::texture_map::LOOKUP_CLAMPED,
+    repeated = contract::texture_map::LOOKUP_REPEATED,
+};
+inline constexpr WordTable<TextureLookup, 4> texture_lookups{{{{TextureLookup::packed, "packed"},
+                                                               {TextureLookup::exact, "exact"},
+                                                               {TextureLookup::clamped, "clamped"},
+                                                               {TextureLookup::repeated, "repeated"}}}};
+
+/// An atlas at all levels, as light from 0 to 65535.
+struct TexturePyramid
+{
+    contract::texture_map::TextureLevels levels{};
+    int channels = 1;
+    std::vector<float> light; ///< levels one after the other, rows from south to north
+
+    /// Texels along a side of the atlas at a level.
+    int width(int level) const { return levels.colors * levels.colors * (levels.size >> level); }
+};
+
+/// The pyramid of a set whose tiles a seed lays. Throws InputError for sets that are not complete sets of corner tiles,
+/// and for tiles whose size is no power of two.
+TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed);
+
+/// The atlas at a level as it is stored: north first, encoded.
+PngPixels level_pixels(const TexturePyramid& pyramid, int level);
+
+/// Above the middle of a tile, looking to the north where angles are 0.
+struct TextureCamera
+{
+    int width = 1024, height = 576; ///< pixels
+    std::int64_t tile_x = 0, tile_y = 0;
+    double forward = 0; ///< tiles from there, in the direction of view
+    double above = 2;   ///< tiles above the plane
+    double pitch = 15;  ///< degrees below the horizon; 90 looks straight down
+    double yaw = 0;     ///< degrees to the right
+    double field = 60;  ///< degrees, from the top to the bottom of the picture
+    int samples = 1;    ///< of a pixel, along each axis
+    TextureFilter filter = TextureFilter::anisotropic;
+};
+
+/// The camera's view. Its numbers are rounded to 2^-40, far coarser than what machines disagree on.
+TextureView view_of(const TextureCamera& camera);
+
+/// The picture of a view: light by pixels, rows from the top, `channels` a pixel. Throws Interrupted.
+std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,
+                               const TextureView& view, std::size_t work_group_size);
+
+/// The same bits in plain C++.
+std::vector<float> reference_map_texture(const TexturePyramid& pyramid, TextureLookup lookup, const TextureView& view);
+
+/// Light as it is shown.
+PngPixels encoded_pixels(const std::vector<float>& light, int width, int height, int channels);
+
+}

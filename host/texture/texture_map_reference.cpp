@@ -1,0 +1,203 @@
+// The plain C++ twin of kernels/texture_map.cl: a loop over pixels, samples and texels, each of which finds its own
+// tile.
+#include "base/programs/interrupt.hpp"
+#include "host/texture/texture_map.hpp"
+#include "tiles/texture/endless_texture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using namespace contract::texture_map;
+
+/// Sums of up to three channels.
+using Light = std::array<float, 3>;
+
+/// Where a texel lies: its tile, relative to the view's, and its column and row there.
+struct Texel
+{
+    std::int32_t tile_x = 0, tile_y = 0;
+    int column = 0, row = 0;
+};
+
+class PlainMap
+{
+public:
+    PlainMap(const TexturePyramid& pyramid, TextureLookup lookup, const TextureView& view)
+        : pyramid_(pyramid), levels_(pyramid.levels), lookup_(lookup), view_(view),
+          side_(levels_.colors * levels_.colors)
+    {}
+
+    void add_sample(double column, double row, Light& sum) const
+    {
+        const auto at = [&](const double(&function)[3]) {
+            return function[0] + function[1] * column + function[2] * row;
+        };
+        const double w = at(view_.w);
+        if (!(w > HORIZON)) return add(static_cast<float>(SKY_LIGHT), sum);
+        const double u = at(view_.u) / w, v = at(view_.v) / w;
+        if (view_.filter < FILTER_MIPMAP) return add_level(0, u, v, 1, sum);
+        std::array<double, 2> along_u{}, along_v{}, texels{};
+        for (std::size_t k = 0; k < 2; ++k) {
+            along_u[k] = (view_.u[k + 1] - u * view_.w[k + 1]) / w;
+            along_v[k] = (view_.v[k + 1] - v * view_.w[k + 1]) / w;
+            texels[k] = std::sqrt(along_u[k] * along_u[k] + along_v[k] * along_v[k]) * levels_.size;
+        }
+        const std::size_t longer = texels[0] > texels[1] ? 0 : 1;
+        const int probes = view_.filter == FILTER_ANISOTROPIC ? probe_count(texels[1 - longer], texels[longer]) : 1;
+        for (int probe = 0; probe < probes; ++probe) {
+            const double part = (probe + 0.5) / probes - 0.5;
+            add_mipmap(texels[longer] / probes, u + part * along_u[longer], v + part * along_v[longer],
+                       static_cast<float>(1.0 / probes), sum);
+        }
+    }
+
+private:
+    static int probe_count(double shorter, double longer)
+    {
+        int probes = 1;
+        while (probes < MAX_PROBES && probes * shorter < longer && probes < longer) ++probes;
+        return probes;
+    }
+
+    void add(float light, Light& sum) const
+    {
+        for (int c = 0; c < pyramid_.channels; ++c) sum[static_cast<std::size_t>(c)] += light;
+    }
+
+    void add_stored(std::size_t first, float weight, Light& sum) const
+    {
+        for (std::size_t c = 0; c < static_cast<std::size_t>(pyramid_.channels); ++c)
+            sum[c] += weight * pyramid_.light[first + c];
+    }
+
+    void add_mipmap(double footprint, double u, double v, float weight, Light& sum) const
+    {
+        int level = 0;
+        double texels = 1;
+        for (; footprint >= 2 * texels && level <= levels_.top + WHOLE_LEVELS; texels *= 2) ++level;
+        const auto upper = static_cast<float>(std::clamp(footprint / texels - 1, 0.0, 1.0));
+        add_level(level, u, v, weight * (1 - upper), sum);
+        add_level(level + 1, u, v, weight * upper, sum);
+    }
+
+    void add_level(int level, double u, double v, float weight, Light& sum) const
+    {
+        if (weight == 0) return;
+        if (lookup_ != TextureLookup::exact) level = std::min(level, levels_.top);
+        if (level > levels_.top + WHOLE_LEVELS) return add_stored(levels_.offsets[levels_.top + 1], weight, sum);
+        // Beyond a tile's own levels, a block of tiles takes the tile's place, and has one texel.
+        const int block = level > levels_.top ? 1 << (level - levels_.top) : 1;
+        const int size = level > levels_.top ? 1 : levels_.size >> level;
+        Texel texel{static_cast<std::int32_t>(std::floor(u)), static_cast<std::int32_t>(std::floor(v))};
+        const auto in_x = static_cast<int>((view_.tile_x + static_cast<std::uint32_t>(texel.tile_x)) %
+                                           static_cast<std::uint32_t>(block)),
+                   in_y = static_cast<int>((view_.tile_y + static_cast<std::uint32_t>(texel.tile_y)) %
+                                           static_cast<std::uint32_t>(block));
+        const double fx = u - std::floor(u), fy = v - std::floor(v);
+        if (view_.filter == FILTER_NEAREST) {
+            texel.column = static_cast<int>(fx * size);
+            texel.row = static_cast<int>(fy * size);
+            return add_texel(level, texel, weight, sum);
+        }
+        const double x = (in_x + fx) / block * size - 0.5, y = (in_y + fy) / block * size - 0.5;
+        const auto west = static_cast<int>(std::floor(x)), south = static_cast<int>(std::floor(y));
+        const auto east = static_cast<float>(x - west), north = static_cast<float>(y - south);
+        for (int j = 0; j < 2; ++j)
+            for (int i = 0; i < 2; ++i) {
+                const float share = (i == 1 ? east : 1 - east) * (j == 1 ? north : 1 - north);
+                if (level > levels_.top)
+                    add_block({texel.tile_x - in_x + (west + i) * block, texel.tile_y - in_y + (south + j) * block},
+                              block, weight * share, sum);
+                else
+                    add_texel(level, {texel.tile_x, texel.tile_y, west + i, south + j}, weight * share, sum);
+            }
+    }
+
+    std::uint32_t place_of(std::int32_t x, std::int32_t y) const
+    {
+        return endless_place(levels_.seed, static_cast<Color>(levels_.colors),
+                             view_.tile_x + static_cast<std::uint32_t>(x),
+                             view_.tile_y + static_cast<std::uint32_t>(y));
+    }
+
+    void add_block(Texel corner, int block, float weight, Light& sum) const
+    {
+        Light mean{};
+        for (int row = 0; row < block; ++row)
+            for (int column = 0; column < block; ++column)
+                add_atlas_texel(levels_.top, place_of(corner.tile_x + column, corner.tile_y + row), 0, 0, 1, mean);
+        for (std::size_t c = 0; c < mean.size(); ++c)
+            sum[c] += weight * static_cast<float>(1.0 / (block * block)) * mean[c];
+    }
+
+    /// Adds the texel by column and row from the lower left of a tile in the atlas, which goes on at its other side.
+    void add_atlas_texel(int level, std::uint32_t place, int column, int row, float weight, Light& sum) const
+    {
+        const int size = levels_.size >> level, width = side_ * size;
+        const int x = (static_cast<int>(place) % side_ * size + column + width) % width,
+                  y = (static_cast<int>(place) / side_ * size + row + width) % width;
+        add_stored(levels_.offsets[level] + static_cast<std::size_t>((y * width + x) * pyramid_.channels), weight, sum);
+    }
+
+    void add_texel(int level, Texel texel, float weight, Light& sum) const
+    {
+        const int size = levels_.size >> level;
+        const auto beyond = [&](int at) { return at < 0 ? -1 : at >= size ? 1 : 0; };
+        switch (lookup_) {
+        case TextureLookup::packed:
+            break;
+        case TextureLookup::exact:
+            texel.tile_x += beyond(texel.column);
+            texel.tile_y += beyond(texel.row);
+            texel.column -= beyond(texel.column) * size;
+            texel.row -= beyond(texel.row) * size;
+            break;
+        case TextureLookup::clamped:
+            texel.column = std::clamp(texel.column, 0, size - 1);
+            texel.row = std::clamp(texel.row, 0, size - 1);
+            break;
+        case TextureLookup::repeated: {
+            const auto wrapped = [&](std::uint32_t origin, std::int32_t tile) {
+                const int at = (tile + static_cast<std::int32_t>(origin)) % side_;
+                return at < 0 ? at + side_ : at;
+            };
+            const int place = wrapped(view_.tile_y, texel.tile_y) * side_ + wrapped(view_.tile_x, texel.tile_x);
+            return add_atlas_texel(level, static_cast<std::uint32_t>(place), texel.column, texel.row, weight, sum);
+        }
+        }
+        add_atlas_texel(level, place_of(texel.tile_x, texel.tile_y), texel.column, texel.row, weight, sum);
+    }
+
+    const TexturePyramid& pyramid_;
+    const TextureLevels& levels_;
+    TextureLookup lookup_;
+    const TextureView& view_;
+    int side_;
+};
+
+}
+
+std::vector<float> reference_map_texture(const TexturePyramid& pyramid, TextureLookup lookup, const TextureView& view)
+{
+    const PlainMap map(pyramid, lookup, view);
+    std::vector<float> pixels;
+    for (int row = 0; row < view.height; ++row) {
+        stop_if_interrupted();
+        for (int column = 0; column < view.width; ++column) {
+            Light sum{};
+            for (int j = 0; j < view.samples; ++j)
+                for (int i = 0; i < view.samples; ++i)
+                    map.add_sample(static_cast<double>(column) * view.samples + i + 0.5,
+                                   static_cast<double>(row) * view.samples + j + 0.5, sum);
+            for (std::size_t c = 0; c < static_cast<std::size_t>(pyramid.channels); ++c)
+                pixels.push_back(static_cast<float>(static_cast<double>(sum[c]) / (view.samples * view.samples)));
+        }
+    }
+    return pixels;
+}
+
+}

@@ -1,0 +1,142 @@
+// The analysis of sets in memory for Python: what `poissonlab analyze` computes, in the same steps and so with the same
+// bits, without files in between.
+#include "base/errors/errors.hpp"
+#include "base/files/scratch_folder.hpp"
+#include "host/measuring/series_analysis.hpp"
+#include "host/run/runner.hpp"
+#include "host/series/imported_points.hpp"
+#include "host/series/series_units.hpp"
+#include "python/module/module_parts.hpp"
+#include "python/module/series_module.hpp"
+#include "reports/site/report.hpp"
+#include "results/file_names.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace poissonlab {
+namespace {
+
+/// Sets that were analysed.
+class AnalysedSets
+{
+public:
+    AnalysedSets(const std::vector<AnyArray>& arrays, const std::string& label, const std::vector<std::string>& changes)
+    {
+        for (std::size_t i = 0; i < arrays.size(); ++i)
+            sets_.push_back(point_set_of(arrays[i], fmt::format("{}: realization {}", label, i)));
+        if (sets_.empty()) throw InputError(label + ": there are no points");
+        without_lock([&] {
+            experiment_ = import_sets(sets_, label);
+            experiment_.overrides = changes;
+            experiment_.analysis = options_of(changes);
+            analyse();
+        });
+    }
+
+    const Series& series() const { return series_; }
+    int dimension() const { return sets_.front().dimension; }
+    const std::vector<RadialBin>& radial() const { return radial_; }
+    const std::vector<PairCorrelationBin>& pairs() const { return pairs_; }
+    const std::vector<PointSet>& sets() const { return sets_; }
+    const std::vector<Spectrum>& spectra() const { return spectra_; }
+    static bool are_planes() { return false; }
+
+    /// Draws from files, as every report does.
+    std::vector<FigurePicture> figure() const
+    {
+        const ScratchFolder scratch;
+        write_results(scratch.path() / "results");
+        return draw_series_figure(read_run(scratch.path() / "results"), 0);
+    }
+
+    /// The output folder and report of `poissonlab analyze`.
+    void report(const std::filesystem::path& folder) const
+    {
+        without_lock([&] {
+            write_results(folder);
+            write_report({folder}, folder, [](const std::string&) { stop_if_interrupted(); });
+        });
+    }
+
+private:
+    AnalysisOptions options_of(const std::vector<std::string>& changes) const
+    {
+        try {
+            return overridden_analysis(changes, dimension());
+        } catch (const InputError& error) {
+            throw error.place().is_argument ? error.moved_to({"analyze"}) : error;
+        }
+    }
+
+    /// Parts are put together as those of a series that is stored: sums depend on the order.
+    void analyse()
+    {
+        const std::string& label = experiment_.series.front().label;
+        SeriesAnalysis whole(label, false, experiment_.analysis);
+        add(whole, 0);
+        for (std::size_t first = realizations_per_part; first < sets_.size(); first += realizations_per_part) {
+            SeriesAnalysis part(label, false, experiment_.analysis,
+                                {static_cast<std::uint32_t>(first), sets_.front().size()});
+            add(part, first);
+            whole.append(part);
+        }
+        measure(whole);
+    }
+
+    void add(SeriesAnalysis& analysis, std::size_t first) const
+    {
+        const std::size_t end = std::min<std::size_t>(sets_.size(), first + realizations_per_part);
+        for (std::size_t i = first; i < end; ++i) {
+            stop_if_interrupted();
+            analysis.add(sets_[i]);
+        }
+    }
+
+    void measure(SeriesAnalysis& analysis)
+    {
+        if (analysis.has_spectrum()) {
+            spectra_.push_back(analysis.mean_spectrum());
+            radial_ = analysis.radial_curve(spectra_.front());
+            analysis.measure_spectrum(spectra_.front());
+        }
+        stop_if_interrupted();
+        analysis.measure_first();
+        pairs_ = analysis.pair_correlation();
+        series_ = analysis.result();
+        series_.name = experiment_.series.front().name;
+        series_.label = experiment_.series.front().label;
+        if (analysis.has_spectrum()) series_.radial_file = file_names::radial;
+    }
+
+    void write_results(const std::filesystem::path& folder) const
+    {
+        Progress progress(Progress::Style::quiet);
+        run_experiment(experiment_, folder, progress);
+    }
+
+    std::vector<PointSet> sets_;
+    Experiment experiment_;
+    Series series_;
+    std::vector<RadialBin> radial_;
+    std::vector<PairCorrelationBin> pairs_;
+    std::vector<Spectrum> spectra_; ///< one, or none
+};
+
+}
+
+void add_analysis(py::module_& module)
+{
+    py::class_<AnalysedSets> type(module, "AnalysedSets", "Sets that were analysed.");
+    type.def(py::init<const std::vector<AnyArray>&, const std::string&, const std::vector<std::string>&>(),
+             py::arg("sets"), py::arg("label"), py::arg("changes"));
+    bind_series<AnalysedSets>(type);
+    type.def("report", &AnalysedSets::report, py::arg("folder"));
+}
+
+}

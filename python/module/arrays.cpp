@@ -1,0 +1,36 @@
+#include "python/module/arrays.hpp"
+
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace poissonlab {
+
+pybind11::array_t<double> array_of(PointSet points)
+{
+    const auto size = static_cast<pybind11::ssize_t>(points.size());
+    return array_of(std::move(points.coordinates), {size, points.dimension});
+}
+
+PointSet point_set_of(const AnyArray& array, const std::string& name)
+{
+    if (array.ndim() != 2 || (array.shape(1) != 2 && array.shape(1) != 3)) {
+        std::string shape;
+        for (pybind11::ssize_t axis = 0; axis < array.ndim(); ++axis)
+            shape += fmt::format("{}{}", axis > 0 ? ", " : "", array.shape(axis));
+        throw InputError(fmt::format("{}: shape ({}): must be (points, 2) or (points, 3)", name, shape));
+    }
+    if (array.size() == 0) throw InputError(name + ": has no points");
+    PointSet points{static_cast<int>(array.shape(1)), {array.data(), array.data() + array.size()}};
+    const auto& x = points.coordinates;
+    const auto outside = std::ranges::find_if(x, [](double value) { return !(value >= 0 && value < 1); });
+    if (outside != x.end())
+        throw InputError(fmt::format("{}: point {}: {}: must be a number in [0, 1)", name,
+                                     (outside - x.begin()) / points.dimension, *outside));
+    return points;
+}
+
+}

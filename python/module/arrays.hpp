@@ -1,0 +1,58 @@
+// Arrays of NumPy made of the laboratory's values, and the other way round.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+
+#include <pybind11/numpy.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poissonlab {
+
+/// An array as callers may hand it over: of any type that becomes double, in any layout.
+using AnyArray = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// An array that takes the values over, without a copy.
+template <typename T>
+pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape);
+
+/// The same with one axis.
+template <typename T>
+pybind11::array_t<T> array_of(std::vector<T> values);
+
+/// The member of every item, as an array with one axis.
+template <typename T, typename Item, typename Member>
+pybind11::array_t<T> column_of(const std::vector<Item>& items, Member Item::*member)
+{
+    std::vector<T> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(static_cast<T>(item.*member));
+    return array_of(std::move(values));
+}
+
+/// The points as an array of shape (points, dimension).
+pybind11::array_t<double> array_of(PointSet points);
+
+/// The set of an array of shape (points, 2) or (points, 3) with coordinates in [0, 1). `name` is how messages call it.
+/// Throws InputError.
+PointSet point_set_of(const AnyArray& array, const std::string& name);
+
+template <typename T>
+pybind11::array_t<T> array_of(std::vector<T> values, std::vector<pybind11::ssize_t> shape)
+{
+    auto kept = std::make_unique<std::vector<T>>(std::move(values));
+    const pybind11::capsule owner(kept.get(), [](void* pointer) { delete static_cast<std::vector<T>*>(pointer); });
+    return pybind11::array_t<T>(std::move(shape), kept.release()->data(), owner);
+}
+
+template <typename T>
+pybind11::array_t<T> array_of(std::vector<T> values)
+{
+    const auto size = static_cast<pybind11::ssize_t>(values.size());
+    return array_of(std::move(values), {size});
+}
+
+}

@@ -1,0 +1,182 @@
+// Poisson disk tile sets for Python: what runtime/poisson_tiles.h does, for arrays, and the proof of the minimum
+// distance.
+#include "base/errors/errors.hpp"
+#include "python/module/arrays.hpp"
+#include "python/module/module_parts.hpp"
+#include "python/module/work.hpp"
+#include "tiles/poisson/tile_certificate.hpp"
+#include "tiles/poisson/tile_lookup.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <array>
+#include <cmath>
+
+namespace py = pybind11;
+
+namespace poissonlab {
+namespace {
+
+using Corner = std::array<double, 3>;
+
+/// Points of tilings as columns, in the order in which they were found.
+struct PointColumns
+{
+    explicit PointColumns(int dimension_) : dimension(static_cast<std::size_t>(dimension_)) {}
+
+    void add(const ptiles_point& point)
+    {
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            positions.push_back(point.position[axis]);
+            tiles.push_back(point.tile[axis]);
+        }
+        indices.push_back(point.index);
+        ids.push_back(point.id);
+        levels.push_back(point.level);
+    }
+
+    std::size_t dimension;
+    std::vector<double> positions;
+    std::vector<std::int32_t> tiles;
+    std::vector<std::uint32_t> indices, ids;
+    std::vector<double> levels;
+};
+
+py::dict columns_of(PointColumns points)
+{
+    const auto count = static_cast<py::ssize_t>(points.ids.size());
+    const auto dimension = static_cast<py::ssize_t>(points.dimension);
+    py::dict columns;
+    columns["position"] = array_of(std::move(points.positions), {count, dimension});
+    columns["tile"] = array_of(std::move(points.tiles), {count, dimension});
+    columns["index"] = array_of(std::move(points.indices));
+    columns["id"] = array_of(std::move(points.ids));
+    columns["level"] = array_of(std::move(points.levels));
+    return columns;
+}
+
+class OpenTileSet
+{
+public:
+    explicit OpenTileSet(const std::filesystem::path& file)
+        : file_(file.string()), set_(without_lock([&] { return read_tile_set(file); }))
+    {}
+
+    py::dict parameters() const
+    {
+        const PoissonTileParameters& p = set_.parameters;
+        py::dict parameters;
+        parameters["kind"] = kind_name(p);
+        parameters["dimension"] = p.dimension;
+        parameters["colors"] = p.colors;
+        parameters["tiles"] = p.tiles;
+        parameters["points_per_tile"] = p.points_per_tile;
+        parameters["relative_radius"] = p.relative_radius;
+        parameters["ranked"] = p.ranked;
+        return parameters;
+    }
+
+    py::dict window(const Corner& low, const Corner& high, std::uint32_t seed, double density) const
+    {
+        check_window(low, high);
+        return columns_of(without_lock([&] {
+            const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
+            const std::uint64_t count = ptiles_in_window(&tiling, low.data(), high.data(), nullptr, 0, density);
+            std::vector<ptiles_point> found(count);
+            ptiles_in_window(&tiling, low.data(), high.data(), found.data(), count, density);
+            PointColumns points(set_.parameters.dimension);
+            for (const ptiles_point& point : found) points.add(point);
+            return points;
+        }));
+    }
+
+    /// The nearest points of positions, and their distances.
+    py::dict nearest(const AnyArray& positions, std::uint32_t seed) const
+    {
+        const int dimension = set_.parameters.dimension;
+        if (positions.ndim() != 2 || positions.shape(1) != dimension)
+            throw InputError(fmt::format("nearest: positions must have the shape (positions, {})", dimension));
+        const auto count = static_cast<std::size_t>(positions.shape(0));
+        const double* const at = positions.data();
+        for (std::size_t i = 0; i < count * static_cast<std::size_t>(dimension); ++i) check_place("nearest", at[i]);
+        std::vector<double> distances(count);
+        PointColumns points(dimension);
+        without_lock([&] {
+            const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i % 65536 == 0) stop_if_interrupted();
+                ptiles_point point;
+                distances[i] = std::sqrt(ptiles_nearest(&tiling, at + i * static_cast<std::size_t>(dimension), &point));
+                points.add(point);
+            }
+        });
+        py::dict columns = columns_of(std::move(points));
+        columns["distance"] = array_of(std::move(distances));
+        return columns;
+    }
+
+    py::dict verify() const
+    {
+        const TileCertificate c = without_lock([&] {
+            try {
+                const TileCertificate certificate = certify(set_);
+                check_promises(set_.parameters, set_.squared_min_distance, certificate);
+                return certificate;
+            } catch (const InputError& error) {
+                throw error.moved_to({file_});
+            }
+        });
+        py::dict proven;
+        proven["min_distance"] = std::sqrt(static_cast<double>(c.squared_min_distance)) / tile_units;
+        proven["squared_min_distance"] = c.squared_min_distance;
+        proven["relative_radius"] = c.relative_radius;
+        proven["largest_empty_radius"] = c.largest_empty_radius;
+        proven["tiles"] = c.tiles;
+        proven["points_per_tile"] = c.points_per_tile;
+        return proven;
+    }
+
+private:
+    /// Tiles are at places of 32 bits, and look at those beside them.
+    static void check_place(const char* function, double value)
+    {
+        constexpr double most = 2147483600;
+        if (!(value >= -most && value <= most))
+            throw InputError(
+                fmt::format("{0}: {1}: must be a number from -{2:.0f} to {2:.0f}, in tiles", function, value, most));
+    }
+
+    void check_window(const Corner& low, const Corner& high) const
+    {
+        double points = set_.parameters.points_per_tile;
+        for (std::size_t axis = 0; axis < static_cast<std::size_t>(set_.parameters.dimension); ++axis) {
+            check_place("window", low[axis]);
+            check_place("window", high[axis]);
+            if (!(low[axis] < high[axis])) throw InputError("window: its sizes must be above 0");
+            points *= high[axis] - low[axis];
+        }
+        constexpr double most = 1 << 27;
+        if (points > most)
+            throw InputError(fmt::format("window: some {:.0f} points: must be at most {:.0f}", points, most));
+    }
+
+    std::string file_;
+    PoissonTileSet set_;
+};
+
+}
+
+void add_tile_sets(py::module_& module)
+{
+    py::class_<OpenTileSet>(module, "TileSet", "A Poisson disk tile set.")
+        .def(py::init<const std::filesystem::path&>(), py::arg("file"))
+        .def("parameters", &OpenTileSet::parameters)
+        .def("window", &OpenTileSet::window, py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("density"))
+        .def("nearest", &OpenTileSet::nearest, py::arg("positions"), py::arg("seed"))
+        .def("verify", &OpenTileSet::verify);
+}
+
+}

@@ -1,0 +1,124 @@
+"""Poisson disk tile sets: endless point sets with a proven minimum distance, looked up wherever one likes."""
+
+import operator
+import os
+from collections.abc import Callable
+from typing import NamedTuple, Union
+
+import numpy
+import numpy.typing
+
+from . import _poissonlab
+from ._poissonlab import InputError
+
+
+class TilePoints(NamedTuple):
+    """Points of a tiling, arrays with one item or row a point."""
+
+    position: numpy.ndarray  #: in tiles, shape (n, d), float64
+    tile: numpy.ndarray      #: the place of its tile, shape (n, d), int32
+    index: numpy.ndarray     #: its number in the tile, uint32
+    id: numpy.ndarray        #: random bits that stay with the point, such as for its looks, uint32
+    level: numpy.ndarray     #: the density, from 0 to 1, above which the point is there, float64
+
+
+class NearestPoints(NamedTuple):
+    """The nearest points of positions, arrays with one item or row a position; see TilePoints."""
+
+    distance: numpy.ndarray  #: in tiles, float64
+    position: numpy.ndarray
+    tile: numpy.ndarray
+    index: numpy.ndarray
+    id: numpy.ndarray
+    level: numpy.ndarray
+
+
+class Certificate(NamedTuple):
+    """The proof of a tile set, in exact integers: it holds for every tiling."""
+
+    min_distance: float           #: no two points of any tiling are nearer, in tiles
+    squared_min_distance: int     #: the same squared, in units of 1/65536 tile
+    relative_radius: float        #: of that distance
+    largest_empty_radius: float   #: no circle (ball) that is empty in any tiling has a larger radius, in tiles
+    tiles: int
+    points_per_tile: int
+
+
+def checked_seed(seed):
+    """A seed of 32 bits."""
+    if not 0 <= operator.index(seed) < 2**32:
+        raise InputError(f"seed = {seed}: must be an integer from 0 to {2**32 - 1}")
+    return operator.index(seed)
+
+
+#: A part of all points, or a function of coordinates that says it for each place.
+Density = Union[float, Callable[..., numpy.typing.ArrayLike]]
+
+
+class TileSet:
+    """A tile set of a file (.ptiles or JSON), which `poissonlab tiles build` makes; ten ship in runtime/tile_sets.
+
+    Every seed is another tiling of all the plane (3D: of space). Lengths are in tiles. The points are those of
+    runtime/poisson_tiles.h and of `poissonlab tiles points`, bit for bit. No OpenCL is needed.
+    """
+
+    def __init__(self, file: "str | os.PathLike[str]") -> None:
+        self._set = _poissonlab.TileSet(file)
+        parameters = self._set.parameters()
+        self.kind = parameters["kind"]                        #: "corner", "edge", "template" or "sphere"
+        self.dimension = parameters["dimension"]              #: 2 or 3
+        self.colors = parameters["colors"]
+        self.tiles = parameters["tiles"]                      #: how many tiles the set has
+        self.points_per_tile = parameters["points_per_tile"]
+        self.relative_radius = parameters["relative_radius"]  #: that was asked for when it was built
+        self.ranked = parameters["ranked"]                    #: whether any density is spread evenly
+
+    def window(self, *window: float, seed: int = 1, density: Density = 1.0) -> numpy.ndarray:
+        """The positions of all points in a window.
+
+        window: x, y, width, height, in tiles; in 3D x, y, z, width, height, depth. Points at the lower borders are
+            inside, those at the upper ones are not.
+        seed: which tiling, 32 bits. Windows of the same seed fit together.
+        density: the part of the points that is there, above 0 and at most 1; or a function of the coordinates (arrays
+            x, y and, in 3D, z) that says it for each place. More density adds points and moves none; ranked sets are
+            spread evenly at any density.
+        Returns a float64 array of shape (n, d). Rows of tiles from south to north, in each from west to east.
+        """
+        return self.points(*window, seed=seed, density=density).position
+
+    def points(self, *window: float, seed: int = 1, density: Density = 1.0) -> TilePoints:
+        """The same points with their tiles, numbers, random bits and levels: TilePoints."""
+        axes = self.dimension
+        if len(window) != 2 * axes:
+            names = "x, y, width, height" if axes == 2 else "x, y, z, width, height, depth"
+            raise InputError(f"window: must be {names}, in tiles")
+        low = [float(value) for value in window[:axes]]
+        high = [start + float(size) for start, size in zip(low, window[axes:])]
+        number = 1.0 if callable(density) else float(density)
+        if not 0 < number <= 1:
+            raise InputError(f"window: density = {density}: must be a number above 0 and at most 1, or a function")
+        padding = [0.0] * (3 - axes)
+        found = TilePoints(**self._set.window(low + padding, high + padding, checked_seed(seed), number))
+        if not callable(density):
+            return found
+        kept = found.level < numpy.asarray(density(*found.position.T), dtype=float)
+        return TilePoints(*(column[kept] for column in found))
+
+    def nearest(self, positions: numpy.typing.ArrayLike, *, seed: int = 1) -> NearestPoints:
+        """The nearest point of each position: a Worley texture without a table of its own.
+
+        positions: in tiles, shape (n, d), or (d,) for one.
+        Returns NearestPoints; of one position, arrays of one item.
+        """
+        return NearestPoints(**self._set.nearest(numpy.atleast_2d(positions), checked_seed(seed)))
+
+    def verify(self) -> Certificate:
+        """Prove the minimum distance of every tiling. Returns a Certificate.
+
+        Raises InputError where tiles do not fit together, or the file promises more than is proven.
+        """
+        return Certificate(**self._set.verify())
+
+    def __repr__(self):
+        return (f"<poissonlab.TileSet {self.kind}: {self.colors} colours, {self.tiles} tiles of {self.points_per_tile} "
+                f"points{', ranked' if self.ranked else ''}>")

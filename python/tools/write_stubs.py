@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""Prints the stubs of types of poissonlab.samplers: the classes of all methods, which are made at import."""
+
+from poissonlab import samplers
+
+HEAD = '''# Written by python/tools/write_stubs.py from the methods' own descriptions; a test compares.
+import os
+from typing import Any, Sequence
+
+import numpy
+import numpy.typing
+
+class Sampler:
+    d: int
+    seed: int
+    engine: str
+    device: str | None
+    parameters: dict[str, Any]
+    def __init__(self, *, d: int = 2, rng: int | numpy.random.Generator | None = 1, engine: str = "opencl",
+                 device: str | None = None, **parameters: Any) -> None: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def realization(self) -> int: ...
+    def random(self, n: int | None = None) -> numpy.typing.NDArray[numpy.float64]: ...
+    def realizations(self, k: int, n: int | None = None) -> numpy.typing.NDArray[numpy.float64]: ...
+    def reset(self) -> "Sampler": ...
+    def fast_forward(self, k: int) -> "Sampler": ...
+    @property
+    def sizes_vary(self) -> bool: ...
+    @property
+    def is_window(self) -> bool: ...
+    @property
+    def tiles_along_axis(self) -> int: ...
+    @property
+    def proven_relative_radius(self) -> float | None: ...
+    def to_toml(self) -> str: ...
+    def config(self, n: int | None = None) -> str: ...
+'''
+
+
+def stub_of(name, method):
+    """The stub of a method's class."""
+    keywords = ",\n                 ".join(f"{keyword.name}: {keyword.annotation} = {shown(keyword.default)}"
+                                         for keyword in method.__signature__.parameters.values())
+    return f"\nclass {name}(Sampler):\n    def __init__(self, *, {keywords}) -> None: ...\n"
+
+
+def shown(value):
+    """A default as a stub has it."""
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
+if __name__ == "__main__":
+    print(HEAD + "".join(stub_of(name, method) for name, method in samplers.METHODS.items()), end="")

@@ -1,0 +1,314 @@
+// Claims of papers after the dissertation about their methods, and about sets that were published.
+//
+// Published numbers of which it is not known how they were measured stand beside today's and are not judged.
+#include "reports/claims/claim_words.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using Later = std::optional<ClaimOutcome>;
+
+/// Mean anisotropy above chance of sets that have no direction; grids and rows have ten dB and more.
+constexpr double isotropic_db = 1;
+constexpr const char* isotropic_criterion =
+    "the mean anisotropy of rings of 100 and more samples lies at most 1 dB above that of chance";
+
+/// The effective Nyquist frequency of the farthest step that a set can have, sqrt(1 / 0.9 pi).
+constexpr double farthest_step = 0.595;
+
+const Estimate* estimate_of(const ReportSeries& series, const std::string& key)
+{
+    const auto& numbers = series.stored->measures.numbers;
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? nullptr : &found->second;
+}
+
+std::string with_error(const Estimate& estimate, int decimals)
+{
+    const std::string value = format_fixed(estimate.value, decimals);
+    if (!estimate.standard_error) return value;
+    return fmt::format("{} ± {}", value, format_significant(*estimate.standard_error, 1));
+}
+
+bool has_estimated_spectrum(const ReportSeries& series)
+{
+    return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
+}
+
+/// One series without a direction refutes it, however many have one.
+Later large_radii_have_directions(const ClaimSeries& report)
+{
+    bool any = false, refuted = false;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.series()) {
+        const auto& radius = series->stored->relative_radius;
+        if (series->run->dimension != 2 || !radius || radius->mean <= 0.85 || !has_estimated_spectrum(*series))
+            continue;
+        const double excess = mean_excess_anisotropy(*series);
+        any = true;
+        refuted = refuted || excess <= isotropic_db;
+        words.push_back(fmt::format("{}: radius {}, {} dB above chance", series->label, format_fixed(radius->mean, 3),
+                                    format_fixed(excess, 2)));
+    }
+    if (!any) return std::nullopt;
+    return ClaimOutcome{agreement_if(!refuted), joined_words(words)};
+}
+
+/// No direction in any series of a method.
+Later has_no_direction(const ClaimSeries& report, const char* sampler)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = sampler, .needs = SeriesQuery::Needs::spectrum})) {
+        const double excess = mean_excess_anisotropy(*series);
+        tally.add(excess <= isotropic_db);
+        words.push_back(fmt::format("{} dB above chance", format_fixed(excess, 2)));
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+Later radius_is(const ClaimSeries& report, const char* sampler, double published, double tolerance)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = sampler})) {
+        if (!series->stored->relative_radius) continue;
+        const double mean = series->stored->relative_radius->mean;
+        tally.add(std::abs(mean - published) <= tolerance);
+        words.push_back(fmt::format("N = {}: {}", format_count(series->stored->points), format_fixed(mean, 4)));
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+/// The mean nearest distance of a method with its usual parameters.
+Later nearest_distance_is(const ClaimSeries& report, const SeriesQuery& query, double published, double tolerance)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all(query))
+        if (const Estimate* nearest = estimate_of(*series, "mean_nearest_distance")) {
+            tally.add(std::abs(nearest->value - published) <= tolerance);
+            words.push_back(fmt::format("N = {}: {}", format_count(series->stored->points), with_error(*nearest, 4)));
+        }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+/// The effective Nyquist frequency and the oscillation of the series of a method, side by side with what was published.
+Later nyquist_and_oscillation(const ClaimSeries& report, const char* sampler)
+{
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = sampler, .needs = SeriesQuery::Needs::spectrum})) {
+        const Estimate* nyquist = estimate_of(*series, "effective_nyquist");
+        const auto& oscillation = series->stored->measures.oscillation;
+        if (nyquist && oscillation)
+            words.push_back(fmt::format("N = {}: {} and {}", format_count(series->stored->points),
+                                        with_error(*nyquist, 3),
+                                        with_error({oscillation->value, oscillation->standard_error}, 2)));
+    }
+    if (words.empty()) return std::nullopt;
+    return ClaimOutcome{Agreement::not_judged, joined_words(words)};
+}
+
+std::vector<const ReportSeries*> series_with_target(const ClaimSeries& report, const std::string& target)
+{
+    auto found = report.all({.sampler = "target-spectrum", .needs = SeriesQuery::Needs::spectrum});
+    std::erase_if(found, [&](const ReportSeries* series) { return text_parameter(*series, "target") != target; });
+    return found;
+}
+
+/// Effective Nyquist frequencies below, or above, that of the farthest step.
+Later nyquist_beside_the_step(const ClaimSeries& report, const std::string& target, bool is_below)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : series_with_target(report, target)) {
+        const Estimate* nyquist = estimate_of(*series, "effective_nyquist");
+        if (!nyquist) continue;
+        const double slack = 3 * nyquist->standard_error.value_or(0);
+        tally.add(is_below ? nyquist->value - slack <= farthest_step : nyquist->value - slack > farthest_step);
+        words.push_back(with_error(*nyquist, 3));
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+constexpr std::array optimised_methods = {"farthest-point", "gaussian-blue-noise", "equal-areas", "lloyd"};
+
+/// The step against every other method that moves points until they are good, of as many points.
+Later step_oscillates_least(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* step : series_with_target(report, "step")) {
+        if (!step->stored->measures.oscillation) continue;
+        const double own = step->stored->measures.oscillation->value;
+        for (const char* sampler : optimised_methods)
+            for (const ReportSeries* other : report.all({.sampler = sampler, .points = step->stored->points})) {
+                if (!other->stored->measures.oscillation || !has_estimated_spectrum(*other)) continue;
+                const double value = other->stored->measures.oscillation->value;
+                tally.add(own < value);
+                words.push_back(
+                    fmt::format("{} against {} of {}", format_fixed(own, 2), format_fixed(value, 2), other->label));
+            }
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+Later first_parts_are_good(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = "sample-elimination"})) {
+        const Estimate* parts = estimate_of(*series, "prefix_relative_radius");
+        if (!parts || !series->stored->relative_radius) continue;
+        const double whole = series->stored->relative_radius->mean;
+        tally.add(parts->value >= 0.85 * whole);
+        words.push_back(fmt::format("{}, the whole sets {}", with_error(*parts, 3), format_fixed(whole, 3)));
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+/// Gaussian blue noise against equal areas, of as many points.
+Later has_less_low_power(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = "gaussian-blue-noise"}))
+        for (const ReportSeries* other : report.all({.sampler = "equal-areas", .points = series->stored->points})) {
+            const Estimate *own = estimate_of(*series, "low_frequency_mean"),
+                           *theirs = estimate_of(*other, "low_frequency_mean");
+            if (!own || !theirs) continue;
+            const double error = std::hypot(own->standard_error.value_or(0), theirs->standard_error.value_or(0));
+            tally.add(own->value + 2 * error < theirs->value);
+            words.push_back(fmt::format("N = {}: {} against {}", format_count(series->stored->points),
+                                        format_significant(own->value, 2), format_significant(theirs->value, 2)));
+        }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+/// The power towards frequency 0 of saturated dart throwing.
+Later saturated_power_is(const ClaimSeries& report, int dimension, double published)
+{
+    Tally tally;
+    std::vector<std::string> words;
+    for (const ReportSeries* series : report.all({.sampler = "dart-throwing", .dimension = dimension})) {
+        const auto& power = series->stored->measures.low_frequency_power;
+        if (text_parameter(*series, "stop") != "saturation" || !power || series->stored->realizations < 2) continue;
+        tally.add(std::abs(power->intercept - published) <= 3 * power->intercept_standard_error);
+        words.push_back(with_error({power->intercept, power->intercept_standard_error}, 4));
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
+Paper farthest_points()
+{
+    return {
+        "schloemer-2011",
+        "Schlömer, Heck and Deussen, <cite>Farthest-Point Optimized Point Sets with Maximized Minimum Distance</cite> "
+        "(2011)",
+        {{"schloemer-2011-radius", "fig. 1", "The nearest two points come to have 0.925 of the largest distance.",
+          "a mean relative radius within 0.002 of it",
+          [](const ClaimSeries& report) { return radius_is(report, "farthest-point", 0.925, 0.002); }},
+         {"schloemer-2011-mean", "fig. 1", "On average the nearest point is at 0.932 of it.",
+          "a mean nearest distance within 0.002 of it",
+          [](const ClaimSeries& report) {
+              return nearest_distance_is(report, {.sampler = "farthest-point"}, 0.932, 0.002);
+          }},
+         {"schloemer-2011-isotropic", "", "The sets are isotropic nevertheless.", isotropic_criterion,
+          [](const ClaimSeries& report) { return has_no_direction(report, "farthest-point"); }},
+         {"schloemer-2011-spectrum", "",
+          "10 sets of 4,096 points have an effective Nyquist frequency of about 0.9 and an oscillation of about 4.6, "
+          "almost twice that of other sets with so high a frequency.",
+          "shown side by side: spectra were computed in another way",
+          [](const ClaimSeries& report) { return nyquist_and_oscillation(report, "farthest-point"); }}}};
+}
+
+Paper controlled_aliasing()
+{
+    return {"heck-2013",
+            "Heck, Schlömer and Deussen, <cite>Blue Noise Sampling with Controlled Aliasing</cite> (2013)",
+            {{"heck-2013-step", "",
+              "A step of the spectrum from 0 to 1 lies at √(N/π) at most, an effective Nyquist frequency of 0.595.",
+              "sets that descend to a step have at most that, by three standard errors",
+              [](const ClaimSeries& report) { return nyquist_beside_the_step(report, "step", true); }},
+             {"heck-2013-peak", "", "A single peak behind it lets the step be farther.",
+              "sets that descend to a single peak have more, by three standard errors",
+              [](const ClaimSeries& report) { return nyquist_beside_the_step(report, "single-peak", false); }},
+             {"heck-2013-oscillation", "", "Behind a step the spectrum is flat, so that aliasing is noise.",
+              "less oscillation than any other method that optimises sets, of as many points", step_oscillates_least}}};
+}
+
+std::vector<PaperClaim> claims_about_published_sets()
+{
+    const auto nearest = [](const char* id, const char* says, const char* sampler, double published,
+                            double tolerance) -> PaperClaim {
+        return {id, "", says, fmt::format("a mean nearest distance within {} of it", tolerance),
+                [=](const ClaimSeries& report) {
+                    return nearest_distance_is(report, {.sampler = sampler}, published, tolerance);
+                }};
+    };
+    return {nearest("utk-sets-fpo", "4,096 points of farthest point optimisation: 0.9325 on average to the nearest.",
+                    "farthest-point", 0.9325, 0.002),
+            nearest("utk-sets-bnot", "4,096 points with equal capacities (BNOT): 0.896 on average to the nearest.",
+                    "equal-areas", 0.896, 0.005),
+            {"utk-sets-darts", "", "4,096 points of dart throwing at 0.75: 0.806 on average to the nearest.",
+             "a mean nearest distance within 0.005 of it", [](const ClaimSeries& report) {
+                 return nearest_distance_is(
+                     report, {.sampler = "dart-throwing", .numbers = {{"relative_radius", 0.75}}}, 0.806, 0.005);
+             }}};
+}
+
+}
+
+std::vector<Paper> later_papers()
+{
+    return {
+        {"lagae-2008",
+         "Lagae and Dutré, <cite>A Comparison of Methods for Generating Poisson Disk Distributions</cite> (2008)",
+         {{"lagae-2008-regular", "", "Relative radii above 0.85 are those of regular sets: they are anisotropic.",
+           "more than 1 dB of anisotropy above chance, on average over rings of 100 and more samples, in every series "
+           "with such a radius",
+           large_radii_have_directions}}},
+        farthest_points(),
+        {"degoes-2012",
+         "de Goes, Breeden, Ostromoukhov and Desbrun, <cite>Blue Noise through Optimal Transport</cite> (2012)",
+         {{"degoes-2012-isotropic", "", "Sets with equal capacities are free of regular patches.", isotropic_criterion,
+           [](const ClaimSeries& report) { return has_no_direction(report, "equal-areas"); }}}},
+        controlled_aliasing(),
+        {"zhang-2013",
+         "Zhang and Torquato, <cite>Precise Algorithm to Generate Random Sequential Addition of Hard Hyperspheres at "
+         "Saturation</cite> (2013)",
+         {{"zhang-2013-2d", "", "The power of saturated dart throwing goes to 0.0587 towards frequency 0 in 2D,",
+           "within three standard errors of the fitted parabola",
+           [](const ClaimSeries& report) { return saturated_power_is(report, 2, 0.0587); }},
+          {"zhang-2013-3d", "", "and to 0.0558 in 3D.", "the same",
+           [](const ClaimSeries& report) { return saturated_power_is(report, 3, 0.0558); }}}},
+        {"yuksel-2015",
+         "Yuksel, <cite>Sample Elimination for Generating Poisson Disk Sample Sets</cite> (2015)",
+         {{"yuksel-2015-prefixes", "4", "In progressive order every first part of a set is a Poisson disk set.",
+           "the relative radius of the first half, quarter and eighth is at least 0.85 of that of the whole sets",
+           first_parts_are_good}}},
+        {"ahmed-2022",
+         "Ahmed, Ren and Wonka, <cite>Gaussian Blue Noise</cite> (2022)",
+         {{"ahmed-2022-low", "", "Gaussian blue noise has less power at low frequencies than sets of equal capacities.",
+           "a lower mean power up to a quarter of √N, by two standard errors, of as many points", has_less_low_power}}},
+        {"utk-sets", "Point sets that the Uni(corn|form) Tool Kit published, one of each, measured here (2019)",
+         claims_about_published_sets()},
+    };
+}
+
+}

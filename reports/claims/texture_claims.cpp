@@ -1,0 +1,180 @@
+// Claims about texture tiles: chapter 5 of the dissertation; Cohen, Shade, Hiller, Deussen, Wang Tiles for Image and
+// Texture Generation, 2003; Ng, Wen, Tan, Zhang, Kim, Generating an omega-Tile Set for Texture Synthesis, 2005.
+//
+// Placements are compared on one exemplar, with tiles of one size and as many of them, so at equal memory.
+#include "reports/claims/claim_words.hpp"
+#include "results/texture_measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace poissonlab {
+namespace {
+
+using Texture = DistributionResult;
+using TextureOutcome = std::optional<ClaimOutcome>;
+
+double texture_measure(const Texture& texture, const std::string& key)
+{
+    for (const DistributionNumber& number : texture.numbers)
+        if (number.key == key) return number.value;
+    return 0;
+}
+
+/// Smoothing changes what measures of seams cannot tell.
+bool is_plain_texture(const Texture& t) { return t.parameter("smooth") == "false"; }
+
+bool is_wang_texture(const Texture& t) { return is_plain_texture(t) && t.parameter("kind") == "wang"; }
+
+/// Ng's placement, over complete sets or omega sets.
+bool is_ng_texture(const Texture& t)
+{
+    return is_plain_texture(t) && t.parameter("kind") != "wang" && t.parameter("stages") == "1";
+}
+
+bool is_omega_texture(const Texture& t) { return is_ng_texture(t) && t.parameter("kind") == "omega"; }
+
+bool is_cross_texture(const Texture& t)
+{
+    return is_plain_texture(t) && t.parameter("kind") == "corner" && t.parameter("stages") == "0";
+}
+
+using Choice = bool (*)(const Texture&);
+
+/// Pairs of one and another placement at equal memory, on one exemplar.
+std::vector<std::pair<const Texture*, const Texture*>> texture_pairs(const ClaimSeries& report, Choice one,
+                                                                     Choice other)
+{
+    std::vector<std::pair<const Texture*, const Texture*>> pairs;
+    for (const Texture* a : report.distributions("texture"))
+        for (const Texture* b : report.distributions("texture"))
+            if (one(*a) && other(*b) && a->parameter("exemplar") == b->parameter("exemplar") &&
+                a->parameter("size") == b->parameter("size") &&
+                texture_measure(*a, "tiles") == texture_measure(*b, "tiles"))
+                pairs.emplace_back(a, b);
+    return pairs;
+}
+
+/// Judges that a measure of the first ones is below that of the second ones; `sign` -1: above.
+TextureOutcome compared(const ClaimSeries& report, Choice one, Choice other, const std::string& key, double sign)
+{
+    Tally tally;
+    std::vector<double> of_one, of_other;
+    for (const auto& [a, b] : texture_pairs(report, one, other)) {
+        of_one.push_back(texture_measure(*a, key));
+        of_other.push_back(texture_measure(*b, key));
+        tally.add(sign * of_one.back() < sign * of_other.back());
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(),
+                        joined_words({range_words(of_one, 3) + " against " + range_words(of_other, 3), tally.words()})};
+}
+
+TextureOutcome edges_fit(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> misfits;
+    for (const Texture* texture : report.distributions("texture")) {
+        if (!is_wang_texture(*texture)) continue;
+        misfits.push_back(texture_measure(*texture, "border_exceptions"));
+        tally.add(misfits.back() == 0);
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({range_words(misfits, 2) + " pairs of pixels a border do not fit", tally.words()})};
+}
+
+TextureOutcome corners_fit(const ClaimSeries& report)
+{
+    Tally tally;
+    for (const Texture* texture : report.distributions("texture"))
+        if (texture->parameter("kind") != "wang") tally.add(texture_measure(*texture, "border_exceptions") == 0);
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({"no pixel at a border that does not fit", tally.words()})};
+}
+
+bool is_wang_of(const Texture& t, const char* colors)
+{
+    return is_wang_texture(t) && t.parameter("tiles") == "compact" && t.parameter("colors") == colors;
+}
+
+TextureOutcome more_tiles_repeat_less(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> few, many;
+    for (const Texture* a : report.distributions("texture"))
+        for (const Texture* b : report.distributions("texture")) {
+            if (!is_wang_of(*a, "2") || !is_wang_of(*b, "3") || a->parameter("exemplar") != b->parameter("exemplar") ||
+                a->parameter("size") != b->parameter("size"))
+                continue;
+            few.push_back(texture_measure(*a, "lattice_power"));
+            many.push_back(texture_measure(*b, "lattice_power"));
+            tally.add(many.back() < few.back());
+        }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{tally.agreement(), joined_words({range_words(many, 2) + " of the power at 1/T, with 8 tiles " +
+                                                             range_words(few, 2),
+                                                         tally.words()})};
+}
+
+TextureOutcome straightness(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> of_omega, of_wang;
+    for (const auto& [a, b] : texture_pairs(report, is_omega_texture, is_wang_texture)) {
+        if (!a->parameter("exemplar").starts_with("brick")) continue;
+        of_omega.push_back(texture_measure(*a, "seam_mismatch"));
+        of_wang.push_back(texture_measure(*b, "seam_mismatch"));
+        tally.add(of_omega.back() > of_wang.back());
+    }
+    if (tally.empty()) return std::nullopt;
+    return ClaimOutcome{
+        tally.agreement(),
+        joined_words({"mismatch " + range_words(of_omega, 3) + " against " + range_words(of_wang, 3), tally.words()})};
+}
+
+}
+
+std::vector<PaperClaim> claims_about_textures()
+{
+    return {
+        {"5.3-fit", "5.3",
+         "Because the same sample is used for all tiles that share an edge colour, Wang tiles always fit together "
+         "(Cohen "
+         "and others 2003, section 3.2).",
+         "no pixel at any border of two tiles that does not go on or have a joint that the colours predict", edges_fit},
+        {"5.3-corners", "5.3", "Corner tiles have no corner problem (section 2.6).",
+         "the same of corner and omega tiles", corners_fit},
+        {"5.3-more-tiles", "5.3",
+         "Artefacts that come from few samples are overcome by more tiles (Cohen and others 2003, section 3.2).",
+         "18 tiles have less power at multiples of 1/T than 8", more_tiles_repeat_less},
+        {"5.3-new-patch", "5.3", "Ng's placement is the only one that adds new texture to each tile.",
+         "tiles show more of the exemplar than those of the same scheme without new pieces, at equal memory",
+         [](const ClaimSeries& report) { return compared(report, is_ng_texture, is_cross_texture, "coverage", -1); }},
+        {"5.3-similar", "5.3",
+         "Textures of corner tiles are usually more similar to the exemplar than those of Wang tiles.",
+         "the distance of their colours from the exemplar's is smaller, at equal memory",
+         [](const ClaimSeries& report) {
+             return compared(report, is_ng_texture, is_wang_texture, "color_distance", 1);
+         }},
+        {"5.3-large", "5.3", "Omega tiles repeat less visibly than Wang tiles (Ng and others 2005, section 5).",
+         "less power at multiples of 1/2T, at equal memory",
+         [](const ClaimSeries& report) {
+             return compared(report, is_omega_texture, is_wang_texture, "double_lattice_power", 1);
+         }},
+        {"5.3-junctions", "5.3",
+         "Omega tiles have less prominent junctions than Wang tiles (Ng and others 2005, section 5).",
+         "a smaller part of their seams is conspicuous, at equal memory",
+         [](const ClaimSeries& report) {
+             return compared(report, is_omega_texture, is_wang_texture, "conspicuous_seams", 1);
+         }},
+        {"5.3-straight", "5.3",
+         "On a regular brick wall omega tiles are inferior to Wang tiles (Ng and others 2005, section 5).",
+         "the mismatch at seams is larger, at equal memory", straightness},
+    };
+}
+
+}

@@ -1,0 +1,58 @@
+// The comparison of the numbers of two distributions: points and objects, textures.
+#include "reports/diff/run_comparison.hpp"
+#include "results/texture_measures.hpp"
+
+#include <algorithm>
+
+namespace poissonlab {
+
+namespace {
+
+const DistributionNumber* find_number(const DistributionResult& result, const std::string& key)
+{
+    const auto found = std::ranges::find(result.numbers, key, &DistributionNumber::key);
+    return found == result.numbers.end() ? nullptr : &*found;
+}
+
+/// Which way a number is better, by the catalogue of textures.
+Better better_of(const DistributionResult& result, const std::string& key)
+{
+    if (!result.is_texture()) return Better::neither;
+    const auto row = std::ranges::find(texture_measures(), key, &Measure::key);
+    return row == texture_measures().end() ? Better::neither : row->better;
+}
+
+SampleMean mean_of_number(const DistributionResult& result, const DistributionNumber& number)
+{
+    const DistributionNumber* const sets = find_number(result, "sets");
+    const bool has_error = sets && number.standard_error;
+    return {number.value, number.standard_error.value_or(0), has_error ? static_cast<std::size_t>(sets->value) : 1};
+}
+
+}
+
+std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair)
+{
+    const DistributionResult &before = *pair.distribution_before, &after = *pair.distribution_after;
+    ComparisonTerms terms;
+    terms.same_seed = !pair.run_before->seed.empty() && pair.run_before->seed == pair.run_after->seed &&
+                      pair.run_before->engine == pair.run_after->engine && before.facts == after.facts;
+    std::vector<NumberComparison> numbers;
+    for (const DistributionNumber& old : before.numbers) {
+        NumberComparison number;
+        number.quantity = old.title;
+        number.unit = before.is_texture() ? old.meaning : "";
+        number.better = better_of(before, old.key);
+        number.before = mean_of_number(before, old);
+        if (const DistributionNumber* const other = find_number(after, old.key)) {
+            number.after = mean_of_number(after, *other);
+            judge(number, terms);
+        } else {
+            number.note = "only in the old results";
+        }
+        numbers.push_back(std::move(number));
+    }
+    return numbers;
+}
+
+}

@@ -1,0 +1,180 @@
+#include "reports/gallery/gallery.hpp"
+
+#include "analysis/spectra/radial_statistics.hpp"
+#include "analysis/statistics/jackknife.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/text_lines.hpp"
+#include "reports/gallery/gallery_file.hpp"
+#include "results/measures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::string_view methods_file = "methods.csv";
+constexpr std::string_view measures_file = "measures.csv";
+constexpr std::string_view curves_file = "curves.csv";
+
+constexpr std::string_view methods_header = "name,dimension,points,realizations,min_distance,label";
+constexpr std::string_view measures_header = "name,measure,value,standard_error";
+constexpr std::string_view curves_header = "name,frequency,power,power_error,anisotropy_db";
+
+/// Times and memory are those of one machine, and numbers of points and sets stand in another table.
+bool is_in_gallery(const Measure& measure)
+{
+    return measure.kind == MeasureKind::per_set || measure.kind == MeasureKind::estimate ||
+           measure.kind == MeasureKind::first;
+}
+
+std::optional<double> standard_error_in(const MeasuredValue& value)
+{
+    if (value.standard_error || value.each.size() < 2) return value.standard_error;
+    return standard_error_of_mean(value.each);
+}
+
+void add_gallery_method(const GallerySource& source, GalleryTables& tables)
+{
+    const Series& stored = *source.stored;
+    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", stored.name,
+                   source.curve->dimension, stored.points, stored.realizations,
+                   stored.min_distance ? stored.min_distance->mean : 0, source.label);
+    for (const Measure& measure : measures()) {
+        const auto value = is_in_gallery(measure) ? measure.get(stored) : std::nullopt;
+        if (!value || !std::isfinite(value->value)) continue;
+        const auto error = standard_error_in(*value);
+        fmt::format_to(std::back_inserter(tables.measures), "{},{},{:.5g},{}\n", stored.name, measure.key, value->value,
+                       error ? fmt::format("{:.2g}", *error) : "");
+    }
+    for (const RadialBin& bin : source.curve->bins)
+        fmt::format_to(std::back_inserter(tables.curves), "{},{},{:.4g},{:.2g},{:.2f}\n", stored.name, bin.frequency,
+                       bin.power, bin.power_error, bin.anisotropy_db);
+}
+
+/// The fields of a line; the last one has all that is left.
+std::vector<std::string_view> fields_of(std::string_view line, std::size_t count)
+{
+    std::vector<std::string_view> fields;
+    while (fields.size() + 1 < count) {
+        const std::size_t comma = line.find(',');
+        if (comma == line.npos) return {};
+        fields.push_back(line.substr(0, comma));
+        line.remove_prefix(comma + 1);
+    }
+    fields.push_back(line);
+    return fields;
+}
+
+/// Goes through the lines of a table below its header.
+class GalleryReader
+{
+public:
+    GalleryReader(std::string_view text, std::string_view file, std::string_view header)
+        : file_(file), columns_(static_cast<std::size_t>(std::ranges::count(header, ',')) + 1), lines_(text)
+    {
+        if (!lines_.next() || lines_.line() != header) throw error("must be the header " + std::string(header));
+    }
+
+    bool next()
+    {
+        if (!lines_.next()) return false;
+        fields_ = fields_of(lines_.line(), columns_);
+        if (fields_.empty()) throw error(fmt::format("must have {} columns", columns_));
+        return true;
+    }
+
+    std::string text(std::size_t column) const { return std::string(fields_[column]); }
+
+    double number(std::size_t column) const
+    {
+        double value = 0;
+        if (!parse_number(fields_[column], value)) throw error(fmt::format("\"{}\" must be a number", fields_[column]));
+        return value;
+    }
+
+    InputError error(const std::string& why) const { return InputError::at({file_, lines_.number()}, why); }
+
+private:
+    std::string file_;
+    std::size_t columns_;
+    LineReader lines_;
+    std::vector<std::string_view> fields_;
+};
+
+GalleryMethod gallery_method_of(const GalleryReader& line)
+{
+    GalleryMethod method;
+    method.name = line.text(0);
+    method.curve.dimension = static_cast<int>(line.number(1));
+    method.curve.points = static_cast<std::size_t>(line.number(2));
+    method.curve.realizations = static_cast<int>(line.number(3));
+    method.curve.background_db = background_anisotropy_db(method.curve.realizations);
+    if (const double distance = line.number(4); distance > 0) method.curve.principal_frequency = 1 / distance;
+    const std::string label = line.text(5);
+    if (label.size() < 3 || label.front() != '"' || label.back() != '"')
+        throw line.error("the label must be in quotes");
+    method.label = label.substr(1, label.size() - 2);
+    return method;
+}
+
+/// The method that a line of another table is about.
+GalleryMethod& method_named(std::vector<GalleryMethod>& methods, const GalleryReader& line)
+{
+    const auto found = std::ranges::find(methods, line.text(0), &GalleryMethod::name);
+    if (found == methods.end()) throw line.error(line.text(0) + " is no method of " + std::string(methods_file));
+    return *found;
+}
+
+}
+
+GalleryTables gallery_tables(const std::vector<GallerySource>& sources)
+{
+    GalleryTables tables{fmt::format("{}\n", methods_header), fmt::format("{}\n", measures_header),
+                         fmt::format("{}\n", curves_header)};
+    for (const GallerySource& source : sources) add_gallery_method(source, tables);
+    return tables;
+}
+
+std::vector<GalleryMethod> read_gallery(const GalleryTables& tables)
+{
+    std::vector<GalleryMethod> gallery;
+    for (GalleryReader line(tables.methods, methods_file, methods_header); line.next();)
+        gallery.push_back(gallery_method_of(line));
+    for (GalleryReader line(tables.measures, measures_file, measures_header); line.next();) {
+        Estimate& estimate = method_named(gallery, line).measures[line.text(1)];
+        estimate.value = line.number(2);
+        if (!line.text(3).empty()) estimate.standard_error = line.number(3);
+    }
+    for (GalleryReader line(tables.curves, curves_file, curves_header); line.next();) {
+        Curve& curve = method_named(gallery, line).curve;
+        curve.bins.push_back({line.number(1), line.number(2), line.number(4), 0, line.number(3)});
+        curve.max_frequency = line.number(1);
+    }
+    for (const GalleryMethod& method : gallery)
+        if (method.curve.bins.empty())
+            throw InputError::at({std::string(curves_file)}, "has no curve of " + method.name);
+    return gallery;
+}
+
+const std::vector<GalleryMethod>& reference_gallery()
+{
+    static const std::vector<GalleryMethod> gallery =
+        read_gallery({std::string(gallery_file(methods_file)), std::string(gallery_file(measures_file)),
+                      std::string(gallery_file(curves_file))});
+    return gallery;
+}
+
+std::vector<const GalleryMethod*> reference_gallery(int dimension)
+{
+    std::vector<const GalleryMethod*> methods;
+    for (const GalleryMethod& method : reference_gallery())
+        if (method.curve.dimension == dimension) methods.push_back(&method);
+    return methods;
+}
+
+}

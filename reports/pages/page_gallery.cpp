@@ -1,0 +1,69 @@
+// The table of a run's series beside the methods of the gallery.
+#include "reports/pages/page_parts.hpp"
+#include "reports/words/measure_words.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace poissonlab {
+
+namespace {
+
+constexpr std::array gallery_columns = {"relative_radius", "mean_nearest_distance", "effective_nyquist",
+                                        "oscillation",     "low_frequency_mean",    "low_frequency_exponent",
+                                        "peak_anisotropy"};
+
+PageData gallery_cell(const Measure& measure, const std::optional<MeasuredValue>& value)
+{
+    PageData data;
+    data.set("value", value ? words_of(measure, *value).shown : std::string("–"));
+    data.set("spread", value && value->standard_error ? PageData("± " + format_significant(*value->standard_error, 2))
+                                                      : PageData(false));
+    return data;
+}
+
+template <class Value>
+PageData gallery_row(const std::string& label, bool is_own, const Value& value)
+{
+    PageData cells{PageData::type::list};
+    for (const char* key : gallery_columns) cells << gallery_cell(measure(key), value(measure(key)));
+    PageData row;
+    row.set("label", label);
+    row.set("own", is_own);
+    row.set("cells", cells);
+    return row;
+}
+
+}
+
+PageData gallery_table(const Site& site, const ReportRun& run)
+{
+    const auto gallery = reference_gallery(run.stored->dimension);
+    if (site.gallery_use == Gallery::offered || gallery.empty()) return false;
+    PageData columns{PageData::type::list};
+    for (const char* key : gallery_columns) {
+        PageData column;
+        column.set("title", in_dimension(measure(key).title(), run.stored->dimension));
+        column.set("unit", optional_text(in_dimension(measure(key).unit, run.stored->dimension)));
+        columns << column;
+    }
+    PageData rows{PageData::type::list};
+    for (const ReportSeries& series : run.series)
+        rows << gallery_row(series.label, true, [&](const Measure& measure) { return measure.get(*series.stored); });
+    for (const GalleryMethod* method : gallery)
+        rows << gallery_row(fmt::format("{}, N = {}", method->label, format_count(method->curve.points)), false,
+                            [&](const Measure& measure) -> std::optional<MeasuredValue> {
+                                const auto found = method->measures.find(measure.key);
+                                if (found == method->measures.end()) return std::nullopt;
+                                return MeasuredValue{found->second.value, found->second.standard_error};
+                            });
+    PageData table;
+    table.set("columns", columns);
+    table.set("rows", rows);
+    return table;
+}
+
+}

@@ -1,0 +1,97 @@
+#include "results/texture_measures.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace poissonlab {
+namespace {
+
+Measure texture_row(const char* key, const char* name, const char* unit, Better better, Digits digits,
+                    const char* meaning)
+{
+    Measure row;
+    row.key = key;
+    row.name = name;
+    row.unit = unit;
+    row.better = better;
+    row.digits = digits;
+    row.meaning = meaning;
+    return row;
+}
+
+constexpr Digits three{Digits::Form::significant, 3};
+constexpr Digits whole{Digits::Form::count, 0};
+
+}
+
+const std::vector<Measure>& texture_measures()
+{
+    using enum Better;
+    static const std::vector<Measure> all{
+        texture_row("sets", "sets", "", neither, whole, "With other patches each, over which all else is averaged."),
+        texture_row("tiles", "tiles", "", neither, whole, "In the set."),
+        texture_row("atlas_pixels", "memory", "pixels", lower, whole, "Of all tiles."),
+        texture_row("seam_pairs", "seams a tile", "pairs of pixels", lower, three,
+                    "Neighbouring pixels of a tile whose sources are no neighbours in the exemplar."),
+        texture_row("seam_mismatch", "seam mismatch", "of a natural step", lower, three,
+                    "By how much the two windows of the exemplar that meet at a seam differ, mean over both pixels, in "
+                    "parts of the mean difference of neighbours in the exemplar: 1 is natural."),
+        texture_row(
+            "seam_excess", "seam excess", "of a natural step", lower, three,
+            "By how much the step over a seam is larger than the larger of those that both windows have there."),
+        texture_row(
+            "conspicuous_seams", "conspicuous seams", "", lower, three,
+            "The part of the steps over seams that are above the 95 % quantile of the exemplar's: 0.05 cannot be "
+            "seen."),
+        texture_row("longest_run", "longest straight run", "pixels", lower, three,
+                    "Conspicuous steps side by side along a straight line inside of a tile: eyes find straight lines "
+                    "first."),
+        texture_row(
+            "border_joints", "joints a border", "pairs of pixels", lower, three,
+            "Over the border of two tiles that fit, pixels whose sources are no neighbours, as the shared colours "
+            "predict."),
+        texture_row("border_exceptions", "misfits a border", "pairs of pixels", lower, three,
+                    "The same where nothing predicts them: the corner problem of Wang tiles."),
+        texture_row(
+            "border_step", "step over borders", "of a natural step", neither, three,
+            "The mean difference of neighbours in two tiles of a tiling, over the exemplar's mean: 1 is natural."),
+        texture_row("largest_step", "largest step along a line", "of a natural step", lower, three,
+                    "The same of the column or row of a tile, over a whole tiling, where it is largest: 1 is natural."),
+        texture_row("coverage", "coverage", "of the exemplar", higher, three,
+                    "The part of the exemplar's pixels that some tile shows."),
+        texture_row(
+            "lattice_power", "repetition at 1/T", "of the power", lower, three,
+            "The part of the power of a tiling of 16 x 16 tiles at whole multiples of one over the side of a tile. "
+            "Independent tiles have 1/256; one tile again and again has 1."),
+        texture_row("double_lattice_power", "repetition at 1/2T", "of the power", lower, three,
+                    "The same for two tiles: sets whose colours alternate hide at 1/T. Independent tiles have 1/64."),
+        texture_row(
+            "color_distance", "colour distance", "levels", lower, three,
+            "By how many of 255 levels pixels of the tiling must change on average to have the exemplar's colours."),
+    };
+    return all;
+}
+
+std::optional<MeasuredValue> texture_value(const Measure& measure, const DistributionResult& texture)
+{
+    const auto found = std::ranges::find(texture.numbers, measure.key, &DistributionNumber::key);
+    if (found == texture.numbers.end()) return std::nullopt;
+    return MeasuredValue{found->value, found->standard_error};
+}
+
+DistributionNumber texture_number(const std::string& key, double value, std::optional<double> standard_error)
+{
+    const auto row = std::ranges::find(texture_measures(), key, &Measure::key);
+    if (row == texture_measures().end()) throw std::out_of_range("no measure of textures is called " + key);
+    return {key, row->title(), value, row->unit, standard_error};
+}
+
+std::string texture_measures_table()
+{
+    std::string text = "| key | measure | unit | meaning |\n| --- | --- | --- | --- |\n";
+    for (const Measure& row : texture_measures())
+        text += "| `" + row.key + "` | " + row.name + " | " + row.unit + " | " + row.meaning + " |\n";
+    return text;
+}
+
+}

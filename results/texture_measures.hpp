@@ -1,0 +1,26 @@
+// The catalogue of measures of texture tiles: what results.json, the ranking of textures, their pages, diff and
+// docs/output-folder.md say of each follows from its row.
+#pragma once
+
+#include "results/measures.hpp"
+#include "results/pictures/distribution_result.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// All of them, in the order in which they are shown. They have no `get`: see texture_value().
+const std::vector<Measure>& texture_measures();
+
+/// The value that a texture has of a measure.
+std::optional<MeasuredValue> texture_value(const Measure& measure, const DistributionResult& texture);
+
+/// A number as results hold it, by the key of its row. Throws std::out_of_range for others.
+DistributionNumber texture_number(const std::string& key, double value, std::optional<double> standard_error);
+
+/// The rows of the table of docs/output-folder.md, in Markdown.
+std::string texture_measures_table();
+
+}

@@ -1,0 +1,113 @@
+// `poissonlab distribute stipple` and `distribute hatch`: their files, what they say, and what they refuse.
+#include "base/images/png_file.hpp"
+#include "base/points/point_file.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class DistributeStipple : public testing::Test
+{
+protected:
+    Outcome run(const std::string& verb, const std::vector<std::string>& arguments) const
+    {
+        std::vector<std::string> words{"distribute", verb};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return run_program(folder_.path(), words);
+    }
+
+    void expect_error(const std::vector<std::string>& arguments, const std::string& message,
+                      const std::string& verb = "stipple") const
+    {
+        std::vector<std::string> words = arguments;
+        words.insert(words.end(), {"--out", "out.svg"});
+        const Outcome outcome = run(verb, words);
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_THAT(outcome.error, HasSubstr(message));
+        EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.svg"));
+    }
+
+    TemporaryFolder folder_;
+    std::string tiles_ = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+};
+
+/// sRGB 188 is half of the light: the mean of the pixels that dots cover is half black, in linear light.
+TEST_F(DistributeStipple, PrintsAPhotographAsItIs)
+{
+    std::vector<std::uint8_t> grey(96 * 64, 188);
+    write_png(folder_.path() / "photo.png", {96, 64, 1}, [&](int first, int) { return grey.data() + first * 96; });
+    const Outcome outcome =
+        run("stipple", {"--image", "photo.png", "--points", "300", "--ink", "0.8", "--tiles", tiles_, "--out",
+                        "dots.svg", "--out", "dots.png", "--out", "dots.npy", "--pixels", "960", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto said = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(said.at("marks"), 300);
+    EXPECT_NEAR(said.at("mark_area").get<double>(), 0.8 * 0.497 * 96 * 64 / 300, 0.02); // 188 is 0.503 of the light
+    EXPECT_NEAR(said.at("overlap").get<double>(), 0, 1e-9);
+    const PointSet points = read_points(folder_.path() / "dots.npy").at(0);
+    EXPECT_EQ(points.size(), 300);
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LT(points[i][1], 2.0 / 3);
+    const PngPixels png = read_png(folder_.path() / "dots.png");
+    EXPECT_EQ(png.width, 960);
+    EXPECT_EQ(png.height, 640);
+    double sum = 0;
+    for (const std::uint8_t value : png.values) sum += 1 - value / 255.0;
+    // Some 4 * sqrt(300) dots are at the frame, and half of each beyond it, on average.
+    const double ink = 0.8 * 0.497;
+    EXPECT_NEAR(sum / (960 * 640), ink, ink * 4 * std::sqrt(300) / 300 / 2);
+    EXPECT_THAT(content_of(folder_.path() / "dots.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(DistributeStipple, IsTheSameByBothEngines)
+{
+    for (const std::string engine : {"opencl", "reference"}) {
+        const Outcome outcome = run("hatch", {"--image", "0.2+0.1*x", "--stroke", "4", "--tiles", tiles_, "--engine",
+                                              engine, "--out", engine + ".svg", "--out", engine + ".png"});
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_THAT(outcome.out, HasSubstr("strokes, 4 pixels wide; tone error"));
+    }
+    for (const char* kind : {".svg", ".png"})
+        EXPECT_EQ(content_of(folder_.path() / (std::string("opencl") + kind)),
+                  content_of(folder_.path() / (std::string("reference") + kind)));
+}
+
+TEST_F(DistributeStipple, SaysWhatIsTooDark)
+{
+    const Outcome outcome =
+        run("stipple", {"--image", "x < 0 ? 0.9 : 0.1", "--points", "500", "--by", "ranks", "--out", "dots.txt"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, HasSubstr("50.0 % of the pixels are too dark"));
+    EXPECT_THAT(content_of(folder_.path() / "dots.txt"), StartsWith("# domain 0:1\n# poissonlab distribute stipple"));
+}
+
+TEST_F(DistributeStipple, RefusesWhatItCannotDo)
+{
+    expect_error({"--image", "none.png", "--points", "9"}, "distribute stipple: none.png: no such file");
+    expect_error({"--image", "2", "--points", "9"}, "distribute stipple: 2: pixel (0, 1023): ink 2: must be from 0");
+    expect_error({"--image", "0.5"}, "--points or --dot: one of them must be given");
+    expect_error({"--image", "0.5", "--dot", "-3"}, "--dot -3: must be from 0.01");
+    expect_error({"--image", "0.5", "--dot", "9000"}, "distribute stipple: 0 marks for the ink of");
+    expect_error({"--image", "0.5", "--points", "9", "--dot", "3"}, "--points excludes --dot");
+    expect_error({"--image", "0.5", "--points", "9", "--ink", "1.5"}, "--ink 1.5: must be from 0.001 to 1");
+    expect_error({"--image", "0.5", "--points", "9", "--by", "rank"}, "--by rank: must be warping or ranks");
+    expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--method", "random"}, "goes without --method");
+    expect_error({"--image", "0.5", "--points", "9", "--pixels", "40000"}, "--pixels 40000: must be at most 32768");
+    expect_error({"--image", "0.5", "--points", "9", "--slenderness", "0"}, "--slenderness 0: must be from 1", "hatch");
+    expect_error({"--image", "0.5", "--points", "9", "--out", "no/a.png"}, "there is no folder no");
+    expect_error({"--image", "0.5", "--points", "9", "--out", "."}, "--out .: is a folder");
+}
+
+}
+}

@@ -1,0 +1,117 @@
+// Tables [[texture]] and [[packing]]: what they make, measured on sets whose seams cannot be told.
+#include "host/config/distributions/packing_table.hpp"
+#include "host/config/distributions/texture_table.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "results/texture_measures.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tiles/packing/tile_packing.hpp"
+#include "tiles/texture/texture_certificate.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace poissonlab {
+namespace {
+
+using testing::Contains;
+
+class TextureRun : public testing::Test
+{
+protected:
+    DistributionResult make(DistributionConfig config)
+    {
+        DistributionPlace place;
+        place.engine = Engine::reference;
+        DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
+        return make_distribution(config, place, files);
+    }
+
+    static TextureSettings noise_settings()
+    {
+        TextureSettings settings;
+        settings.pattern = "noise";
+        settings.pattern_size = 160;
+        settings.request.colors = {2, 2};
+        settings.request.size = 32;
+        settings.request.attempts = 4;
+        settings.request.candidates = 1;
+        return settings;
+    }
+
+    static DistributionConfig config_of(auto settings, const std::string& kind)
+    {
+        DistributionConfig config;
+        config.kind = kind;
+        config.label = kind;
+        config.settings = std::move(settings);
+        return config;
+    }
+
+    static double number(const DistributionResult& result, const std::string& key)
+    {
+        for (const DistributionNumber& one : result.numbers)
+            if (one.key == key) return one.value;
+        ADD_FAILURE() << key;
+        return 0;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
+{
+    TextureSettings settings = noise_settings();
+    settings.show = texture_shows();
+    const DistributionResult result = make(config_of(settings, "texture"));
+    for (const DistributionPicture& picture : result.pictures)
+        EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;
+    EXPECT_EQ(result.pictures.size(), texture_shows().size());
+    EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).exceptions, 0u);
+    EXPECT_EQ(result.numbers.size(), texture_measures().size());
+    const PngPixels seams = read_png(folder_.path() / "seams.png");
+    EXPECT_EQ(seams.width, 2 * 4 * 32);
+}
+
+/// On white noise no seam can be told: steps over seams are as conspicuous as those of the exemplar.
+TEST_F(TextureRun, FindsNoSeamsInNoise)
+{
+    TextureSettings settings = noise_settings();
+    settings.show = {"exemplar"};
+    settings.sets = 2;
+    // Chosen windows and cuts make seams smaller than chance, never larger.
+    const DistributionResult result = make(config_of(settings, "texture"));
+    EXPECT_LT(number(result, "conspicuous_seams"), 0.05);
+    EXPECT_LT(number(result, "seam_mismatch"), 1.05);
+    EXPECT_NEAR(number(result, "border_step"), 1, 0.05);
+    EXPECT_EQ(number(result, "sets"), 2);
+    EXPECT_TRUE(result.numbers[3].standard_error);
+}
+
+/// Repetition of two Wang colours is that of few samples; one tile again and again has all of its power on the lattice.
+TEST_F(TextureRun, TellsRepetition)
+{
+    TextureSettings few = noise_settings(), many = noise_settings();
+    few.show = many.show = {"exemplar"};
+    few.request.stages = 0;
+    many.request.colors = {3, 3};
+    EXPECT_GT(number(make(config_of(few, "texture")), "lattice_power"),
+              2 * number(make(config_of(many, "texture")), "lattice_power"));
+}
+
+TEST_F(TextureRun, DrawsPackingsWithTheirNumbers)
+{
+    for (const std::string& show : packing_shows()) {
+        PackingSettings settings;
+        settings.method = "closed";
+        settings.show = show;
+        const DistributionResult result = make(config_of(settings, "packing"));
+        EXPECT_EQ(result.pictures.size(), 1u);
+        EXPECT_FALSE(read_mark_picture(folder_.path() / result.pictures[0].file).groups.empty());
+    }
+    EXPECT_FALSE(packing_fault(read_packing(folder_.path() / "tiles.txt", TileKind::corner, 2)));
+}
+
+}
+}

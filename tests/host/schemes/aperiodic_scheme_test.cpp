@@ -1,0 +1,118 @@
+// Schemes of aperiodic sets, isohedral tilings and surfaces.
+#include "host/config/schemes/aperiodic_scheme_table.hpp"
+#include "host/schemes/scheme_run.hpp"
+
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+class AperiodicSchemes : public testing::Test
+{
+protected:
+    DistributionResult made(const SchemeSettings& settings)
+    {
+        DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
+        return make_scheme(settings, 1, files);
+    }
+
+    static double number_of(const DistributionResult& result, const std::string& key)
+    {
+        for (const DistributionNumber& entry : result.numbers)
+            if (entry.key == key) return entry.value;
+        ADD_FAILURE() << "no number " << key;
+        return 0;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(AperiodicSchemes, ConstructionsHaveAsManyCornerTilesAsLieOverTheWindow)
+{
+    const std::vector<std::pair<CornerConstruction, int>> counts{{CornerConstruction::diagonal, 3 * 2},
+                                                                 {CornerConstruction::horizontal, 3 * 3},
+                                                                 {CornerConstruction::vertical, 4 * 2},
+                                                                 {CornerConstruction::subdivision, 4 * 12},
+                                                                 {CornerConstruction::rotation, 12 + 3 * 2}};
+    for (const char* const set : {"ammann", "kari", "culik"})
+        for (const auto& [construction, count] : counts)
+            EXPECT_THAT(made(ConstructionSettings{set, construction, 4, 3}).facts,
+                        testing::Contains(std::to_string(count) + " corner tiles"))
+                << set;
+}
+
+TEST_F(AperiodicSchemes, TablesAreThoseOfTheDissertationAndItsSmallestSetRepeats)
+{
+    const DistributionResult result = made(AperiodicTableSettings{3});
+    EXPECT_GT(number_of(result, "numbers"), 100);
+    EXPECT_EQ(number_of(result, "same"), number_of(result, "numbers"));
+    EXPECT_EQ(number_of(result, "claimed_tiles"), 44);
+    EXPECT_EQ(number_of(result, "claimed_period_width"), 2);
+    EXPECT_EQ(number_of(result, "claimed_period_height"), 3);
+    EXPECT_EQ(number_of(result, "smallest_tiles"), 49);
+    ASSERT_EQ(result.tables.size(), 6);
+    ASSERT_EQ(result.pictures.size(), 1) << "the torus";
+    EXPECT_THAT(result.tables[0].rows,
+                testing::Contains(std::vector<std::string>{"14/6", "4", "1213029/58910", "1213029/58910", "the same"}));
+    EXPECT_THAT(result.tables[0].rows,
+                testing::Contains(std::vector<std::string>{"32/16", "1", "114/32 [84]", "not available", "-"}));
+}
+
+TEST_F(AperiodicSchemes, AperiodicTilingsHavePeaksAndStochasticOnesHaveNot)
+{
+    DiffractionSettings settings;
+    settings.size = 256;
+    TilingRequest stochastic, ammann;
+    stochastic.kind = ammann.kind = TileKind::wang;
+    stochastic.algorithm = "scanline-compact";
+    ammann.algorithm = "ammann";
+    ammann.colors = 6;
+    settings.tilings = {stochastic, ammann};
+    const DistributionResult result = made(settings);
+    // 65,535 powers, exponentially distributed: the highest is below 11.1 + 6.9 but once in a thousand.
+    EXPECT_LT(number_of(result, "peak_scanline-compact"), 18);
+    EXPECT_GT(number_of(result, "peak_ammann"), 1000);
+    EXPECT_GT(number_of(result, "strongest_ammann"), 0.5);
+    EXPECT_EQ(result.pictures.size(), 6);
+    EXPECT_EQ(result.tables.at(0).rows.size(), 2);
+}
+
+TEST_F(AperiodicSchemes, SurfacesOfPolycubesAreTiledWithoutAMismatch)
+{
+    const DistributionResult cube = made(SurfaceSettings{{{0, 0, 0}}, 4});
+    EXPECT_EQ(number_of(cube, "mismatches"), 0);
+    EXPECT_EQ(number_of(cube, "irregular"), 8);
+    EXPECT_EQ(number_of(cube, "euler"), 2);
+    SurfaceSettings ring;
+    for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < 3; ++y)
+            if (x != 1 || y != 1) ring.cubes.push_back({x, y, 0});
+    const DistributionResult torus = made(ring);
+    EXPECT_EQ(number_of(torus, "mismatches"), 0);
+    EXPECT_EQ(number_of(torus, "euler"), 0);
+    EXPECT_EQ(number_of(torus, "crowded"), 0);
+    EXPECT_EQ(number_of(torus, "irregular"), 16); // 8 outer corners with 3 faces, 8 inner ones with 5
+    EXPECT_EQ(number_of(made(SurfaceSettings{{{0, 0, 0}, {1, 1, 0}}, 2}), "crowded"), 1);
+}
+
+TEST_F(AperiodicSchemes, IsohedralTilesFillThePlane)
+{
+    for (const int type : {1, 16, 28, 61, 93}) {
+        IsohedralSettings settings;
+        settings.type = type;
+        settings.is_random = true;
+        const DistributionResult result = made(settings);
+        EXPECT_NEAR(number_of(result, "unit_over_tiles"), 1, 1e-9) << type;
+        EXPECT_THAT(result.facts, testing::Contains("neighbours differ in colour")) << type;
+        settings.coloring = TileColoring{1, std::vector<std::uint32_t>(12), {0, 0}};
+        EXPECT_THAT(made(settings).facts, testing::Contains("some neighbours have the same colour")) << type;
+    }
+}
+
+}
+}

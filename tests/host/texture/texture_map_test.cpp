@@ -1,0 +1,286 @@
+// Views of endless textures: the kernel against its plain twin, and look-ups against an explicit texture, whose levels
+// are means of whole boxes of its pixels.
+#include "host/texture/texture_map.hpp"
+
+#include "host/device/device.hpp"
+#include "host/texture/texture_build.hpp"
+#include "host/texture/texture_light.hpp"
+#include "runtime/texture_tiles.h"
+#include "tests/host/texture/random_picture.hpp"
+#include "tests/support/errors.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint32_t tiling_seed = 5;
+constexpr int tile_pixels = 16;
+
+TextureSet noise_tiles(Color colors, int channels, int ring, int stages = 3)
+{
+    TextureRequest request;
+    request.colors = {colors, colors};
+    request.size = tile_pixels;
+    request.ring = ring;
+    request.stages = stages;
+    request.attempts = 2;
+    request.candidates = 1;
+    return build_texture(request, test::random_picture(90, 80, channels, 3),
+                         [](const std::string&, std::size_t, std::size_t) {})
+        .set;
+}
+
+const TextureSet& ringed_tiles()
+{
+    static const TextureSet set = noise_tiles(2, 1, 2);
+    return set;
+}
+
+/// Looks straight down: pixels are `texels` apart along both axes, the first one's middle `start` texels into the tile.
+TextureView plan(double texels, double start, int size, TextureFilter filter)
+{
+    TextureView view{};
+    const double step = texels / tile_pixels;
+    view.u[0] = start / tile_pixels - step / 2;
+    view.u[1] = step;
+    view.v[0] = start / tile_pixels + step / 2 + size * step;
+    view.v[2] = -step;
+    view.w[0] = 1;
+    view.width = view.height = size;
+    view.samples = 1;
+    view.filter = static_cast<int>(filter);
+    return view;
+}
+
+/// A view to the horizon.
+TextureView perspective(TextureFilter filter)
+{
+    TextureCamera camera;
+    camera.width = 60;
+    camera.height = 44;
+    camera.tile_x = -3;
+    camera.tile_y = std::int64_t{1} << 40;
+    camera.pitch = 12;
+    camera.yaw = 33;
+    camera.samples = 2;
+    camera.filter = filter;
+    return view_of(camera);
+}
+
+TEST(TextureMap, IsTheSameOnADevice)
+{
+    Device device = Device::open();
+    for (const int channels : {1, 3}) {
+        const TexturePyramid pyramid =
+            texture_pyramid(channels == 1 ? ringed_tiles() : noise_tiles(3, 3, 1), tiling_seed);
+        for (const std::string& lookup : channels == 1 ? texture_lookups.all() : std::vector<std::string>{"exact"})
+            for (const std::string& filter : texture_filters.all()) {
+                const TextureView view = perspective(*texture_filters.find(filter));
+                const auto expected = reference_map_texture(pyramid, *texture_lookups.find(lookup), view);
+                for (const std::size_t group : {1u, 64u})
+                    EXPECT_EQ(map_texture(device, pyramid, *texture_lookups.find(lookup), view, group), expected)
+                        << lookup << " " << filter;
+            }
+    }
+}
+
+/// A window of the endless texture, put together pixel by pixel: light, rows from south to north.
+struct ExplicitTexture
+{
+    explicit ExplicitTexture(const TextureSet& set)
+        : side(tiles * set.size), light(static_cast<std::size_t>(side * side))
+    {
+        const PngPixels atlas = atlas_of(set);
+        const auto size = static_cast<std::uint32_t>(set.size);
+        for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(side); ++y)
+            for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(side); ++x)
+                light[y * static_cast<std::uint32_t>(side) + x] =
+                    static_cast<double>(light_of_bytes()[atlas.values[ttiles_texel(
+                        tiling_seed, set.colors.horizontal, size, x / size, y / size, x % size, y % size)]]);
+    }
+
+    /// The mean of a box of 2^level x 2^level pixels.
+    double box(int level, int x, int y) const
+    {
+        double sum = 0;
+        const int size = 1 << level;
+        for (int j = y * size; j < (y + 1) * size; ++j)
+            for (int i = x * size; i < (x + 1) * size; ++i) sum += light[static_cast<std::size_t>(j * side + i)];
+        return sum / (size * size);
+    }
+
+    /// Bilinear between boxes, at a place in pixels.
+    double bilinear(int level, double x, double y) const
+    {
+        const double u = x / (1 << level) - 0.5, v = y / (1 << level) - 0.5;
+        const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
+        const double s = u - i, t = v - j;
+        return (1 - t) * ((1 - s) * box(level, i, j) + s * box(level, i + 1, j)) +
+               t * ((1 - s) * box(level, i, j + 1) + s * box(level, i + 1, j + 1));
+    }
+
+    static constexpr int tiles = 28;
+    int side;
+    std::vector<double> light;
+};
+
+/// Twenty-three pixels along each axis, at each level: they lie at all fractions of texels, on both sides of borders.
+TEST(TextureMap, IsThatOfAnExplicitTextureAtAllLevels)
+{
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const ExplicitTexture texture(ringed_tiles());
+    const int top = pyramid.levels.top;
+    for (int level = 0; level <= top + contract::texture_map::WHOLE_LEVELS; ++level) {
+        const double texels = 1 << level;
+        const int size = level > top ? 3 : 23 >> std::max(0, level - 3);
+        const double start = 4 * tile_pixels + 0.37 * texels;
+        TextureView view = plan(texels, start, size, TextureFilter::mipmap);
+        const auto found = reference_map_texture(pyramid, TextureLookup::exact, view);
+        for (int row = 0; row < size; ++row)
+            for (int column = 0; column < size; ++column) {
+                const double x = start + column * texels, y = start + (size - row) * texels;
+                // Four products of floats, and sums of up to 2^20 values that are rounded once a level.
+                ASSERT_NEAR(static_cast<double>(found[static_cast<std::size_t>(row * size + column)]),
+                            texture.bilinear(level, x, y), 65535 * 16 * 0x1p-24)
+                    << level << " " << column << " " << row;
+            }
+    }
+}
+
+/// Between two powers of two the levels are mixed in proportion.
+TEST(TextureMap, MixesTwoLevels)
+{
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const ExplicitTexture texture(ringed_tiles());
+    const auto found = reference_map_texture(pyramid, TextureLookup::exact, plan(2.5, 70, 40, TextureFilter::mipmap));
+    for (int i = 0; i < 1600; ++i) {
+        const double x = 70 + i % 40 * 2.5, y = 70 + (40 - i / 40) * 2.5;
+        ASSERT_NEAR(static_cast<double>(found[static_cast<std::size_t>(i)]),
+                    0.75 * texture.bilinear(1, x, y) + 0.25 * texture.bilinear(2, x, y), 0.1);
+    }
+}
+
+/// The pixels of a view that differ between packed and exact look-ups.
+std::size_t differences(const TexturePyramid& pyramid, const TextureView& view)
+{
+    const auto packed = reference_map_texture(pyramid, TextureLookup::packed, view);
+    const auto exact = reference_map_texture(pyramid, TextureLookup::exact, view);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < packed.size(); ++i) count += packed[i] != exact[i];
+    return count;
+}
+
+/// The theorem of rings: bit for bit the same up to the level of the ring, and not beyond it; never without a ring.
+TEST(TextureMap, IsRightInThePackedAtlasUpToTheLevelOfTheRing)
+{
+    for (const int ring : {0, 1, 2}) {
+        const TexturePyramid pyramid = texture_pyramid(noise_tiles(3, 1, ring, ring == 0 ? 1 : 3), tiling_seed);
+        for (int level = 0; level < 3; ++level) {
+            const std::size_t count =
+                differences(pyramid, plan(1 << level, 0.37 * (1 << level), 160 >> level, TextureFilter::mipmap));
+            if (1 << level <= ring)
+                EXPECT_EQ(count, 0u) << ring << " " << level;
+            else
+                EXPECT_GT(count, 0u) << ring << " " << level;
+        }
+    }
+}
+
+TEST(TextureMap, ShowsTheBytesOfTheAtlasWhereNothingIsFiltered)
+{
+    const TextureSet set = noise_tiles(2, 3, 1);
+    const PngPixels atlas = atlas_of(set);
+    const auto light = reference_map_texture(texture_pyramid(set, tiling_seed), TextureLookup::exact,
+                                             plan(1, 0.5, 4 * tile_pixels, TextureFilter::nearest));
+    const PngPixels seen = encoded_pixels(light, 4 * tile_pixels, 4 * tile_pixels, 3);
+    for (std::uint32_t y = 0; y < 4 * tile_pixels; ++y)
+        for (std::uint32_t x = 0; x < 4 * tile_pixels; ++x)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                // The view's last row is one pixel above its start.
+                const std::uint32_t north = y + 1;
+                ASSERT_EQ(seen.values[seen.at(static_cast<int>(x), 4 * tile_pixels - 1 - static_cast<int>(y),
+                                              static_cast<int>(c))],
+                          atlas.values[3 * ttiles_texel(tiling_seed, 2, tile_pixels, x / tile_pixels,
+                                                        north / tile_pixels, x % tile_pixels, north % tile_pixels) +
+                                       c]);
+            }
+}
+
+/// Tiles far away, and places left of 0: the view from another tile is the same picture.
+TEST(TextureMap, CountsTilesWithoutEnd)
+{
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const TextureView near = plan(0.5, 3.25 * tile_pixels, 96, TextureFilter::bilinear);
+    for (const int shift : {-7, 4}) {
+        TextureView far = plan(0.5, (3.25 + shift) * tile_pixels, 96, TextureFilter::bilinear);
+        far.tile_x = far.tile_y = static_cast<std::uint32_t>(-shift);
+        EXPECT_EQ(reference_map_texture(pyramid, TextureLookup::exact, far),
+                  reference_map_texture(pyramid, TextureLookup::exact, near));
+    }
+}
+
+/// The mean difference from a view with 8 x 8 bilinear samples a pixel, which are as many as the distance needs here.
+double filtering_error(const TexturePyramid& pyramid, TextureFilter filter)
+{
+    TextureCamera camera;
+    camera.width = camera.height = 40;
+    camera.pitch = 30;
+    camera.field = 25;
+    camera.above = 3;
+    camera.filter = filter;
+    const auto filtered = reference_map_texture(pyramid, TextureLookup::exact, view_of(camera));
+    camera.samples = 8;
+    camera.filter = TextureFilter::bilinear;
+    const auto samples = reference_map_texture(pyramid, TextureLookup::exact, view_of(camera));
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) sum += std::abs(static_cast<double>(filtered[i] - samples[i]));
+    return sum / static_cast<double>(samples.size());
+}
+
+TEST(TextureMap, IsNearerToManySamplesTheBetterItIsFiltered)
+{
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const double mipmap = filtering_error(pyramid, TextureFilter::mipmap);
+    EXPECT_LT(filtering_error(pyramid, TextureFilter::anisotropic), mipmap);
+    EXPECT_LT(mipmap, filtering_error(pyramid, TextureFilter::bilinear));
+    EXPECT_LT(mipmap, filtering_error(pyramid, TextureFilter::nearest));
+}
+
+TEST(TextureMap, HasTheMeanOfAllTilesFarAway)
+{
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const auto light = reference_map_texture(pyramid, TextureLookup::exact, plan(1e6, 0, 3, TextureFilter::mipmap));
+    double sum = 0;
+    for (const std::uint8_t value : ringed_tiles().values) sum += static_cast<double>(light_of_bytes()[value]);
+    const double mean = sum / static_cast<double>(ringed_tiles().values.size());
+    for (const float value : light) EXPECT_NEAR(static_cast<double>(value), mean, 65535 * 16 * 0x1p-24);
+}
+
+TEST(TextureMap, RefusesOtherSets)
+{
+    TextureSet some = ringed_tiles();
+    some.tiles.pop_back();
+    EXPECT_THAT(message_of([&] { texture_pyramid(some, 1); }), HasSubstr("must be a complete set of corner tiles"));
+    TextureSet odd = ringed_tiles();
+    odd.size = 12;
+    EXPECT_THAT(message_of([&] { texture_pyramid(odd, 1); }), HasSubstr("tile_size = 12: must be a power of two"));
+}
+
+TEST(TextureLight, GivesBytesBack)
+{
+    for (int byte = 0; byte < 256; ++byte)
+        EXPECT_EQ(byte_of_light(light_of_bytes()[static_cast<std::size_t>(byte)]), byte);
+    EXPECT_EQ(light_of_bytes()[0], 0);
+    EXPECT_EQ(light_of_bytes()[255], 65535);
+    EXPECT_EQ(byte_of_light(1e9f), 255);
+    // IEC 61966-2-1: half of the light is byte 188.
+    EXPECT_EQ(byte_of_light(32767.5f), 188);
+}
+
+}
+}

@@ -1,0 +1,210 @@
+"""analyze(): the program's numbers, oracles that are not ours, files of several tools, the figure."""
+
+import base64
+import ctypes
+import re
+import struct
+import unittest
+import xml.etree.ElementTree
+
+import numpy
+
+import poissonlab as pl
+from support import FolderTest, columns_of, error_of_program, program, torus_distance
+
+
+def sets_of(k, n, d=2):
+    return pl.DartThrowing(d=d, relative_radius=0.6, rng=5).realizations(k, n)
+
+
+class Analyses(FolderTest):
+    def analyzed_by_program(self, sets, *options):
+        files = [self.folder / f"{i:03}.npy" for i in range(len(sets))]
+        for file, points in zip(files, sets):
+            numpy.save(file, points)
+        out = self.folder / "out"
+        program("analyze", *files, "--label", "points", "--out", out, "--quiet", *options)
+        return out
+
+    def assert_same_curves(self, analysis, folder):
+        stored = columns_of(folder / "radial.csv")
+        for name, column in {"frequency": "frequency", "power": "power", "error": "power_error",
+                             "anisotropy_db": "anisotropy_db"}.items():
+            self.assert_same_bytes(getattr(analysis.radial, name), stored[column])
+        numpy.testing.assert_array_equal(analysis.radial.samples, stored["samples"])
+        stored = columns_of(folder / "pair-correlation.csv")
+        for name, column in {"distance": "distance", "value": "pair_correlation", "error": "standard_error",
+                             "pairs": "pairs"}.items():
+            self.assert_same_bytes(getattr(analysis.pair_correlation, name), stored[column])
+
+    def test_have_the_numbers_of_the_program_bit_for_bit(self):
+        for k, n, d, options in ((3, 200, 2, {}), (1, 150, 3, {}), (34, 20, 2, {"spectrum": "exact"}),
+                                 (2, 64, 2, {"window": True, "bin_width": 2})):
+            with self.subTest(k=k, d=d, **options):
+                sets = sets_of(k, n, d)
+                words = [f"analysis.{key}={str(value).lower()}" for key, value in options.items()]
+                out = self.analyzed_by_program(sets, *(word for change in words for word in ("--set", change)))
+                analysis = pl.analyze(sets, **options)
+                stored = pl.open(out)["points"]
+                self.assert_same_curves(analysis, out / "points")
+                self.assert_same_curves(stored, out / "points")
+                measured, read = ({key for key in a.measures if "time" not in key} for a in (analysis, stored))
+                self.assertEqual(measured, read)
+                for key, measure in stored.measures.items():
+                    if "time" not in key:
+                        self.assertEqual((measure.value, measure.error), analysis.measures[key][:2], key)
+                        numpy.testing.assert_array_equal(measure.each, analysis.measures[key].each)
+                if d == 2:
+                    self.assert_same_bytes(analysis.spectrum.astype(numpy.float32),
+                                           stored.spectrum.astype(numpy.float32))
+                else:
+                    self.assertIsNone(stored.spectrum)
+                    middle = analysis.spectrum.shape[0] // 2
+                    self.assert_same_bytes(analysis.spectrum[middle].astype(numpy.float32),
+                                           stored.spectrum_planes["xy"].astype(numpy.float32))
+                for a, b in zip(stored.sets, sets, strict=True):
+                    self.assert_same_bytes(a, b)
+
+    def test_are_sums_that_numpy_makes_as_well(self):
+        sets = sets_of(2, 40)
+        analysis = pl.analyze(sets, spectrum="exact", spectrum_size=32)
+        f = numpy.arange(-16, 16)
+        powers = []
+        for x in sets:
+            phases = numpy.exp(-2j * numpy.pi * (f[None, :, None] * x[:, 0] + f[:, None, None] * x[:, 1]))
+            powers.append(abs(phases.sum(axis=2))**2 / 40)
+        # Values are within 1e-11 N of the sum, see spectrum.hpp: so is a power of at most N within some 1e-9.
+        numpy.testing.assert_allclose(analysis.spectrum, numpy.mean(powers, axis=0), rtol=0, atol=1e-9)
+        numpy.testing.assert_allclose(analysis.spectrum_variance, numpy.var(powers, axis=0, ddof=1), rtol=0, atol=1e-7)
+        self.assertAlmostEqual(analysis.spectrum[16, 16], 40, places=9)
+        ring = numpy.rint(numpy.hypot(f[:, None], f[None, :])) == 5
+        self.assertEqual(analysis.radial.frequency[4], 5)
+        self.assertEqual(analysis.radial.samples[4], ring.sum())
+        self.assertAlmostEqual(analysis.radial.power[4], numpy.mean(powers, axis=0)[ring].mean(), places=9)
+
+    def test_measure_the_smallest_distance_of_all_pairs(self):
+        for d in (2, 3):
+            sets = pl.Random(d=d, rng=9).realizations(3, 100)
+            analysis = pl.analyze(sets)
+            smallest = [torus_distance(points) for points in sets]
+            numpy.testing.assert_allclose(analysis.min_distance, smallest, rtol=1e-13)
+            largest = (2 / (numpy.sqrt(3) * 100))**(1 / 2) if d == 2 else (numpy.sqrt(2) / 100)**(1 / 3)
+            numpy.testing.assert_allclose(analysis.relative_radius, analysis.min_distance / largest, rtol=1e-13)
+            self.assertEqual((analysis.dimension, analysis.points, analysis.realizations), (d, 100, 3))
+
+    def test_read_what_several_tools_write(self):
+        points = sets_of(1, 60)[0]
+        plain, utk, ply = self.folder / "plain.txt", self.folder / "utk.dat", self.folder / "set.ply"
+        numpy.savetxt(plain, points, fmt="%.17g")
+        rows = "\n".join(f"{x:.17g} {y:.17g}" for x, y in points)
+        utk.write_text(f"{rows}\n#\n{rows}\n")
+        (self.folder / "utk.bin").write_bytes(struct.pack("<4sB3xIII", b"UTK!", 5, 1, 60, 2) + points.tobytes())
+        ply.write_bytes(b"ply\nformat binary_little_endian 1.0\nelement vertex 60\nproperty double x\n"
+                        b"property double y\nproperty double z\nend_header\n" +
+                        b"".join(struct.pack("<3d", x, y, 0) for x, y in points))
+        numpy.save(self.folder / "set.npy", numpy.asfortranarray(points))
+        files = [plain, utk, ply, self.folder / "set.npy", self.folder / "utk.bin"]
+        expected = pl.analyze(points).radial.power
+        for file in files:
+            with self.subTest(file.name):
+                analysis = pl.analyze(file)
+                self.assertEqual(analysis.realizations, 2 if file is utk else 1)
+                self.assert_same_bytes(analysis.sets[0], points)
+                numpy.testing.assert_allclose(analysis.radial.power, expected, rtol=1e-12)
+        self.assertEqual(pl.analyze([plain, utk]).realizations, 3)
+        self.assert_same_bytes(pl.analyze(2 * points - 1, domain=(-1, 1)).sets[0],
+                               numpy.minimum((2 * points - 1 + 1) / 2, 1 - 2**-53))
+
+    def test_write_what_numpy_reads(self):
+        points = sets_of(1, 60)[0]
+        pl.write_points(self.folder / "set.npy", points)
+        self.assert_same_bytes(numpy.load(self.folder / "set.npy"), points)
+        pl.write_points(self.folder / "set.txt", points, "a comment")
+        self.assert_same_bytes(numpy.loadtxt(self.folder / "set.txt"), points)
+        self.assert_same_bytes(pl.read_points(self.folder / "set.txt")[0], points)
+
+    def test_take_whatever_becomes_an_array(self):
+        points = sets_of(2, 50)
+        self.assertEqual(pl.analyze(points[0].tolist()).realizations, 1)
+        self.assertEqual(pl.analyze([points[0], points[1]]).realizations, 2)
+        self.assertEqual(pl.analyze(points.tolist()).realizations, 2)
+        self.assertEqual(pl.analyze(points[0].astype(numpy.float32)).points, 50)
+        self.assert_same_bytes(pl.analyze(numpy.asfortranarray(points[0])).sets[0], points[0])
+
+    def test_leave_out_what_is_not_asked_for(self):
+        analysis = pl.analyze(sets_of(1, 50), spectrum="none", measures="distances")
+        self.assertIsNone(analysis.spectrum)
+        self.assertEqual(len(analysis.radial.power), 0)
+        self.assertEqual(len(analysis.pair_correlation.value), 0)
+
+    def test_are_the_same_each_time(self):
+        # The order in which CGAL holds tetrahedra depends on addresses: no last bit may show it.
+        sets = sets_of(1, 150, 3)
+        radii = {pl.analyze(sets).measures["largest_empty"].value for _ in range(20)}
+        self.assertEqual(len(radii), 1)
+
+    def test_are_kept_and_for_reading_only(self):
+        analysis = pl.analyze(sets_of(2, 50))
+        self.assertIs(analysis.spectrum, analysis.spectrum)
+        for array in (analysis.spectrum, analysis.spectrum_variance, analysis.radial.power, analysis.sets[0],
+                      analysis.pair_correlation.value, analysis.relative_radius):
+            with self.assertRaisesRegex(ValueError, "read-only"):
+                array[0] = 0
+        with self.assertRaises(TypeError):
+            analysis.measures["more"] = 0
+
+    def test_leave_numpy_its_threads(self):
+        blas = ctypes.CDLL("libopenblas.so.0")
+        blas.openblas_set_num_threads(2)
+        pl.analyze(sets_of(1, 50), spectrum="exact")
+        self.assertEqual(blas.openblas_get_num_threads(), 2)
+
+    def test_show_the_classic_figure(self):
+        page = pl.analyze(sets_of(2, 200), label="Darts <1 & 2>")._repr_html_()
+        self.assertIn("Darts &lt;1 &amp; 2&gt;", page)
+        pictures = re.findall(r'src="data:(image/[a-z+]+);base64,([^"]+)"', page)
+        self.assertEqual([kind for kind, _ in pictures],
+                         ["image/svg+xml", "image/png", "image/svg+xml", "image/svg+xml"])
+        for kind, data in pictures:
+            content = base64.b64decode(data, validate=True)
+            if kind == "image/png":
+                self.assertEqual(content[:8], b"\x89PNG\r\n\x1a\n")
+            else:
+                self.assertTrue(xml.etree.ElementTree.fromstring(content).tag.endswith("svg"))
+        xml.etree.ElementTree.fromstring(page)  # every tag is closed
+
+    def test_write_reports(self):
+        analysis = pl.analyze(sets_of(2, 100), label="Mine")
+        analysis.report(self.folder / "report")
+        self.assertIn("Mine", (self.folder / "report/index.html").read_text())
+        self.assert_same_curves(analysis, self.folder / "report/Mine")
+
+    def test_refuse_what_is_no_set(self):
+        points = sets_of(1, 50)[0]
+        wrong = points.copy()
+        wrong[7, 1] = 1
+        for mistake, words in ((wrong, r"^points: realization 0: point 7: 1: must be a number in \[0, 1\)$"),
+                               (points * numpy.nan, r"point 0: nan: must be"),
+                               (points[:, :1], r"shape \(50, 1\): must be \(points, 2\) or \(points, 3\)"),
+                               (points[:0], "has no points"), ([], "there are no points"),
+                               ([points, points[:9]], "has 9 points where .* has 50: realizations must have the same")):
+            with self.assertRaisesRegex(pl.InputError, words):
+                pl.analyze(mistake)
+        with self.assertRaisesRegex(pl.InputError, r"^analyze: spectrum_size = 7: must be"):
+            pl.analyze(points, spectrum_size=7)
+        with self.assertRaisesRegex(pl.InputError, r"^analyze: .*spectrun"):
+            pl.analyze(points, spectrun="none")
+        with self.assertRaisesRegex(pl.InputError, "must be a number in"):
+            pl.analyze(points, domain=(0, points.max()))
+
+    def test_say_of_files_what_the_program_says(self):
+        file = self.folder / "wrong.txt"
+        for text in ("0.1 0.2\n0.3\n", "0.1 0.2\n0.5 1.5\n", "", "words"):
+            file.write_text(text)
+            with self.assertRaises(pl.InputError) as caught:
+                pl.analyze(file)
+            self.assertEqual(str(caught.exception), error_of_program("analyze", file, "--out", self.folder / "out"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,108 @@
+// Claims about texture tiles: each agrees with results as the papers have them, and not with others.
+#include "reports/claims/paper_claims.hpp"
+#include "results/texture_measures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+/// Textures of one exemplar whose numbers are made up.
+class MadeUpTextures
+{
+public:
+    DistributionResult& add(const std::string& kind, const std::string& stages, const std::string& colors,
+                            const std::map<std::string, double>& numbers, const std::string& tiles = "complete")
+    {
+        DistributionResult& texture = textures_.emplace_back();
+        texture.kind = "texture";
+        texture.parameters = {{"exemplar", "brick"}, {"kind", kind},   {"colors", colors}, {"size", "64"},
+                              {"smooth", "false"},   {"tiles", tiles}, {"stages", stages}};
+        texture.numbers.push_back(texture_number("tiles", 16, {}));
+        for (const auto& [key, value] : numbers) texture.numbers.push_back(texture_number(key, value, {}));
+        return texture;
+    }
+
+    /// The outcome of a claim; empty: it is left out.
+    std::optional<ClaimOutcome> outcome(const std::string& id) const
+    {
+        std::vector<const DistributionResult*> all;
+        for (const DistributionResult& texture : textures_) all.push_back(&texture);
+        for (const JudgedClaim& judged : judge_claims({}, all))
+            if (judged.claim->id == id) return judged.outcome;
+        return std::nullopt;
+    }
+
+private:
+    std::deque<DistributionResult> textures_;
+};
+
+/// Omega tiles, tiles without new pieces, and Wang tiles, the first better than the others by a factor.
+MadeUpTextures compared_textures(double better)
+{
+    MadeUpTextures textures;
+    const auto numbers = [](double factor) {
+        return std::map<std::string, double>{
+            {"color_distance", 2 * factor}, {"double_lattice_power", 0.1 * factor}, {"conspicuous_seams", 0.1 * factor},
+            {"coverage", 0.5 / factor},     {"seam_mismatch", 1.5 / factor},        {"border_exceptions", 0}};
+    };
+    textures.add("omega", "1", "4", numbers(1 / better));
+    textures.add("corner", "0", "2", numbers(1));
+    textures.add("wang", "3", "2", numbers(1));
+    return textures;
+}
+
+TEST(TextureClaims, AgreeWithWhatThePapersSaw)
+{
+    const MadeUpTextures textures = compared_textures(2);
+    for (const char* id : {"5.3-new-patch", "5.3-similar", "5.3-large", "5.3-junctions", "5.3-straight"})
+        EXPECT_EQ(textures.outcome(id)->agreement, Agreement::agrees) << id;
+    const MadeUpTextures others = compared_textures(0.5);
+    for (const char* id : {"5.3-new-patch", "5.3-similar", "5.3-large", "5.3-junctions", "5.3-straight"})
+        EXPECT_EQ(others.outcome(id)->agreement, Agreement::disagrees) << id;
+}
+
+TEST(TextureClaims, AreAboutEqualMemoryOnOneExemplar)
+{
+    MadeUpTextures textures;
+    textures.add("omega", "1", "4", {{"color_distance", 1}});
+    DistributionResult& wang = textures.add("wang", "3", "2", {{"color_distance", 2}});
+    EXPECT_TRUE(textures.outcome("5.3-similar"));
+    wang.numbers[0].value = 81;
+    EXPECT_FALSE(textures.outcome("5.3-similar"));
+    wang.numbers[0].value = 16;
+    wang.parameters[0].value = "gravel";
+    EXPECT_FALSE(textures.outcome("5.3-similar"));
+}
+
+TEST(TextureClaims, CountBordersThatDoNotFit)
+{
+    MadeUpTextures textures;
+    textures.add("corner", "3", "2", {{"border_exceptions", 0}});
+    DistributionResult& wang = textures.add("wang", "3", "2", {{"border_exceptions", 0}});
+    EXPECT_EQ(textures.outcome("5.3-fit")->agreement, Agreement::agrees);
+    EXPECT_EQ(textures.outcome("5.3-corners")->agreement, Agreement::agrees);
+    wang.numbers[1].value = 0.9;
+    EXPECT_EQ(textures.outcome("5.3-fit")->agreement, Agreement::disagrees);
+    EXPECT_THAT(textures.outcome("5.3-fit")->measured, HasSubstr("0.90 pairs of pixels a border"));
+    EXPECT_EQ(textures.outcome("5.3-corners")->agreement, Agreement::agrees);
+}
+
+TEST(TextureClaims, CompareEightTilesWithEighteen)
+{
+    MadeUpTextures textures;
+    textures.add("wang", "3", "2", {{"lattice_power", 0.2}}, "compact");
+    EXPECT_FALSE(textures.outcome("5.3-more-tiles"));
+    DistributionResult& many = textures.add("wang", "3", "3", {{"lattice_power", 0.1}}, "compact");
+    EXPECT_EQ(textures.outcome("5.3-more-tiles")->agreement, Agreement::agrees);
+    many.numbers[1].value = 0.3;
+    EXPECT_EQ(textures.outcome("5.3-more-tiles")->agreement, Agreement::disagrees);
+}
+
+}
+}

@@ -1,0 +1,93 @@
+// Measures of tilings as pictures, against sums that are written down as their definitions say.
+#include "tiles/texture/tiling_measures.hpp"
+
+#include "tests/host/texture/random_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+/// A picture again and again.
+PngPixels repeated_picture(const PngPixels& tile, int columns, int rows)
+{
+    PngPixels picture{columns * tile.width, rows * tile.height, tile.channels, {}};
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            for (int c = 0; c < tile.channels; ++c)
+                picture.values.push_back(tile.values[tile.at(x % tile.width, y % tile.height, c)]);
+    return picture;
+}
+
+/// The power at a frequency in whole cycles over the picture.
+double power_at(const PngPixels& picture, int u, int v)
+{
+    std::complex<double> sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            sum += static_cast<double>(picture.values[picture.at(x, y, 0)]) *
+                   std::polar(1.0, -2 * std::numbers::pi *
+                                       (static_cast<double>(u * x) / picture.width +
+                                        static_cast<double>(v * y) / picture.height));
+    return std::norm(sum);
+}
+
+TEST(TilingMeasures, LatticePowerIsThatOfTheTransform)
+{
+    const PngPixels picture = test::random_picture(20, 16, 1, 5);
+    double lattice = 0, all = 0;
+    for (int v = 0; v < 16; ++v)
+        for (int u = 0; u < 20; ++u) {
+            if (u == 0 && v == 0) continue;
+            all += power_at(picture, u, v);
+            if (u % 5 == 0 && v % 4 == 0) lattice += power_at(picture, u, v); // multiples of 1/4: 5 and 4 tiles of 4
+        }
+    EXPECT_NEAR(lattice_power(picture, 4), lattice / all, 1e-12);
+}
+
+TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
+{
+    const PngPixels tile = test::random_picture(8, 8, 3, 6);
+    EXPECT_NEAR(lattice_power(repeated_picture(tile, 5, 4), 8), 1, 1e-12);
+    // 256 independent tiles: 1/256, with 64 squares of Gaussian sums, so a standard error of sqrt(2/64)/256.
+    EXPECT_NEAR(lattice_power(test::random_picture(128, 128, 1, 7), 8), 1.0 / 256, 5 * std::sqrt(2.0 / 64) / 256);
+    EXPECT_EQ(lattice_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8), 0);
+}
+
+/// Two pictures with as many pixels: the distance is the mean difference of their sorted values.
+TEST(TilingMeasures, ColorDistanceIsThatOfSortedValues)
+{
+    const PngPixels one = test::random_picture(31, 17, 1, 8, 200), other = test::random_picture(17, 31, 1, 9);
+    std::vector<std::uint8_t> a = one.values, b = other.values;
+    std::ranges::sort(a);
+    std::ranges::sort(b);
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+    EXPECT_NEAR(color_distance(one, other), sum / static_cast<double>(a.size()), 1e-9);
+    EXPECT_EQ(color_distance(one, one), 0);
+}
+
+TEST(TilingMeasures, StepsAreOverThoseOfTheExemplar)
+{
+    // Steps of 2 everywhere but for those from tile to tile, which are 8 to the east and 4 to the south.
+    PngPixels tile{4, 4, 1, {}};
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) tile.values.push_back(static_cast<std::uint8_t>(100 + 2 * x + 2 * y));
+    PngPixels tiling = repeated_picture(tile, 3, 3);
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 12; ++x)
+            tiling.values[tiling.at(x, y, 0)] += static_cast<std::uint8_t>(14 * (x / 4) + 10 * (y / 4));
+    const StepMap map = step_map(tiling, tile, 4);
+    EXPECT_DOUBLE_EQ(map.border, (8.0 / 2 + 4.0 / 2) / 2);
+    EXPECT_DOUBLE_EQ(map.largest, 4);
+    EXPECT_DOUBLE_EQ(map.steps[0], 1);
+    EXPECT_DOUBLE_EQ(map.steps[3], (4.0 + 1) / 2);
+}
+
+}
+}

@@ -1,0 +1,14 @@
+// Where the tiles of endless textures lie in their atlas, as runtime/texture_tiles.h has it for other programs.
+#pragma once
+
+#include "tiles/tilings/tile_set.hpp"
+
+#include <cstdint>
+
+namespace poissonlab {
+
+/// The place in the atlas, y C^2 + x from the lower left, of the tile whose lower left corner is the lattice point (x,
+/// y), modulo 2^32.
+std::uint32_t endless_place(std::uint32_t seed, Color colors, std::uint32_t x, std::uint32_t y);
+
+}

@@ -1,0 +1,114 @@
+#include "tiles/texture/tiling_measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+namespace poissonlab {
+namespace {
+
+int step_of(const PngPixels& picture, int x, int y, int dx, int dy)
+{
+    int sum = 0;
+    for (int c = 0; c < picture.channels; ++c)
+        sum += std::abs(picture.values[picture.at(x + dx, y + dy, c)] - picture.values[picture.at(x, y, c)]);
+    return sum;
+}
+
+double mean_step(const PngPixels& picture, int dx, int dy)
+{
+    std::int64_t sum = 0, count = 0;
+    for (int y = 0; y + dy < picture.height; ++y)
+        for (int x = 0; x + dx < picture.width; ++x, ++count) sum += step_of(picture, x, y, dx, dy);
+    return static_cast<double>(sum) / static_cast<double>(std::max<std::int64_t>(1, count));
+}
+
+/// Means by place in the tile, of one direction, over the exemplar's; 1 where that has no steps.
+std::vector<double> directed_steps(const PngPixels& tiling, const PngPixels& exemplar, int size, int dx, int dy)
+{
+    const auto side = static_cast<std::size_t>(size);
+    std::vector<std::int64_t> sums(side * side), counts(side * side);
+    for (int y = 0; y + dy < tiling.height; ++y)
+        for (int x = 0; x + dx < tiling.width; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y % size) * side + static_cast<std::size_t>(x % size);
+            sums[at] += step_of(tiling, x, y, dx, dy);
+            ++counts[at];
+        }
+    const double natural = mean_step(exemplar, dx, dy);
+    std::vector<double> means(sums.size(), 1);
+    for (std::size_t i = 0; natural > 0 && i < sums.size(); ++i)
+        if (counts[i] > 0) means[i] = static_cast<double>(sums[i]) / static_cast<double>(counts[i]) / natural;
+    return means;
+}
+
+/// The mean over a column, or of a row.
+double line_mean(const std::vector<double>& means, std::size_t side, std::size_t line, bool is_column)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < side; ++i) sum += is_column ? means[i * side + line] : means[line * side + i];
+    return sum / static_cast<double>(side);
+}
+
+std::array<double, 256> cumulative(const PngPixels& picture, int channel)
+{
+    std::array<double, 256> shares{};
+    const double one = 1.0 / (static_cast<double>(picture.width) * picture.height);
+    for (std::size_t i = static_cast<std::size_t>(channel); i < picture.values.size();
+         i += static_cast<std::size_t>(picture.channels))
+        shares[picture.values[i]] += one;
+    for (std::size_t i = 1; i < shares.size(); ++i) shares[i] += shares[i - 1];
+    return shares;
+}
+
+}
+
+StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size)
+{
+    const auto side = static_cast<std::size_t>(size);
+    const std::vector<double> east = directed_steps(tiling, exemplar, size, 1, 0),
+                              south = directed_steps(tiling, exemplar, size, 0, 1);
+    StepMap map{size, std::vector<double>(east.size()), 0, 0};
+    for (std::size_t i = 0; i < east.size(); ++i) map.steps[i] = (east[i] + south[i]) / 2;
+    map.border = (line_mean(east, side, side - 1, true) + line_mean(south, side, side - 1, false)) / 2;
+    for (std::size_t line = 0; line < side; ++line)
+        map.largest = std::max({map.largest, line_mean(east, side, line, true), line_mean(south, side, line, false)});
+    return map;
+}
+
+double lattice_power(const PngPixels& tiling, int size)
+{
+    const int columns = tiling.width / size, rows = tiling.height / size;
+    const auto side = static_cast<std::size_t>(size);
+    double lattice = 0, all = 0;
+    for (int c = 0; c < tiling.channels; ++c) {
+        std::vector<double> folded(side * side);
+        double sum = 0, squares = 0;
+        for (int y = 0; y < rows * size; ++y)
+            for (int x = 0; x < columns * size; ++x) {
+                const double value = tiling.values[tiling.at(x, y, c)];
+                folded[static_cast<std::size_t>(y % size) * side + static_cast<std::size_t>(x % size)] += value;
+                sum += value;
+                squares += value * value;
+            }
+        const double copies = static_cast<double>(columns) * rows, pixels = copies * size * size;
+        const double mean = sum / pixels;
+        for (const double value : folded)
+            lattice += (value / copies - mean) * (value / copies - mean) / static_cast<double>(folded.size());
+        all += squares / pixels - mean * mean;
+    }
+    return all > 0 ? lattice / all : 0;
+}
+
+double color_distance(const PngPixels& one, const PngPixels& other)
+{
+    double sum = 0;
+    for (int c = 0; c < one.channels; ++c) {
+        const auto a = cumulative(one, c), b = cumulative(other, c);
+        for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+    }
+    return sum / one.channels;
+}
+
+}

@@ -1,0 +1,32 @@
+// Differences of a tiling with texture tiles from its exemplar, as pictures: steps by their place in the tile, power on
+// the lattice of tiles, and colours.
+#pragma once
+
+#include "base/images/png_file.hpp"
+
+#include <vector>
+
+namespace poissonlab {
+
+/// Mean differences between neighbours by the place in a tile, in parts of the exemplar's mean in the same direction.
+struct StepMap
+{
+    int size = 0;              ///< T
+    std::vector<double> steps; ///< T x T, means of both directions, rows from the north: to the east and to the south
+    double border = 0;         ///< mean over the steps from tile to tile
+    double largest = 0;        ///< the largest mean over a column of steps to the east, or a row of steps to the south
+};
+
+/// The map of a tiling of whole tiles of size x size pixels, with the exemplar's channels.
+StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size);
+
+/// The part of the tiling's power, without its mean, at frequencies that are whole multiples of one over `size` pixels:
+/// by Parseval's theorem the variance of the mean over all squares of this size, over that of all pixels. Sums over
+/// channels. Squares that are independent have 1 over their number.
+double lattice_power(const PngPixels& tiling, int size);
+
+/// The mean over channels of the area between the cumulative distributions of two pictures' values: by how many levels
+/// out of 255 pixels of one must change on average to have the other's colours.
+double color_distance(const PngPixels& one, const PngPixels& other);
+
+}
