@@ -3,6 +3,7 @@
 #include "app/commands/command.hpp"
 #include "app/man_page.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
 #include "host/config/nearest_key.hpp"
 #include "version.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <type_traits>
 
@@ -48,12 +50,26 @@ CLI::Validator integer()
         "");
 }
 
+/// Accepts numbers. Not-a-number and infinities pass where the command can tell them from an option that was not
+/// given: its own message names the range.
+CLI::Validator number(bool only_finite)
+{
+    return CLI::Validator(
+        [only_finite](const std::string& text) -> std::string {
+            double value = 0;
+            if (parse_number(text, value) && (!only_finite || std::isfinite(value))) return {};
+            return fmt::format("{}: must be a number", text);
+        },
+        "");
+}
+
 template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
     if constexpr (std::is_same_v<Value, int>) added->check(CLI::Range(1, 4096));
     if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>());
+    if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
         added->expected(1, option.most_values)->check(integer<std::int64_t>());
     const bool has_place = !option.name.starts_with('-');
@@ -92,8 +108,11 @@ std::vector<Command> all_commands(const std::string& typed)
                                   tiles_verify_command()};
     std::vector<Command> of_aperiodic{aperiodic_sets_command(), aperiodic_convert_command(), aperiodic_verify_command(),
                                       aperiodic_tile_command(), aperiodic_tables_command()};
-    std::vector<Command> of_densities{distribute_warp_command(), distribute_rank_command()};
-    std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command()};
+    std::vector<Command> of_densities{distribute_warp_command(),    distribute_rank_command(),
+                                      distribute_stipple_command(), distribute_hatch_command(),
+                                      distribute_icons_command(),   distribute_instances_command()};
+    std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command(),
+                                     texture_map_command()};
     return {run_command(typed),
             merge_command(),
             analyze_command(typed),
