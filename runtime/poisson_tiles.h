@@ -52,7 +52,7 @@ static inline uint32_t ptiles_tile_count(uint32_t kind, uint32_t dimension, uint
 {
     uint64_t count = 1;
     const uint32_t digits = kind == 1 ? 12 : 1u << dimension;
-    for (uint32_t digit = 0; digit < digits; ++digit) {
+    for (uint32_t place = 0; place < digits; ++place) {
         count *= colors;
         if (count > 0xffffffffu) return 0;
     }
