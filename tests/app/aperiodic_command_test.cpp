@@ -1,7 +1,7 @@
 // poissonlab aperiodic: what its commands print, write and refuse.
+#include "tests/support/command_test.hpp"
 #include "tests/support/picture.hpp"
 #include "tests/support/places.hpp"
-#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,34 +17,12 @@ using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
-class AperiodicCommand : public testing::Test
+class AperiodicCommand : public test::CommandTest
 {
 protected:
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("aperiodic " + arguments);
-        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-        return run_program(folder_.path(), words);
-    }
-
-    std::string printed(const std::string& arguments) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 0) << outcome.error;
-        EXPECT_EQ(outcome.error, "");
-        return outcome.out;
-    }
+    AperiodicCommand() : CommandTest("aperiodic") {}
 
     Json json(const std::string& arguments) const { return Json::parse(printed(arguments + " --json")); }
-
-    void expect_error(const std::string& arguments, const std::string& message) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
-    }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(AperiodicCommand, ListsTheSets)

@@ -1,6 +1,6 @@
 // poissonlab packing: what it prints is a packing, by its own words and by a reader of this test.
+#include "tests/support/command_test.hpp"
 #include "tests/support/picture.hpp"
-#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -52,31 +52,10 @@ bool is_packing(const Rows& rows, bool is_corner, int c)
     return all.size() == static_cast<std::size_t>(c * c * c * c);
 }
 
-class PackingCommand : public testing::Test
+class PackingCommand : public test::CommandTest
 {
 protected:
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("packing " + arguments);
-        return run_program(folder_.path(), {std::istream_iterator<std::string>(stream), {}});
-    }
-
-    std::string printed(const std::string& arguments) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 0) << outcome.error;
-        return outcome.out;
-    }
-
-    void expect_error(const std::string& arguments, const std::string& message) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
-        EXPECT_EQ(outcome.out, "");
-    }
-
-    TemporaryFolder folder_;
+    PackingCommand() : CommandTest("packing") {}
 };
 
 TEST_F(PackingCommand, PrintsPackingsOfEveryMethod)

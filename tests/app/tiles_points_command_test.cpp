@@ -2,7 +2,7 @@
 #include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
 #include "host/tile_points/tile_points.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/command_test.hpp"
 #include "tests/support/random_tile_set.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -15,17 +15,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class TilesPointsCommand : public testing::Test
+class TilesPointsCommand : public test::CommandTest
 {
 protected:
-    TilesPointsCommand() { write_tile_set(folder_.path() / "tiles.ptiles", tiles_); }
-
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("tiles points " + arguments);
-        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-        return run_program(folder_.path(), words);
-    }
+    TilesPointsCommand() : CommandTest("tiles points") { write_tile_set(folder_.path() / "tiles.ptiles", tiles_); }
 
     void expect_error(const std::string& arguments, const std::string& message) const
     {
@@ -34,7 +27,6 @@ protected:
         EXPECT_THAT(outcome.error, HasSubstr(message));
     }
 
-    TemporaryFolder folder_;
     PoissonTileSet tiles_ = random_tile_set(PoissonTileKind::corner, 2, 3, 9);
 };
 

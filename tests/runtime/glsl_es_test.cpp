@@ -22,6 +22,7 @@ std::string webgl_page(const std::string& tile_set)
            "</script><script>const header = " +
            nlohmann::json(read_whole_file(runtime + "poisson_tiles_gpu.h")).dump() +
            "; const bytes = Uint8Array.from(" + bytes.dump() + ");</script><script>" +
+           read_whole_file(source_folder() + "/tests/runtime/expected_words.js") + "</script><script>" +
            read_whole_file(source_folder() + "/tests/runtime/glsl_es_test.js") + "</script>";
 }
 

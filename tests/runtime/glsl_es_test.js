@@ -1,5 +1,5 @@
 // The script of glsl_es_test.cpp: the look-ups of poisson_tiles_gpu.h in WebGL2, pixel by pixel, and those of
-// poisson_tiles.js. `header` and `bytes` are the header's text and a tile set file.
+// poisson_tiles.js by expected_words.js. `header` and `bytes` are the header's text and a tile set file.
 "use strict";
 
 const set = new PoissonTiles.TileSet(bytes);
@@ -56,9 +56,7 @@ void main()
 
 /** The number of places compared, and of those where tile, point, random bits or level are others. */
 function differences(seed, period) {
-  const size = 1024;
-  const n = set.pointsPerTile;
-  const words = drawnWords(size, seed, period, `
+  const words = drawnWords(placesSide, seed, period, `
     ivec3 at = ivec3(pixel.x * 1000003 - 500000000, pixel.y * 999983 - 400000000, t.dimension == 3u ? pixel.x - pixel.y : 0);
     uint tile = ptiles_tile(t, at);
     uint index = uint(pixel.x * 31 + pixel.y) % t.points_per_tile;
@@ -68,39 +66,15 @@ function differences(seed, period) {
     if (t.dimension == 2u) p.z = 0.0;
     words = uvec4(tile, uint(p.x + p.z) + 65536u * uint(p.y), id,
                   uint(ptiles_level(t, tile, index, id) * float(2u * t.points_per_tile)));`);
-  const tiling = new PoissonTiles.Tiling(set, seed, period);
-  let different = 0;
-  for (let y = 0; y < size; ++y)
-    for (let x = 0; x < size; ++x) {
-      const at = [x * 1000003 - 500000000, y * 999983 - 400000000, set.dimension === 3 ? x - y : 0];
-      const tile = tiling.tile(...at);
-      const index = (x * 31 + y) % n;
-      const units = [0, 1, 2].map((a) => (a < set.dimension ? set.points[(tile * n + index) * set.dimension + a] : 0));
-      const expected = [tile, (units[0] + units[2] + 65536 * units[1]) >>> 0, tiling.id(at, index),
-                        Math.floor(tiling.level(at, tile, index) * 2 * n)];
-      if (expected.some((word, k) => word !== words[4 * (y * size + x) + k])) ++different;
-    }
-  return [size * size, different];
+  return [placesSide * placesSide, otherPlaces(set, seed, period, words)];
 }
 
 /** The number of positions, of those with another nearest point, and how much farther that is at most. */
 function nearestDifferences() {
-  const size = 128;
-  const words = drawnWords(size, 3, 0, `
+  const words = drawnWords(nearestSide, 3, 0, `
     ivec3 home = ivec3(pixel.x * 1000 - 64000, pixel.y * 77 - 5000, 0);
     vec3 f = vec3(float(pixel.x % 11) / 16.0, float(pixel.y % 13) / 16.0, t.dimension == 3u ? 0.25 : 0.0);
     ptiles_nearest n = ptiles_nearest_point(t, home, f);
     words = uvec4(n.index, n.id, floatBitsToUint(n.distance), 0u);`);
-  const tiling = new PoissonTiles.Tiling(set, 3, 0);
-  let [others, worst] = [0, 0];
-  for (let y = 0; y < size; ++y)
-    for (let x = 0; x < size; ++x) {
-      const at = [x * 1000 - 64000 + (x % 11) / 16, y * 77 - 5000 + (y % 13) / 16, set.dimension === 3 ? 0.25 : 0];
-      const nearest = tiling.nearest(at);
-      const first = 4 * (y * size + x);
-      if (nearest.index !== words[first] || nearest.id !== words[first + 1]) ++others;
-      const distance = new Float32Array(words.buffer, 4 * (first + 2), 1)[0];
-      worst = Math.max(worst, Math.abs(distance - Math.sqrt(nearest.squared)));
-    }
-  return [size * size, others, worst];
+  return [nearestSide * nearestSide, ...otherNearest(set, words)];
 }

@@ -14,7 +14,7 @@ const read = (name) => require("fs").readFileSync(`${process.argv[2]}/${name}`);
 const bytes = JSON.stringify([...read(`runtime/tile_sets/${process.argv[3]}.ptiles`)]);
 console.log(`<!doctype html><meta charset="utf-8"><body><script>${read("runtime/poisson_tiles.js")}</script>
 <script>const library = ${JSON.stringify(String(read("runtime/poisson_tiles.wgsl")))}; const example = ${JSON.stringify(String(read("runtime/examples/disks.wgsl")))}; const bytes = Uint8Array.from(${bytes});
-</script><script>${read("tests/runtime/wgsl_test.js")}</script>`);
+</script><script>${read("tests/runtime/expected_words.js")}</script><script>${read("tests/runtime/wgsl_test.js")}</script>`);
 END
     chromium --headless --no-sandbox --disable-gpu --user-data-dir="$folder/profile" --remote-debugging-port=0 \
         --enable-logging=stderr --enable-unsafe-webgpu --use-webgpu-adapter=swiftshader --enable-features=Vulkan \

@@ -1,5 +1,6 @@
-// The page of wgsl.sh: the look-ups of poisson_tiles.wgsl in WebGPU against those of poisson_tiles.js, for a million places
-// and 16,384 nearest points. `library`, `example` and `bytes` are texts and a tile set file. Says on the console what differs.
+// The page of wgsl.sh: the look-ups of poisson_tiles.wgsl in WebGPU against those of poisson_tiles.js by
+// expected_words.js, for a million places and 16,384 nearest points. `library`, `example` and `bytes` are texts and a tile
+// set file. Says on the console what differs.
 "use strict";
 
 const set = new PoissonTiles.TileSet(bytes);
@@ -42,9 +43,7 @@ ${library}
 
 /** Of a million places: those where tile, point, random bits or level are others. */
 async function differences(device, seed, period) {
-  const size = 1024;
-  const n = set.pointsPerTile;
-  const words = await computed(device, size, seed, period, `
+  return otherPlaces(set, seed, period, await computed(device, placesSide, seed, period, `
     let place = vec3<i32>(pixel.x * 1000003 - 500000000, pixel.y * 999983 - 400000000,
                           select(0, pixel.x - pixel.y, t.dimension == 3u));
     let tile = ptiles_tile(t, place);
@@ -53,39 +52,16 @@ async function differences(device, seed, period) {
     var p = (ptiles_point(t, tile, index) * 65536.0 - f32(t.low)) / f32(t.step); // exact
     if (t.dimension == 2u) { p.z = 0.0; }
     words = vec4<u32>(tile, u32(p.x + p.z) + 65536u * u32(p.y), id,
-                      u32(ptiles_level(t, tile, index, id) * f32(2u * t.points_per_tile)));`);
-  const tiling = new PoissonTiles.Tiling(set, seed, period);
-  let different = 0;
-  for (let y = 0; y < size; ++y)
-    for (let x = 0; x < size; ++x) {
-      const at = [x * 1000003 - 500000000, y * 999983 - 400000000, set.dimension === 3 ? x - y : 0];
-      const tile = tiling.tile(...at);
-      const index = (x * 31 + y) % n;
-      const units = [0, 1, 2].map((a) => (a < set.dimension ? set.points[(tile * n + index) * set.dimension + a] : 0));
-      const expected = [tile, (units[0] + units[2] + 65536 * units[1]) >>> 0, tiling.id(at, index),
-                        Math.floor(tiling.level(at, tile, index) * 2 * n)];
-      if (expected.some((word, k) => word !== words[4 * (y * size + x) + k])) ++different;
-    }
-  return different;
+                      u32(ptiles_level(t, tile, index, id) * f32(2u * t.points_per_tile)));`));
 }
 
 /** Of 16,384 positions: those with another nearest point. */
 async function nearestDifferences(device) {
-  const size = 128;
-  const words = await computed(device, size, 3, 0, `
+  const words = await computed(device, nearestSide, 3, 0, `
     let f = vec3<f32>(f32(pixel.x % 11) / 16.0, f32(pixel.y % 13) / 16.0, select(0.0, 0.25, t.dimension == 3u));
     let n = ptiles_nearest_point(t, vec3<i32>(pixel.x * 1000 - 64000, pixel.y * 77 - 5000, 0), f);
     words = vec4<u32>(n.index, n.id, bitcast<u32>(n.distance), 0u);`);
-  const tiling = new PoissonTiles.Tiling(set, 3, 0);
-  let others = 0;
-  for (let y = 0; y < size; ++y)
-    for (let x = 0; x < size; ++x) {
-      const nearest = tiling.nearest([x * 1000 - 64000 + (x % 11) / 16, y * 77 - 5000 + (y % 13) / 16,
-                                      set.dimension === 3 ? 0.25 : 0]);
-      const first = 4 * (y * size + x);
-      if (nearest.index !== words[first] || nearest.id !== words[first + 1]) ++others;
-    }
-  return others;
+  return otherNearest(set, words)[0];
 }
 
 async function compare() {
