@@ -3,12 +3,14 @@
 #include "base/densities/density.hpp"
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace poissonlab {
 namespace {
@@ -72,8 +74,10 @@ PixelValues middle_of(PixelValues values, double zoom)
 
 InputError formula_error(const std::string& text, const InputError& error)
 {
-    if (text.find('.') == std::string::npos && text.find('/') == std::string::npos) return error;
-    return InputError(fmt::format("{}: no such file; as a {}", printable(text), error.what()));
+    std::error_code unknown;
+    const bool is_name = text.find_first_of("./") != std::string::npos || std::filesystem::exists(text, unknown);
+    if (!is_name) return error;
+    return InputError(fmt::format("{}: {}; as a {}", printable(text), lack_of_file(text), error.what()));
 }
 
 PixelValues values_of_text(const std::string& text, const std::string& from, double width, double height)

@@ -1,7 +1,9 @@
 #include "base/images/linear_picture.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/images/loaded_codec.hpp"
+#include "base/images/png_damage.hpp"
 
 #include <fmt/format.h>
 
@@ -9,11 +11,10 @@ namespace poissonlab {
 
 LinearPicture read_linear_picture(const std::filesystem::path& path)
 {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
-        throw InputError(fmt::format("{}: cannot read the picture: no such file", path.string()));
     LinearPicture picture;
-    const std::string problem = loaded_codec().read_linear(path, picture);
+    std::string problem = lack_of_file(path);
+    if (problem.empty()) problem = png_damage(path);
+    if (problem.empty()) problem = loaded_codec().read_linear(path, picture);
     if (!problem.empty()) throw InputError(fmt::format("{}: cannot read the picture: {}", path.string(), problem));
     return picture;
 }

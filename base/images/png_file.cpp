@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/loaded_codec.hpp"
+#include "base/images/png_damage.hpp"
 
 #include <cerrno>
 #include <string>
@@ -28,6 +29,17 @@ void write_picture(const fs::path& path, const Write& write)
     });
 }
 
+/// Lets a function of the codec read; it returns what went wrong.
+template <class Pixels, class Read>
+Pixels read_picture(const fs::path& path, const Read& read)
+{
+    Pixels pixels;
+    std::string problem = png_damage(path);
+    if (problem.empty()) problem = read(pixels);
+    if (!problem.empty()) throw StorageError(path.string() + ": cannot read the picture: " + problem);
+    return pixels;
+}
+
 }
 
 void write_png(const fs::path& path, const PngLayout& layout, const PngRows& rows)
@@ -42,18 +54,12 @@ void write_deep_png(const fs::path& path, const DeepPixels& pixels)
 
 PngPixels read_png(const fs::path& path)
 {
-    PngPixels pixels;
-    const std::string problem = loaded_codec().read(path, pixels);
-    if (!problem.empty()) throw StorageError(path.string() + ": cannot read the picture: " + problem);
-    return pixels;
+    return read_picture<PngPixels>(path, [&](PngPixels& pixels) { return loaded_codec().read(path, pixels); });
 }
 
 DeepPixels read_deep_png(const fs::path& path)
 {
-    DeepPixels pixels;
-    const std::string problem = loaded_codec().read_deep(path, pixels);
-    if (!problem.empty()) throw StorageError(path.string() + ": cannot read the picture: " + problem);
-    return pixels;
+    return read_picture<DeepPixels>(path, [&](DeepPixels& pixels) { return loaded_codec().read_deep(path, pixels); });
 }
 
 }

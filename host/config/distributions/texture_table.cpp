@@ -1,5 +1,6 @@
 #include "host/config/distributions/texture_table.hpp"
 
+#include "base/files/file_kind.hpp"
 #include "host/config/config_values.hpp"
 #include "host/config/nearest_key.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
@@ -17,7 +18,7 @@ constexpr std::int64_t most_sets = 1000, most_window_side = 64;
 
 Color read_texture_colors(const ConfigTable& table, const std::string& key, Color otherwise)
 {
-    return static_cast<Color>(read_integer(table, key, 2, 32, otherwise));
+    return static_cast<Color>(read_integer(table, key, 2, most_texture_colors, otherwise));
 }
 
 int read_texture_pixels(const ConfigTable& table, const std::string& key, int otherwise)
@@ -36,8 +37,9 @@ TextureRequest read_request(const ConfigTable& table, std::uint64_t seed)
     if (find(table, "ring")) request.ring = read_texture_pixels(table, "ring", 0);
     if (find(table, "diversity")) request.diversity = read_texture_pixels(table, "diversity", 0);
     request.stages = static_cast<int>(read_integer(table, "stages", 0, 3, request.stages));
-    request.candidates = static_cast<int>(read_integer(table, "candidates", 1, 256, request.candidates));
-    request.attempts = static_cast<int>(read_integer(table, "attempts", 1, 100'000, request.attempts));
+    request.candidates =
+        static_cast<int>(read_integer(table, "candidates", 1, most_texture_candidates, request.candidates));
+    request.attempts = static_cast<int>(read_integer(table, "attempts", 1, most_texture_attempts, request.attempts));
     request.weight = read_word(table, "weight", seam_weights, request.weight);
     request.cut = read_word(table, "cut", quilting_cuts, request.cut);
     request.overlap = read_number(table, "overlap", 0.03, 0.5, request.overlap);
@@ -54,9 +56,9 @@ std::filesystem::path read_picture(const ConfigTable& table, const std::string& 
     if (!node) return {};
     const std::filesystem::path file =
         std::filesystem::path(config.where.file).parent_path() / read_text(table, key, "");
-    std::error_code unknown;
-    if (!std::filesystem::is_regular_file(file, unknown))
-        throw invalid_node(key, *node, "must be a picture's file, by its path from the config's folder");
+    if (const std::string lack = lack_of_file(file); !lack.empty())
+        throw invalid_node(key, *node,
+                           fmt::format("{}: must be a picture's file, by its path from the config's folder", lack));
     config.inputs.push_back(file);
     return file;
 }
@@ -104,9 +106,11 @@ std::vector<std::string> read_shows(const ConfigTable& table)
 /// Levels and views are of complete sets whose tiles have whole levels.
 void check_shows(const ConfigTable& table, const TextureSettings& settings)
 {
-    if (!find(table, "show")) return;
     const bool is_mapped =
         settings.request.kind == TextureKind::corner && (settings.request.size & (settings.request.size - 1)) == 0;
+    if (!is_mapped && settings.has_timing)
+        throw invalid_node("timing", *find(table, "timing"), "is for corner tiles whose size is a power of two");
+    if (!find(table, "show")) return;
     for (const char* word : {"levels", "plane"})
         if (!is_mapped && std::ranges::find(settings.show, word) != settings.show.end())
             throw invalid_node("show", *find(table, "show"),
@@ -142,7 +146,8 @@ DistributionConfig read_texture_table(const ConfigNode& node, std::uint64_t seed
                        "stages",   "weight",     "cut",
                        "core",     "smooth",     "overlap",
                        "attempts", "candidates", "sets",
-                       "window",   "show",       "label"});
+                       "window",   "show",       "timing",
+                       "label"});
     DistributionConfig config;
     config.kind = "texture";
     config.where = node.location;
@@ -168,6 +173,7 @@ DistributionConfig read_texture_table(const ConfigNode& node, std::uint64_t seed
         settings.rows = static_cast<std::uint64_t>(window[1]);
     }
     settings.show = read_shows(table);
+    settings.has_timing = read_flag(table, "timing", false);
     check_shows(table, settings);
     config.label = read_text(table, "label", texture_label(settings));
     config.settings = std::move(settings);

@@ -128,8 +128,14 @@ TEST(Density, RefusesFilesThatAreNoPictures)
     const std::string whole = read_whole_file(folder.path() / "picture.png");
     for (const std::size_t size : {whole.size() / 2, whole.size() * 2 / 3}) {
         folder.write("cut.png", whole.substr(0, size));
-        EXPECT_THAT(message("cut.png"), AllOf(HasSubstr("cut.png: cannot read the picture: "), Not(HasSubstr("\\n"))));
+        EXPECT_THAT(message("cut.png"), EndsWith("cut.png: cannot read the picture: the file is cut off"));
     }
+    std::string damaged = whole;
+    damaged[damaged.find("IDAT") + 6] ^= 1;
+    folder.write("damaged.png", damaged);
+    EXPECT_THAT(message("damaged.png"), EndsWith("the file is damaged: its chunk IDAT has another check sum"));
+    EXPECT_EQ(message("."), folder.path().string() + "/.: cannot read the picture: is a folder, no file");
+    EXPECT_EQ(message("/dev/null"), "/dev/null: cannot read the picture: is a device, no file");
 }
 
 TEST(DensityFormula, HasItsValuesInTheMiddlesOfPixels)

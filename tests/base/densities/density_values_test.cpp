@@ -38,6 +38,8 @@ TEST(PixelValues, OfFormulasAreThoseInTheMiddlesOfPixels)
     EXPECT_TRUE(std::isnan(values.at(0, 0)));
     EXPECT_DOUBLE_EQ(values.at(1023, 511), -511.0 / 1024);
     EXPECT_THAT(message_of([] { values_of_text("none.png", "ink", 1, 1); }), HasSubstr("none.png: no such file; as a"));
+    EXPECT_THAT(message_of([] { values_of_text("/dev/null", "ink", 1, 1); }),
+                HasSubstr("/dev/null: is a device, no file; as a"));
 }
 
 TEST(PixelValues, HaveAMiddle)
