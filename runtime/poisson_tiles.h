@@ -2,8 +2,8 @@
  *
  * Poisson disk (sphere) distributions without end, from a tile set file: for renderers, games and tools.
  *
- * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 3 to 5: a hash function says which tile is
- * where, so that points anywhere are found in constant time and nothing is stored but the tiles.
+ * Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 4 and sections 3.3 and 7.6: a hash function says which
+ * tile is where, so that points anywhere are found in constant time and nothing is stored but the tiles.
  * docs/tile-set-file.md describes the file. C99 or C++, this header alone; it allocates nothing and calls no
  * library. Tiles have side 1, the tile (i, j, k) has its lowest corner there; positions are from -2^31 + 2 to
  * 2^31 - 3 along each axis. */

@@ -1,6 +1,6 @@
 // The points of a block of tiles, made on a device: a copy of each tile's points and an addition.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 5. Order: rows of tiles from south to north
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 3.3 and 4.6. Order: rows of tiles from south to north
 // (3D: layers from the bottom), in each from west to east, the points of a tile as they are stored. Positions
 // are relative to the lowest corner of the block, as floats in tiles, which round where the block is wide, or
 // as 32-bit integers in units of 1/65,536 of a tile, modulo 2^32, which do not. Points of tiles with chains may lie up
