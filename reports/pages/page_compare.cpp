@@ -260,9 +260,10 @@ std::string render_compare_page(const Site& site)
     const auto folder = site.has_several_runs() ? site.out : site.runs.front().root;
     page.set("overlays", overlays(site.overlays, series_of(site), {folder, site.out}));
     page.set("overlaid", !site.overlays.empty());
-    return render_in_frame(site,
-                           {site.out / compare_page, "Compare · " + site.title, {"compare_chart.js", "compare.js"}},
-                           "compare", page);
+    return render_in_frame(
+        site,
+        {site.out / compare_page, "Compare · " + site.title, {"compare_chart.js", "compare.js", "compare_hands.js"}},
+        "compare", page);
 }
 
 }

@@ -120,15 +120,16 @@ function moveCursor(x, curve) {
 
 const chartOf = (event) => charts.find((chart) => chart.svg === event.target.closest("svg")) || active;
 
-// Zooms by a factor about a value of the active chart's horizontal axis; 0 shows everything again.
-function zoom(factor, about = null) {
+// Zooms by a factor about a value of the active chart's horizontal axis, which moves by that part of the width; 0 shows
+// everything again.
+function zoom(factor, about = null, by = 0) {
   if (!active) return;
   const { x, whole } = active;
   if (factor === 0) for (const key of Object.keys(ranges)) delete ranges[key];
   else {
     const scale = makeScale(active.settings.isLogX, x.low, x.high, 0, 1);
     const middle = scale.at(about === null ? (cursor ? cursor.x : scale.value(0.5)) : about);
-    showRange([middle - middle / factor, middle + (1 - middle) / factor].map(scale.value), whole);
+    showRange([middle - (middle + by) / factor, middle + (1 - middle - by) / factor].map(scale.value), whole);
   }
   changed();
 }
@@ -153,79 +154,6 @@ function showRange([low, high], whole) {
   const isWhole = inside[0] <= whole[0] && inside[1] >= whole[1] * (1 - 1e-9);
   if (isWhole) delete ranges[abscissaOf(active)];
   else if (inside[1] - inside[0] > 1e-6 * whole[1]) ranges[abscissaOf(active)] = inside;
-}
-
-let drag = null; // {chart, from, pans, ranges}: of the mouse, since the button went down
-
-function onPointer(event) {
-  if (!charts.length) return;
-  active = chartOf(event);
-  const [px, py] = active.place(event);
-  if (drag && drag.chart === active) {
-    if (drag.pans) {
-      const by = (drag.from[0] - px) / (active.inside.right - active.inside.left);
-      drag.from = [px, py];
-      const { chart } = drag;
-      pan(by);
-      drag.chart = charts.find((other) => other.quantity === chart.quantity);
-      return;
-    }
-    active.showFrame(drag.from, [px, py]);
-  }
-  const x = Math.min(active.x.high, Math.max(active.x.low, active.x.inverse(px)));
-  moveCursor(x, active.nearestCurve(x, py));
-}
-
-function onDown(event) {
-  onPointer(event);
-  if (!active || event.pointerType === "touch" || event.button !== 0) return;
-  drag = { chart: active, from: active.place(event), pans: event.shiftKey };
-  element("chart").setPointerCapture(event.pointerId);
-  event.preventDefault();
-  element("chart").focus({ preventScroll: true });
-}
-
-function onUp(event) {
-  if (!drag) return;
-  const { chart, from, pans } = drag;
-  drag = null;
-  if (pans || !charts.includes(chart)) return;
-  const part = chart.showFrame(from, chart.place(event));
-  chart.showFrame([-9, 0], [-9, 0]);
-  if (!part.isWide) return;
-  active = chart;
-  showRange(part.x, chart.whole);
-  if (part.y) ranges[chart.quantity] = shortRange(part.y);
-  changed();
-}
-
-function onWheel(event) {
-  if (!charts.length || !event.ctrlKey) return; // without it pages scroll
-  event.preventDefault();
-  active = chartOf(event);
-  zoom(Math.exp(-event.deltaY / 300), active.x.inverse(active.place(event)[0]));
-}
-
-function onKey(event) {
-  if (!active || event.ctrlKey || event.altKey || event.metaKey) return;
-  const zooms = { "+": 1.5, "=": 1.5, "-": 1 / 1.5, 0: 0 };
-  const pans = { "<": -0.25, ">": 0.25 };
-  const near = (cursor && active.curves.find((curve) => curve.series === cursor.series)) || active.curves[0];
-  const [first, last] = [nearestIndex(near.x, active.x.low), nearestIndex(near.x, active.x.high)];
-  const index = cursor ? nearestIndex(near.x, cursor.x) : first - 1;
-  const step = event.shiftKey ? 10 : 1;
-  const places = { ArrowRight: index + step, ArrowLeft: index - step, Home: first, End: last };
-  const turns = { ArrowDown: 1, ArrowUp: active.curves.length - 1 };
-  if (event.key in zooms) zoom(zooms[event.key]);
-  else if (event.key in pans) pan(pans[event.key]);
-  else if (event.key in places) moveCursor(near.x[Math.min(last, Math.max(first, places[event.key]))], near);
-  else if (event.key in turns)
-    moveCursor(cursor ? cursor.x : near.x[first], active.curves[(active.curves.indexOf(near) + turns[event.key]) % active.curves.length]);
-  else if (event.key === "Enter" && charts.length > 1) {
-    active = charts[(charts.indexOf(active) + 1) % charts.length];
-    moveCursor(cursor ? cursor.x : active.x.low, active.curves.find((curve) => cursor && curve.series === cursor.series) || active.curves[0]);
-  } else return;
-  event.preventDefault();
 }
 
 // Boxes of series that the filter and the dimension leave.
@@ -351,13 +279,6 @@ element("all").addEventListener("click", () => setAll(true));
 element("none").addEventListener("click", () => setAll(false));
 for (const [id, action] of Object.entries({ nearer: () => zoom(1.5), farther: () => zoom(1 / 1.5), whole: () => zoom(0), left: () => pan(-0.25), right: () => pan(0.25), csv: saveCsv, copy: copyLink }))
   element(id).addEventListener("click", action);
-element("chart").addEventListener("pointermove", onPointer);
-element("chart").addEventListener("pointerdown", onDown);
-element("chart").addEventListener("pointerup", onUp);
-element("chart").addEventListener("pointercancel", () => (drag = null));
-element("chart").addEventListener("dblclick", () => zoom(0));
-element("chart").addEventListener("wheel", onWheel, { passive: false });
-element("chart").addEventListener("keydown", onKey);
 window.addEventListener("resize", update);
 window.addEventListener("hashchange", () => (readAddress(), applyFilter(), update()));
 readAddress();

@@ -65,6 +65,13 @@ Key key_of(const std::string& key)
     return {key, "", std::toupper(static_cast<unsigned char>(key[0])), key};
 }
 
+/// The rectangle of an element, as JavaScript: [left, top, width, height].
+std::string box_script(const std::string& selector)
+{
+    return "(() => { const b = document.querySelector(" + Json(selector).dump() +
+           ").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()";
+}
+
 /// Where a page has an element, as JavaScript: [x, y] of the place, or words on why it cannot be pointed at.
 std::string place_script(const std::string& selector, double across, double down)
 {
@@ -209,14 +216,33 @@ void Browser::drag(const std::string& selector, double across, double to_across,
     point_at(selector, across, down);
     mouse("mousePressed", true);
     for (const double part : {0.5, 1.0}) {
-        const Json box = evaluate("(() => { const b = document.querySelector(" + Json(selector).dump() +
-                                  ").getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()");
+        const Json box = evaluate(box_script(selector));
         mouse_x_ = box[0].get<double>() + box[2].get<double>() * std::lerp(across, to_across, part);
         mouse_y_ = box[1].get<double>() + box[3].get<double>() * std::lerp(down, to_down, part);
         pipe_.command("Input.dispatchMouseEvent",
                       {{"type", "mouseMoved"}, {"x", mouse_x_}, {"y", mouse_y_}, {"button", "left"}, {"buttons", 1}});
     }
     mouse("mouseReleased", true);
+}
+
+void Browser::pinch(const std::string& selector, const std::array<double, 2>& across,
+                    const std::array<double, 2>& to_across)
+{
+    point_at(selector, across[0]);
+    const Json box = evaluate(box_script(selector));
+    const auto touch = [&](const char* type, double part) {
+        Json points = Json::array();
+        for (const int id : {0, 1})
+            if (part >= 0)
+                points.push_back(
+                    {{"id", id},
+                     {"x", box[0].get<double>() + box[2].get<double>() * std::lerp(across[id], to_across[id], part)},
+                     {"y", box[1].get<double>() + box[3].get<double>() / 2}});
+        pipe_.command("Input.dispatchTouchEvent", {{"type", type}, {"touchPoints", points}});
+    };
+    touch("touchStart", 0);
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) touch("touchMove", part);
+    touch("touchEnd", -1);
 }
 
 void Browser::press(const std::string& key, bool shift)

@@ -3,6 +3,7 @@
 
 #include "tests/support/devtools_pipe.hpp"
 
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <string>
@@ -35,6 +36,11 @@ public:
 
     /// Drags the mouse over an element, from one place to another, as for point_at().
     void drag(const std::string& selector, double across, double to_across, double down, double to_down);
+
+    /// Puts two fingers on an element, at these shares of its width and at half its height, moves them to others, and
+    /// lifts them.
+    void pinch(const std::string& selector, const std::array<double, 2>& across,
+               const std::array<double, 2>& to_across);
 
     /// Presses and releases a key: a character, or Tab, Enter, Escape, Home, End, ArrowLeft, ArrowRight, ArrowUp,
     /// ArrowDown, Space.

@@ -115,6 +115,33 @@ TEST_F(ComparePage, ZoomsAndMovesByMouseKeysAndButtons)
     EXPECT_THAT(browser_->messages(), IsEmpty());
 }
 
+/// The values under two fingers stay under them.
+TEST_F(ComparePage, ZoomsBetweenTwoFingers)
+{
+    open();
+    const auto whole = range();
+    const double width = evaluate("charts[0].size.width");
+    const auto part_of = [&](double share) { return (share * width - 64) / (width - 80); };
+    const std::array<double, 2> across{0.4, 0.6}, spread{0.3, 0.8};
+    browser_->pinch("#chart svg", across, spread);
+    const auto pinched = range();
+    for (const std::size_t finger : {0, 1})
+        EXPECT_NEAR(std::lerp(pinched[0], pinched[1], part_of(spread[finger])),
+                    std::lerp(whole[0], whole[1], part_of(across[finger])), 2e-3 * whole[1]);
+    browser_->pinch("#chart svg", {0.2, 0.8}, {0.48, 0.52});
+    EXPECT_EQ(range(), whole) << "nothing lies beyond all";
+
+    // The second of two charts, over another axis.
+    choose("quantity", "all");
+    const nlohmann::json frequencies = evaluate("[charts[0].x.low, charts[0].x.high]");
+    browser_->pinch("#chart svg[data-plot=pairs]", {0.4, 0.6}, {0.3, 0.7});
+    EXPECT_NEAR(
+        evaluate("(charts[2].whole[1] - charts[2].whole[0]) / (charts[2].x.high - charts[2].x.low)").get<double>(), 2,
+        0.02);
+    EXPECT_EQ(evaluate("[charts[0].x.low, charts[0].x.high]"), frequencies);
+    EXPECT_THAT(browser_->messages(), IsEmpty());
+}
+
 /// A band reaches one standard error, as the table has it, above and below its curve.
 TEST_F(ComparePage, BandsAreOneStandardError)
 {
