@@ -34,18 +34,20 @@ constexpr auto main_notes = R"(Examples:
 Exit status: 0 everything asked for is there; 2 the config, a file or an argument is wrong;
 3 OpenCL failed; 4 diff found changes; 130 interrupted; 1 anything else.)";
 
-/// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none.
+/// Accepts what is an integer of this type and nothing else: no overflow, no sign for numbers that have none. `allowed`
+/// are the words for what the command takes; empty: the type's range.
 template <class Integer>
-CLI::Validator integer()
+CLI::Validator integer(std::string allowed)
 {
+    using Limits = std::numeric_limits<Integer>;
+    if (allowed.empty()) allowed = fmt::format("an integer from {} to {}", Limits::min(), Limits::max());
     return CLI::Validator(
-        [](const std::string& text) -> std::string {
+        [allowed](const std::string& text) -> std::string {
             Integer value{};
             const char* const end = text.data() + text.size();
             const auto [stop, error] = std::from_chars(text.data(), end, value);
             if (error == std::errc() && stop == end) return {};
-            return fmt::format("{}: must be an integer from {} to {}", text, std::numeric_limits<Integer>::min(),
-                               std::numeric_limits<Integer>::max());
+            return fmt::format("{}: must be {}", text, allowed);
         },
         "");
 }
@@ -68,10 +70,13 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
     if constexpr (std::is_same_v<Value, int>) added->check(CLI::Range(1, 4096));
-    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>());
+    if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option.allowed));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
-        added->expected(1, option.most_values)->check(integer<std::int64_t>());
+        added->expected(1, option.most_values)->check(integer<std::int64_t>(option.allowed));
+    // Numbers apart by commas in one word are a list as well.
+    if constexpr (std::is_same_v<Value, std::vector<double>>)
+        added->expected(1, option.most_values)->delimiter(',')->check(number(true));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(has_place);

@@ -17,9 +17,9 @@ namespace poissonlab {
 
 /// Where the value of an option goes. The type says what is allowed: bool makes a flag, int is a number of threads from
 /// 1 to 4096, and the other integers may have any value of their type.
-using OptionTarget =
-    std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
-                 std::vector<std::int64_t>*, std::vector<std::string>*, std::vector<std::filesystem::path>*>;
+using OptionTarget = std::variant<bool*, int*, double*, std::uint32_t*, std::uint64_t*, std::string*,
+                                  std::filesystem::path*, std::vector<std::int64_t>*, std::vector<double>*,
+                                  std::vector<std::string>*, std::vector<std::filesystem::path>*>;
 
 /// Words for Option::is_required.
 inline constexpr bool required = true;
@@ -32,9 +32,23 @@ struct Option
     std::string help;
     std::string value_name{}; ///< what the help calls the value, "DIR"; empty: its type
     bool is_required = false;
-    int most_values = 1;    ///< of a list of integers
+    int most_values = 1;    ///< of a list of numbers
     std::string excludes{}; ///< the option that does not go together with this one
+    std::string allowed{};  ///< "an integer from 1 to 64", for messages about other words; empty: any of its type
 };
+
+/// The option with the words for what its command takes. Only the command itself refuses other values of the type.
+inline Option allowing(Option option, std::string values)
+{
+    option.allowed = std::move(values);
+    return option;
+}
+
+/// Words of Option::allowed.
+inline std::string integers(std::uint64_t least, std::uint64_t most)
+{
+    return "an integer from " + std::to_string(least) + " to " + std::to_string(most);
+}
 
 /// Does the work of a command. Returns the exit status, or throws.
 using Action = std::function<int()>;

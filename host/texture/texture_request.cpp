@@ -77,7 +77,7 @@ void check_range(const std::string& key, int value, int lowest, int highest)
 void check_colors_of(const TextureRequest& r)
 {
     const bool is_square = r.colors.horizontal == r.colors.vertical;
-    const Color most = r.kind == TextureKind::wang && r.tiles == "compact" ? 32 : 8;
+    const Color most = r.kind == TextureKind::wang && r.tiles == "compact" ? most_texture_colors : 8;
     for (const Color colors : {r.colors.horizontal, r.colors.vertical})
         if (colors < 2 || colors > most)
             refuse("colors", std::to_string(colors), fmt::format("must be an integer from 2 to {}", most));
@@ -103,7 +103,7 @@ void check(const TextureRequest& r)
         refuse("tiles", r.tiles, fmt::format("must be one of {}", fmt::join(names, ", ")));
     check_colors_of(r);
     if (r.size % 2 != 0) refuse("size", std::to_string(r.size), "must be even");
-    check_range("size", r.size, 16, most_tile_pixels);
+    check_range("size", r.size, least_tile_pixels, most_tile_pixels);
     // The disks around the middles of edges reach to 0.3 T, those around the middle up to the ring.
     const int most_ring = std::max(1, r.size / 5 - 1);
     check_range("ring", r.ring_pixels(), r.has_corners() && r.stages == 1 ? 0 : 1, most_ring);
@@ -111,9 +111,9 @@ void check(const TextureRequest& r)
         refuse("stages", std::to_string(r.stages), "must be 0, 1 or 3");
     if (!(r.overlap >= 0.03 && r.overlap <= 0.5))
         refuse("overlap", fmt::format("{}", r.overlap), "must be a number from 0.03 to 0.5");
-    check_range("candidates", r.candidates, 1, 256);
+    check_range("candidates", r.candidates, 1, most_texture_candidates);
     if (r.diversity) check_range("diversity", *r.diversity, 0, r.size);
-    check_range("attempts", r.attempts, 1, 100'000);
+    check_range("attempts", r.attempts, 1, most_texture_attempts);
     if (!(r.core_radius() >= 0 && r.core_radius() <= 0.4))
         refuse("core", fmt::format("{}", r.core_radius()), "must be a number from 0 to 0.4");
     if (r.split > 0 && (r.kind != TextureKind::corner || r.stages == 0 || r.colors.horizontal % 2 != 0))

@@ -22,6 +22,11 @@ enum class QuiltingCut
 inline constexpr WordTable<QuiltingCut, 2> quilting_cuts{
     {{{QuiltingCut::minimum_cut, "min-cut"}, {QuiltingCut::path, "path"}}}};
 
+// Largest values of a request.
+inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of others 8
+inline constexpr int most_texture_candidates = 256;
+inline constexpr int most_texture_attempts = 100'000;
+
 struct TextureRequest
 {
     TextureKind kind = TextureKind::corner;

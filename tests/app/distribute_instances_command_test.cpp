@@ -1,7 +1,7 @@
 // `poissonlab distribute instances` and `distribute icons`: their files, and what they refuse.
 #include "base/images/png_file.hpp"
+#include "tests/support/command_test.hpp"
 #include "tests/support/places.hpp"
-#include "tests/support/program.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,12 +56,14 @@ protected:
 /// On the fly: two windows have together the lines of one, with the heights of one terrain.
 TEST_F(DistributeInstances, AreTheSameWhateverTheWindows)
 {
-    const std::vector<std::string> terrain{"forest", "--terrain", "x*y", "--terrain-area", "0,0,2,1", "--seed",
-                                           "4",      "--density", "300"};
+    const std::vector<std::string> terrain{"forest", "--terrain", "x*y", "--terrain-area", "0",  "0", "2",
+                                           "1",      "--seed",    "4",   "--density",      "300"};
+    // Numbers of a list are words, or apart by commas in one word.
     for (const auto& [window, file] :
-         {std::pair{"0,0,2,1", "whole.csv"}, {"0,0,0.7,1", "west.csv"}, {"0.7,0,1.3,1", "east.csv"}}) {
+         {std::pair{"0 0 2 1", "whole.csv"}, {"0 0 0.7 1", "west.csv"}, {"0.7,0,1.3,1", "east.csv"}}) {
         std::vector<std::string> words = terrain;
-        words.insert(words.end(), {"--window", window});
+        words.emplace_back("--window");
+        std::ranges::copy(test::words_of(window), std::back_inserter(words));
         const Outcome outcome = place(words, file);
         ASSERT_EQ(outcome.status, 0) << outcome.error;
     }
@@ -83,21 +85,25 @@ TEST_F(DistributeInstances, AreWrittenAsTablesAndPictures)
 
 TEST_F(DistributeInstances, RefuseWhatTheyCannotDo)
 {
-    const auto refuse = [&](std::vector<std::string> words, const std::string& message) {
+    const auto refuse = [&](const std::string& text, const std::string& message) {
+        std::vector<std::string> words = test::words_of(text);
         words.insert(words.end(), {"--out", "out.csv"});
         expect_error("instances", words, message);
     };
-    refuse({"wood"}, "distribute instances: wood: must be one of forest, sunflowers, asteroids");
-    refuse({"forest", "--window", "0,0,1"}, "--window 0,0,1: must be X,Y,WIDTH,HEIGHT");
-    refuse({"forest", "--window", "0,0,1,0"}, "--window 0,0,1,0: must be");
-    refuse({"forest", "--window", "0,0,9000,9000"}, "instances in the window: must be at most 1000000");
-    refuse({"forest", "--terrain", "x"}, "--terrain and --terrain-area go together");
-    refuse({"forest", "--height", "2"}, "--height: goes with --terrain");
-    refuse({"forest", "--ring", "1,2,3"}, "--ring: is for asteroids");
-    refuse({"asteroids", "--ring", "2,1,3"}, "must be [inner, outer, thickness] with");
-    refuse({"asteroids", "--tiles", tiles_}, "are tiles in 2 dimensions; must be in 3");
-    refuse({"forest", "--scale", "0.5,2"}, "--scale 0.5,2: must be LOW,HIGH");
-    refuse({"forest", "--out", "a.obj"}, "must be a file that ends in .csv, .ply, .usda or .png");
+    refuse("wood", "distribute instances: wood: must be one of forest, sunflowers, asteroids");
+    refuse("forest --window 0 0 1", "--window 0 0 1: must be X Y W H");
+    refuse("forest --window 0 0 1 0", "--window 0 0 1 0: must be");
+    refuse("forest --window 0 0 a 1", "--window: a: must be a number");
+    refuse("forest --window 0 0 9000 9000", "instances in the window: must be at most 1000000");
+    refuse("forest --terrain x", "--terrain and --terrain-area go together");
+    refuse("forest --height 2", "--height: goes with --terrain");
+    refuse("forest --ring 1 2 3", "--ring: is for asteroids");
+    refuse("asteroids --ring 1 2", "--ring 1 2: must be INNER OUTER THICKNESS");
+    refuse("asteroids --ring 2 1 3", "must be [inner, outer, thickness] with");
+    refuse("asteroids --tiles " + tiles_, "are tiles in 2 dimensions; must be in 3");
+    refuse("forest --scale 0.5 2", "--scale 0.5 2: must be LOW HIGH");
+    refuse("forest --models many", "--models: many: must be an integer from 1 to 65536");
+    refuse("forest --out a.obj", "must be a file that ends in .csv, .ply, .usda or .png");
 }
 
 TEST_F(DistributeInstances, HaveNeighboursThatAreIcons)

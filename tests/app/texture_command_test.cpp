@@ -1,6 +1,6 @@
 // poissonlab texture: build, verify and tile from the command line, and what they say about wrong arguments.
 #include "base/images/png_file.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/command_test.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,10 +13,10 @@ namespace {
 
 using testing::HasSubstr;
 
-class TextureCommand : public testing::Test
+class TextureCommand : public test::CommandTest
 {
 protected:
-    TextureCommand()
+    TextureCommand() : CommandTest("texture")
     {
         PngPixels noise{120, 110, 3, {}};
         std::mt19937 random(3);
@@ -24,28 +24,6 @@ protected:
         write_png(folder_.path() / "noise.png", {120, 110, 3},
                   [&](int row, int) { return &noise.values[noise.at(0, row, 0)]; });
     }
-
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("texture " + arguments);
-        return run_program(folder_.path(), {std::istream_iterator<std::string>(stream), {}});
-    }
-
-    std::string printed(const std::string& arguments) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 0) << outcome.error;
-        return outcome.out;
-    }
-
-    void expect_error(const std::string& arguments, const std::string& message) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
-    }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(TextureCommand, BuildsVerifiesAndTiles)
@@ -115,6 +93,14 @@ TEST_F(TextureCommand, WrongArguments)
                  "none.png: cannot read the picture: no such file");
     expect_error("build corner --colors 2 --size 16 --exemplar noise.png --out noise.png",
                  "texture build: --out noise.png: is no folder");
+    expect_error("build corner --colors 2 --size 16 --exemplar /dev/null --out o",
+                 "/dev/null: cannot read the picture: is a device, no file");
+    const std::string whole = content_of(folder_.path() / "noise.png");
+    folder_.write("cut.png", whole.substr(0, whole.size() / 2));
+    expect_error("build corner --colors 2 --size 16 --exemplar cut.png --out o",
+                 "cut.png: cannot read the picture: the file is cut off"); // and no line of libpng's
+    expect_error("build corner --colors 2 --size large --exemplar noise.png --out o",
+                 "--size: large: must be an integer from 16 to 512 (see poissonlab --help)");
     folder_.write("text.png", "no picture");
     EXPECT_EQ(run("build corner --colors 2 --size 16 --exemplar text.png --out o").status, 2);
     EXPECT_EQ(run("verify .").status, 2);

@@ -1,5 +1,5 @@
 // `poissonlab tiles build --border chain`: what it means by itself, what it refuses, and a file that is proven.
-#include "tests/support/program.hpp"
+#include "tests/support/command_test.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -7,24 +7,16 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <iterator>
-#include <sstream>
-
 namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
 
-class TilesBuildCommand : public testing::Test
+class TilesBuildCommand : public test::CommandTest
 {
 protected:
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("tiles " + arguments);
-        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-        return run_program(folder_.path(), words);
-    }
+    TilesBuildCommand() : CommandTest("tiles") {}
 
     /// The text of an error, which leaves no file.
     std::string refusal(const std::string& arguments) const
@@ -34,8 +26,6 @@ protected:
         EXPECT_FALSE(std::filesystem::exists(folder_.path() / "refused.ptiles"));
         return outcome.error;
     }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(TilesBuildCommand, ChainsComeWithWhatTheyAreGoodWith)
@@ -102,6 +92,9 @@ TEST_F(TilesBuildCommand, SaysWhatIsAllowed)
                 HasSubstr("null_peaks = true: must be false without joint iterations"));
     EXPECT_THAT(refusal("corner --colors 2 --points 32 --border chain --joint-iterations 0 --null-peaks on"),
                 HasSubstr("null_peaks = true: must be false without joint iterations"));
+    EXPECT_EQ(
+        refusal("corner --colors 2 --points 32 --joint-iterations x"),
+        "poissonlab: error: --joint-iterations: x: must be an integer from 0 to 100000 (see poissonlab --help)\n");
 }
 
 }

@@ -1,5 +1,5 @@
 // poissonlab tiling: what it prints is what the library tiles, and what it says about wrong arguments.
-#include "tests/support/program.hpp"
+#include "tests/support/command_test.hpp"
 #include "tiles/tilings/cube_tiling.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 #include "tiles/tilings/tiling.hpp"
@@ -12,34 +12,10 @@
 namespace poissonlab {
 namespace {
 
-class TilingCommand : public testing::Test
+class TilingCommand : public test::CommandTest
 {
 protected:
-    Outcome run(const std::string& arguments) const
-    {
-        std::istringstream stream("tiling " + arguments);
-        const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-        return run_program(folder_.path(), words);
-    }
-
-    /// The program's output when all goes well.
-    std::string printed(const std::string& arguments) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 0) << outcome.error;
-        EXPECT_EQ(outcome.error, "");
-        return outcome.out;
-    }
-
-    void expect_error(const std::string& arguments, const std::string& message) const
-    {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 2) << arguments;
-        EXPECT_EQ(outcome.error, "poissonlab: error: " + message + "\n");
-        EXPECT_EQ(outcome.out, "");
-    }
-
-    TemporaryFolder folder_;
+    TilingCommand() : CommandTest("tiling") {}
 };
 
 std::string line_of(const std::vector<TileIndex>& tiles)
@@ -160,7 +136,7 @@ TEST_F(TilingCommand, WrongArguments)
     expect_error("corner --colors 1 --window 0 0 1 1", "colors = 1: must be an integer from 2 to 256");
     expect_error("cube --colors 17 --window 0 0 0 1 1 1", "colors = 17: must be an integer from 2 to 16");
     expect_error("corner --colors 2.5 --window 0 0 1 1",
-                 "--colors: 2.5: must be an integer from 0 to 4294967295 (see poissonlab --help)");
+                 "--colors: 2.5: must be an integer from 2 to 256 (see poissonlab --help)");
     expect_error("corner --colors 2 --seed -1 --window 0 0 1 1",
                  "--seed: -1: must be an integer from 0 to 18446744073709551615 (see poissonlab --help)");
     expect_error("corner --colors 2 --window 9223372036854775808 0 1 1",

@@ -94,7 +94,7 @@ AtlasLayout atlas_layout(const TextureSet& set);
 PngPixels atlas_of(const TextureSet& set);
 
 /// The largest side of a tile and of an exemplar; the most bytes of an atlas.
-inline constexpr int most_tile_pixels = 512;
+inline constexpr int least_tile_pixels = 16, most_tile_pixels = 512;
 inline constexpr int most_exemplar_pixels = 16'384;
 inline constexpr std::size_t most_atlas_pixels = std::size_t{1} << 28;
 

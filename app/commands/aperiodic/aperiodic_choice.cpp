@@ -55,7 +55,6 @@ CornerConstruction chosen_construction(const std::string& command, const std::st
 
 void check_repetitions(const std::string& command, std::uint32_t repetitions)
 {
-    constexpr std::uint32_t most_repetitions = 16;
     if (repetitions < 1 || repetitions > most_repetitions)
         throw InputError(
             fmt::format("{}: --repeat {}: must be an integer from 1 to {}", command, repetitions, most_repetitions));

@@ -30,7 +30,9 @@ ChosenTiles chosen_set(const std::string& name);
 /// Throws InputError for other words than those of corner_constructions; `command` is "aperiodic convert" and so on.
 CornerConstruction chosen_construction(const std::string& command, const std::string& word);
 
-/// Throws InputError for a number of repetitions that is not from 1 to 16.
+inline constexpr std::uint32_t most_repetitions = 16; ///< of a construction
+
+/// Throws InputError for a number of repetitions that is not from 1 to that.
 void check_repetitions(const std::string& command, std::uint32_t repetitions);
 
 /// The tiles that `repetitions` of a construction make of a set; the set itself for an empty word. Throws InputError

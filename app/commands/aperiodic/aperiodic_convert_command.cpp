@@ -104,16 +104,18 @@ void convert(const AperiodicConvertOptions& options)
 Command aperiodic_convert_command()
 {
     const auto o = std::make_shared<AperiodicConvertOptions>();
-    return {"convert",
-            "Make a corner tile set of a Wang tile set, and Wang tiles of that",
-            {{"SET", &o->set, aperiodic_set_help},
-             {"--construction", &o->construction, "diagonal, horizontal, vertical, rotation or subdivision", "NAME",
-              required},
-             {"--repeat", &o->repeat, "How often, each time on the Wang tiles of the last one; default: 1", "K"},
-             {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles", "FILE"},
-             {"--json", &o->json, "Print JSON"}},
-            aperiodic_convert_notes,
-            action_on(o, convert)};
+    return {
+        "convert",
+        "Make a corner tile set of a Wang tile set, and Wang tiles of that",
+        {{"SET", &o->set, aperiodic_set_help},
+         {"--construction", &o->construction, "diagonal, horizontal, vertical, rotation or subdivision", "NAME",
+          required},
+         allowing({"--repeat", &o->repeat, "How often, each time on the Wang tiles of the last one; default: 1", "K"},
+                  integers(1, most_repetitions)),
+         {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles", "FILE"},
+         {"--json", &o->json, "Print JSON"}},
+        aperiodic_convert_notes,
+        action_on(o, convert)};
 }
 
 }

@@ -20,6 +20,8 @@ one that is not a number a hole. Formulas that begin with a minus sign are writt
   poissonlab distribute icons --u=-y --v x --points 500 --out rotation.svg
   poissonlab distribute icons --field wind.exr --points 2000 --length one --out wind.png --out wind.csv)help";
 
+constexpr std::uint32_t most_icon_pixels = max_drawing_pixels / 2;
+
 struct IconOptions : DistributeOptions
 {
     IconSettings settings;
@@ -38,9 +40,8 @@ IconSettings checked_icons(const IconOptions& o)
         throw InputError(o.command + ": needs --field, or --u and --v");
     if (o.length != "magnitude" && o.length != "one")
         throw InputError(fmt::format("{}: --length {}: must be magnitude or one", o.command, printable(o.length)));
-    if (o.pixels < 1 || o.pixels > static_cast<std::uint32_t>(max_drawing_pixels) / 2)
-        throw InputError(
-            fmt::format("{}: --pixels {}: must be from 1 to {}", o.command, o.pixels, max_drawing_pixels / 2));
+    if (o.pixels < 1 || o.pixels > most_icon_pixels)
+        throw InputError(fmt::format("{}: --pixels {}: must be from 1 to {}", o.command, o.pixels, most_icon_pixels));
     for (const std::string& out : o.outs) {
         const std::string extension = std::filesystem::path(out).extension();
         if (extension != ".svg" && extension != ".png" && extension != ".csv")
@@ -95,7 +96,7 @@ Command distribute_icons_command()
     const std::vector<Option> own{
         {"--length", &o->length, "Of arrows: magnitude (the default), or one for all", "NAME"},
         {"--out", &o->outs, "A file, .svg, .png or .csv; may be repeated", "FILE", required},
-        {"--pixels", &o->pixels, "The width of a .png; default: 1024", "W"}};
+        allowing({"--pixels", &o->pixels, "The width of a .png; default: 1024", "W"}, integers(1, most_icon_pixels))};
     return {"icons", "Show a vector field by arrows that do not overlap",
             joined({of_field, even_point_options(*o), own, device_options(*o)}), distribute_icons_notes,
             action_on(o, draw_icons)};

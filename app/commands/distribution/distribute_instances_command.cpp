@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace poissonlab {
@@ -25,19 +24,20 @@ instances; tile and index tell them apart. No two are nearer than twice the radi
 above fills at scale 1.
 SCENE is forest or sunflowers, in the plane, with --terrain on a height picture over --terrain-area (slopes stretch
 distances, heights between pixels are linear), or asteroids: the points of a tiling of space between two cylinders,
---ring INNER OUTER THICKNESS.
+--ring.
 --out, as often as you like: .csv, .ply (vertices with properties), .usda (a point instancer with stand-ins for your
-models), .png (a shaded view from above, --pixels wide). Lists of numbers are one word, numbers apart by commas.
-  poissonlab distribute instances forest --window 0,0,1,1 --out forest.csv --out forest.png
-  poissonlab distribute instances forest --window 0,0,2,1 --terrain hills.png --terrain-area 0,0,2,1 --height 0.2 \
+models), .png (a shaded view from above, --pixels wide).
+  poissonlab distribute instances forest --window 0 0 1 1 --out forest.csv --out forest.png
+  poissonlab distribute instances forest --window 0 0 2 1 --terrain hills.png --terrain-area 0 0 2 1 --height 0.2 \
     --out forest.usda
-  poissonlab distribute instances asteroids --ring 0.5,0.9,0.1 --out belt.ply --out belt.png)help";
+  poissonlab distribute instances asteroids --ring 0.5 0.9 0.1 --out belt.ply --out belt.png)help";
 
 struct InstanceOptions : DistributeOptions
 {
     std::string scene;
     double instances = NAN;
-    std::string window, scale, ring, terrain, terrain_area;
+    std::string terrain;
+    std::vector<double> window, scale, ring, terrain_area;
     std::uint32_t models = 0;
     double tilt = NAN;
     double height = NAN;
@@ -51,20 +51,14 @@ InputError bad_option(const InstanceOptions& o, const std::string& option, const
     return InputError(fmt::format("{}: {} {}: must be {}", o.command, option, printable(text), allowed));
 }
 
-/// The numbers of a text with commas between them.
+/// The numbers of an option that takes so many.
 template <std::size_t count>
-std::array<double, count> numbers_in(const InstanceOptions& o, const std::string& option, const std::string& text,
-                                     const std::string& allowed)
+std::array<double, count> numbers_of(const InstanceOptions& o, const std::string& option,
+                                     const std::vector<double>& given, const std::string& allowed)
 {
+    if (given.size() != count) throw bad_option(o, option, fmt::format("{}", fmt::join(given, " ")), allowed);
     std::array<double, count> numbers{};
-    const char *at = text.data(), *const end = text.data() + text.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto [next, error] = std::from_chars(at, end, numbers[i]);
-        const bool is_last = i + 1 == count;
-        if (error != std::errc() || !std::isfinite(numbers[i]) || (is_last ? next != end : next == end || *next != ','))
-            throw bad_option(o, option, text, allowed);
-        at = is_last ? next : next + 1;
-    }
+    std::ranges::copy(given, numbers.begin());
     return numbers;
 }
 
@@ -75,14 +69,22 @@ double checked(const InstanceOptions& o, const std::string& option, double value
     return value;
 }
 
-constexpr auto rectangle_words = "X,Y,WIDTH,HEIGHT with sizes above 0";
-
-std::array<double, 4> rectangle(const InstanceOptions& o, const std::string& option, const std::string& text)
+std::array<double, 4> rectangle(const InstanceOptions& o, const std::string& option, const std::vector<double>& given)
 {
-    const auto numbers = numbers_in<4>(o, option, text, rectangle_words);
+    const std::string allowed = "X Y W H with sizes above 0 and at most 1e6";
+    const auto numbers = numbers_of<4>(o, option, given, allowed);
     const bool is_far = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > 1e6; });
     if (is_far || !(numbers[2] > 0 && numbers[3] > 0))
-        throw bad_option(o, option, text, std::string(rectangle_words) + " and at most 1e6");
+        throw bad_option(o, option, fmt::format("{}", fmt::join(given, " ")), allowed);
+    return numbers;
+}
+
+std::array<double, 2> scales(const InstanceOptions& o)
+{
+    const std::string allowed = "LOW HIGH with 0.001 <= LOW <= HIGH <= 1";
+    const auto numbers = numbers_of<2>(o, "--scale", o.scale, allowed);
+    if (!(numbers[0] >= 0.001 && numbers[0] <= numbers[1] && numbers[1] <= 1))
+        throw bad_option(o, "--scale", fmt::format("{}", fmt::join(o.scale, " ")), allowed);
     return numbers;
 }
 
@@ -110,18 +112,16 @@ InstanceSettings checked_instances(const InstanceOptions& o)
     settings.tiles = o.tiles;
     if (!std::isnan(o.instances)) settings.density = checked(o, "--density", o.instances, 1e-6, 1e6);
     if (!o.window.empty()) settings.window = rectangle(o, "--window", o.window);
-    if (o.models > 0) settings.models = static_cast<std::uint32_t>(checked(o, "--models", o.models, 1, 65'536));
+    if (o.models > 0) settings.models = static_cast<std::uint32_t>(checked(o, "--models", o.models, 1, most_models));
     if (!o.scale.empty()) {
-        const auto [low, high] = numbers_in<2>(o, "--scale", o.scale, "LOW,HIGH with 0.001 <= LOW <= HIGH <= 1");
-        if (!(low >= 0.001 && low <= high && high <= 1))
-            throw bad_option(o, "--scale", o.scale, "LOW,HIGH with 0.001 <= LOW <= HIGH <= 1");
+        const auto [low, high] = scales(o);
         settings.scale = {SpreadChoice::Kind::uniform, low, high};
     }
     if (!std::isnan(o.tilt)) settings.tilt = checked(o, "--tilt", o.tilt, 0, 1.5);
     if (!o.ring.empty() && o.scene != "asteroids") throw InputError(o.command + ": --ring: is for asteroids");
-    if (!o.ring.empty()) settings.ring = numbers_in<3>(o, "--ring", o.ring, "INNER,OUTER,THICKNESS");
+    if (!o.ring.empty()) settings.ring = numbers_of<3>(o, "--ring", o.ring, "INNER OUTER THICKNESS");
     set_terrain(o, settings);
-    settings.pixels = static_cast<std::uint32_t>(checked(o, "--pixels", o.pixels, 16, 4096));
+    settings.pixels = static_cast<std::uint32_t>(checked(o, "--pixels", o.pixels, least_view_pixels, most_view_pixels));
     for (const std::string& out : o.outs) {
         const std::string extension = std::filesystem::path(out).extension();
         if (extension != ".csv" && extension != ".ply" && extension != ".usda" && extension != ".png")
@@ -148,9 +148,10 @@ void place_instances(const InstanceOptions& o)
     const InstanceSettings settings = checked_instances(o);
     try {
         check_instances(settings);
-        const ObjectTileSet tiles(object_tile_set(settings.tiles, instance_dimension(settings), make_place(o)));
+        const DistributionPlace place = make_place(o);
+        const ObjectTileSet tiles(object_tile_set(settings.tiles, instance_dimension(settings), place));
         const PoissonTiling tiling{stream_key(o.seed, Purpose::tile_choice, 0)[0], 0};
-        const std::vector<Instance> instances = instances_in(tiles, tiling, settings);
+        const std::vector<Instance> instances = instances_in(tiles, tiling, settings, place);
         const double radius = instance_radius(tiles, settings);
         for (const std::string& out : o.outs) write_instances(out, instances, settings, radius);
         if (!o.quiet)
@@ -170,20 +171,22 @@ Command distribute_instances_command()
     const std::vector<Option> own{
         {"SCENE", &o->scene, "forest, sunflowers or asteroids", "SCENE", required},
         {"--window", &o->window, "Where instances are wanted, in units; default: one unit square, a whole belt",
-         "X,Y,WIDTH,HEIGHT"},
+         "X Y W H", optional, 4},
         {"--density", &o->instances, "Instances in a unit square (cube), on average; default: 2000, 500, 40000", "N"},
-        {"--models", &o->models, "How many models there are; default: 5, 11, 8", "M"},
-        {"--scale", &o->scale, "Scales are uniform between these", "LOW,HIGH"},
+        allowing({"--models", &o->models, "How many models there are; default: 5, 11, 8", "M"},
+                 integers(1, most_models)),
+        {"--scale", &o->scale, "Scales are uniform between these", "LOW HIGH", optional, 2},
         {"--tilt", &o->tilt, "The largest tilt", "RADIANS"},
-        {"--ring", &o->ring, "Of asteroids; default: 0.55,0.95,0.08", "INNER,OUTER,THICKNESS"},
+        {"--ring", &o->ring, "Of asteroids; default: 0.55 0.95 0.08", "INNER OUTER THICKNESS", optional, 3},
         {"--terrain", &o->terrain, "Heights: the light of a picture, or a formula in x and y from -1 to 1",
          "IMAGE|FORMULA"},
-        {"--terrain-area", &o->terrain_area, "The rectangle that it covers", "X,Y,WIDTH,HEIGHT"},
+        {"--terrain-area", &o->terrain_area, "The rectangle that it covers", "X Y W H", optional, 4},
         {"--height", &o->height, "Units that 1 of the terrain is high; default: 1", "H"},
         {"--seed", &o->seed, "Which tiling; default: 1", "S"},
         {"--tiles", &o->tiles, "A tile set, for asteroids in space; default: corner or sphere tiles", "FILE"},
         {"--out", &o->outs, "A file, .csv, .ply, .usda or .png; may be repeated", "FILE", required},
-        {"--pixels", &o->pixels, "The width of a .png; default: 1024", "W"}};
+        allowing({"--pixels", &o->pixels, "The width of a .png; default: 1024", "W"},
+                 integers(least_view_pixels, most_view_pixels))};
     return {"instances", "Place instances of models: a forest, sunflowers, asteroids",
             joined({own, device_options(*o)}), distribute_instances_notes, action_on(o, place_instances)};
 }

@@ -40,10 +40,15 @@ std::vector<Option> density_options(DistributeOptions& o)
         {"--density-from", &o.density_from, "Of a picture: light (the default), ink, or one of its channels", "NAME"}};
 }
 
+Option points_option(DistributeOptions& o, const std::string& help)
+{
+    return allowing({"--points", &o.points, help, "N", required}, integers(1, most_points));
+}
+
 std::vector<Option> even_point_options(DistributeOptions& o)
 {
     return {
-        {"--points", &o.points, "How many points: tilings have exactly so many, other methods about", "N", required},
+        points_option(o, "How many points: tilings have exactly so many, other methods about"),
         {"--seed", &o.seed, "Which points; default: 1", "S"},
         {"--tiles", &o.tiles, "The tile set of the even points; default: corner tiles of 3 colours, 32 points", "FILE"},
         {"--method", &o.method, "Another method of even points: a sampler's name, or { sampler = ..., ... }",

@@ -29,6 +29,7 @@ struct DistributeOptions
 /// The options for them. `o` must outlive the command.
 std::vector<Option> density_options(DistributeOptions& o);
 std::vector<Option> even_point_options(DistributeOptions& o);
+Option points_option(DistributeOptions& o, const std::string& help); ///< the number alone
 std::vector<Option> device_options(DistributeOptions& o);
 std::vector<Option> output_options(DistributeOptions& o); ///< the point file, and those of the device
 

@@ -39,7 +39,7 @@ Command distribute_rank_command()
 {
     const auto o = std::make_shared<DistributeOptions>();
     o->command = "distribute rank";
-    const std::vector<Option> own{{"--points", &o->points, "How many points, about", "N", required},
+    const std::vector<Option> own{points_option(*o, "How many points, about"),
                                   {"--seed", &o->seed, "Which point has rank 0; default: 1", "S"}};
     return {"rank", "Take the points of a self-similar tile whose ranks a density asks for",
             joined({density_options(*o), own, output_options(*o)}), distribute_rank_notes, action_on(o, rank)};

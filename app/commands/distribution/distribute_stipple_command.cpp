@@ -36,6 +36,8 @@ none at 45 degrees, or all at --angle. Long strokes overlap sooner than dots: wh
   poissonlab distribute hatch --image photo.jpg --points 13000 --ink 0.5 --out strokes.svg
   poissonlab distribute hatch --image photo.jpg --stroke 1.5 --angle 0.8 --out strokes.png --pixels 2048)help";
 
+constexpr std::uint64_t most_stippled = 1 << 24;
+
 struct StippleOptions : DistributeOptions
 {
     bool has_strokes = false;
@@ -67,8 +69,9 @@ StippleSettings checked_settings(const StippleOptions& o)
     const char* width = o.has_strokes ? "--stroke" : "--dot";
     if (o.points == 0 && settings.mark_width == 0)
         throw InputError(o.line(fmt::format("--points or {}", width), "one of them must be given, above 0"));
-    if (o.points > 0 && o.points > (1U << 24))
-        throw InputError(o.line(fmt::format("--points {}", o.points), "must be from 1 to 16777216"));
+    if (o.points > most_stippled)
+        throw InputError(
+            o.line(fmt::format("--points {}", o.points), fmt::format("must be from 1 to {}", most_stippled)));
     if (o.points == 0) check_number(o, width, settings.mark_width, 0.01, 10'000);
     check_number(o, "--ink", settings.ink, 0.001, 1);
     check_number(o, "--slenderness", settings.slenderness, 1, 100);
@@ -171,6 +174,7 @@ std::vector<Option> mark_options(StippleOptions& o, Option width)
     std::vector<Option> even = even_point_options(o);
     for (Option& option : even)
         if (option.name == "--points") {
+            option = allowing(std::move(option), integers(1, most_stippled));
             option.is_required = optional;
             option.help = "How many marks; their size follows from the ink. By ranks: about so many";
         }
@@ -179,7 +183,8 @@ std::vector<Option> mark_options(StippleOptions& o, Option width)
         std::move(width),
         {"--by", &o.by, "warping (the default) or ranks", "NAME"},
         {"--out", &o.outs, "A file, .svg, .png or of points; may be repeated", "FILE", required},
-        {"--pixels", &o.pixels, "The width of a .png; default: the picture's", "W"},
+        allowing({"--pixels", &o.pixels, "The width of a .png; default: the picture's", "W"},
+                 integers(1, max_drawing_pixels)),
         {"--json", &o.as_json, "Say what is said of the tones as JSON"}};
     return joined({picture_options(o), even, own, device_options(o)});
 }

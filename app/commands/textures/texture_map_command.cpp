@@ -151,27 +151,30 @@ void map_texture_plane(const TextureMapOptions& o)
 Command texture_map_command()
 {
     const auto o = std::make_shared<TextureMapOptions>();
-    return {"map",
-            "Draw the endless plane that texture tiles cover, in perspective",
-            {{"DIR", &o->folder, "What texture build made: a complete set of corner tiles"},
-             {"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
-             {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
-             {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
-             {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
-             {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
-             {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
-             {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
-             {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
-             {"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
-             {"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
-             {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
-             {"--seed", &o->seed, "Which tiling; default: 1", "S"},
-             {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
-             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
-             {"--out", &o->out, "The picture (.png)", "PICTURE", required},
-             {"--quiet", &o->quiet, "Print nothing but errors"}},
-            texture_map_notes,
-            action_on(o, map_texture_plane)};
+    return {
+        "map",
+        "Draw the endless plane that texture tiles cover, in perspective",
+        {{"DIR", &o->folder, "What texture build made: a complete set of corner tiles"},
+         allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
+                  integers(1, most_map_pixels)),
+         {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
+         {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
+         {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
+         {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
+         {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
+         {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
+         {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+         allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
+                  integers(1, most_map_samples)),
+         allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"}, integers(1, most_map_frames)),
+         {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
+         {"--seed", &o->seed, "Which tiling; default: 1", "S"},
+         {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
+         {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
+         {"--out", &o->out, "The picture (.png)", "PICTURE", required},
+         {"--quiet", &o->quiet, "Print nothing but errors"}},
+        texture_map_notes,
+        action_on(o, map_texture_plane)};
 }
 
 }

@@ -234,7 +234,7 @@ Command packing_command()
     return {"packing",
             "Print, draw or verify a tile packing, or make a puzzle of it",
             {{"KIND", &o->kind, "corner or wang"},
-             {"--colors", &o->colors, "Number of colours", "C", required},
+             allowing({"--colors", &o->colors, "Number of colours", "C", required}, integers(2, max_colors)),
              {"--verify", &o->verified, "Check this table instead of making one", "FILE"},
              {"--method", &o->method, "How the packing is made, see below; default: closed", "NAME"},
              {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},

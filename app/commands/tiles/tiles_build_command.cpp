@@ -42,6 +42,12 @@ const Parameters& otherwise()
 
 constexpr std::uint32_t not_given = UINT32_MAX;
 
+/// The option with the values that the samplers' parameter of this key takes.
+Option as_parameter(Option option, const std::string& key)
+{
+    return allowing(std::move(option), allowed_values(parameter_of(key == "tiles" ? "template-tiles" : sampler, key)));
+}
+
 struct TilesBuildOptions
 {
     std::string kind; ///< "corner", "edge", "template" or "sphere"
@@ -166,27 +172,31 @@ void build_tiles(const TilesBuildOptions& options)
 Command tiles_build_command()
 {
     const auto o = std::make_shared<TilesBuildOptions>();
-    return {"build",
-            "Build a tile set and prove the minimum distance of its tilings",
-            {{"KIND", &o->kind, "corner, edge, template or sphere"},
-             {"--colors", &o->colors, "Number of colours; not for template tiles", "C"},
-             {"--tiles", &o->tiles, "Number of template tiles", "T"},
-             {"--points", &o->points, "Points of each tile", "N", required},
-             {"--relative-radius", &o->relative_radius, option_help(parameter_of(sampler, "relative_radius")), "RHO"},
-             {"--filling", &o->filling, option_help(parameter_of(sampler, "filling")), "NAME"},
-             {"--lloyd", &o->lloyd_iterations, option_help(parameter_of(sampler, "lloyd_iterations")), "I"},
-             {"--repulsion", &o->repulsion, "Push apart what Lloyd relaxation leaves too close"},
-             {"--border", &o->border, option_help(parameter_of(sampler, "border")), "NAME"},
+    return {
+        "build",
+        "Build a tile set and prove the minimum distance of its tilings",
+        {{"KIND", &o->kind, "corner, edge, template or sphere"},
+         as_parameter({"--colors", &o->colors, "Number of colours; not for template tiles", "C"}, "colors"),
+         as_parameter({"--tiles", &o->tiles, "Number of template tiles", "T"}, "tiles"),
+         as_parameter({"--points", &o->points, "Points of each tile", "N", required}, "points_per_tile"),
+         {"--relative-radius", &o->relative_radius, option_help(parameter_of(sampler, "relative_radius")), "RHO"},
+         {"--filling", &o->filling, option_help(parameter_of(sampler, "filling")), "NAME"},
+         as_parameter({"--lloyd", &o->lloyd_iterations, option_help(parameter_of(sampler, "lloyd_iterations")), "I"},
+                      "lloyd_iterations"),
+         {"--repulsion", &o->repulsion, "Push apart what Lloyd relaxation leaves too close"},
+         {"--border", &o->border, option_help(parameter_of(sampler, "border")), "NAME"},
+         as_parameter(
              {"--joint-iterations", &o->joint_iterations, option_help(parameter_of(sampler, "joint_iterations")), "I"},
-             {"--null-peaks", &o->null_peaks, option_help(parameter_of(sampler, "null_peaks")), "on|off"},
-             {"--ranked", &o->ranked, "Order points, so that any part of them is spread evenly: see tiles points"},
-             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
-             {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
-             {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
-             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
-             {"--quiet", &o->quiet, "Print nothing but errors"}},
-            tiles_build_notes,
-            action_on(o, build_tiles)};
+             "joint_iterations"),
+         {"--null-peaks", &o->null_peaks, option_help(parameter_of(sampler, "null_peaks")), "on|off"},
+         {"--ranked", &o->ranked, "Order points, so that any part of them is spread evenly: see tiles points"},
+         {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
+         {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
+         {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
+         {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
+         {"--quiet", &o->quiet, "Print nothing but errors"}},
+        tiles_build_notes,
+        action_on(o, build_tiles)};
 }
 
 }

@@ -130,20 +130,22 @@ void print_tiling(const TilingOptions& options)
 Command tiling_command()
 {
     const auto o = std::make_shared<TilingOptions>();
-    return {"tiling",
-            "Print the tile indices of a stochastic tiling",
-            {{"KIND", &o->kind, "corner, wang, cube, wang-cube or domino"},
-             {"--colors", &o->colors, "Number of colours", "C", required},
-             {"--vertical-colors", &o->vertical_colors, "Of the vertical edges of Wang tiles; default: C", "CV"},
-             {"--algorithm", &o->algorithm, "How tiles are chosen, see below; default: the first", "NAME"},
-             {"--hash", &o->hash, "What gives lattice points their colours; default: long-period", "NAME"},
-             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
-             {"--window", &o->window, "The tiles to print: lower left one, width and height",
-              "X Y W H (cubes: X Y Z W H D; dominoes: X W)", required, 6},
-             {"--period", &o->period, "The tiling closes after so many tiles; 0: it does not", "MX [MY [MZ]]", optional,
-              3}},
-            tiling_notes,
-            action_on(o, print_tiling)};
+    return {
+        "tiling",
+        "Print the tile indices of a stochastic tiling",
+        {{"KIND", &o->kind, "corner, wang, cube, wang-cube or domino"},
+         allowing({"--colors", &o->colors, "Number of colours", "C", required}, integers(2, max_colors)),
+         allowing({"--vertical-colors", &o->vertical_colors, "Of the vertical edges of Wang tiles; default: C", "CV"},
+                  integers(2, max_colors)),
+         {"--algorithm", &o->algorithm, "How tiles are chosen, see below; default: the first", "NAME"},
+         {"--hash", &o->hash, "What gives lattice points their colours; default: long-period", "NAME"},
+         {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
+         {"--window", &o->window, "The tiles to print: lower left one, width and height",
+          "X Y W H (cubes: X Y Z W H D; dominoes: X W)", required, 6},
+         {"--period", &o->period, "The tiling closes after so many tiles; 0: it does not", "MX [MY [MZ]]", optional,
+          3}},
+        tiling_notes,
+        action_on(o, print_tiling)};
 }
 
 }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double farthest_place = 1e6;
 constexpr double most_instances = 1e6; ///< in a window
-constexpr std::int64_t most_models = 65'536;
 constexpr double most_tilt = 1.5;
 
 /// A list of `count` numbers, of which those from `positive` on are above 0.

@@ -9,6 +9,8 @@
 
 namespace poissonlab {
 
+inline constexpr std::uint32_t most_models = 65'536;
+
 /// The scenes that instances are for, the default first.
 const std::vector<std::string>& instance_scenes();
 

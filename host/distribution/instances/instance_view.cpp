@@ -15,7 +15,6 @@ namespace {
 
 constexpr int samples_a_pixel = 3;
 constexpr int rows_at_once = 64; ///< of pixels
-constexpr int most_view_pixels = 4096;
 
 using Color = std::array<double, 3>;
 using Direction = std::array<double, 3>;

@@ -9,8 +9,10 @@
 
 namespace poissonlab {
 
+inline constexpr int least_view_pixels = 16, most_view_pixels = 4096; ///< along a side
+
 /// The window of settings with these instances on its ground. Each pixel is the mean of 3 x 3 places. Throws
-/// InputError for views of more than 4,096 pixels along a side, and Interrupted.
+/// InputError for views of more than most_view_pixels along a side, and Interrupted.
 PngPixels view_from_above(const std::vector<Instance>& instances, const InstanceSettings& settings, double radius);
 
 }
