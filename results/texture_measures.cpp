@@ -68,6 +68,9 @@ const std::vector<Measure>& texture_measures()
         texture_row(
             "color_distance", "colour distance", "levels", lower, three,
             "By how many of 255 levels pixels of the tiling must change on average to have the exemplar's colours."),
+        texture_row("frames", "frames a second", "", higher, three,
+                    "Pictures of 1,024 x 576 pixels of the endless plane, between two mipmap levels of the packed "
+                    "atlas, that the device draws and hands over; with `timing = true`, of the first set."),
     };
     return all;
 }

@@ -24,6 +24,7 @@ struct TextureSettings
     std::uint64_t columns = 8;             ///< tiles of the window that is drawn
     std::uint64_t rows = 4;
     std::vector<std::string> show; ///< some of texture_shows()
+    bool has_timing = false;       ///< frames a second are measured
 };
 
 /// A table [[packing]]: see tiles/packing.

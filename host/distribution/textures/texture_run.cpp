@@ -5,6 +5,7 @@
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/textures/frame_rate.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
@@ -22,7 +23,6 @@ namespace poissonlab {
 namespace {
 
 constexpr std::uint64_t measured_side = 16; // tiles of the window that is measured
-constexpr int plane_width = 1024, plane_height = 576;
 
 /// Values by the keys of texture_measures().
 using TextureValues = std::map<std::string, double>;
@@ -62,6 +62,7 @@ std::vector<DistributionNumber> numbers_of(const std::vector<TextureValues>& set
             numbers.push_back(texture_number(measure.key, count, std::nullopt));
             continue;
         }
+        if (!sets.front().contains(measure.key)) continue; // of the first set alone
         double sum = 0, squares = 0;
         for (const TextureValues& values : sets) sum += values.at(measure.key);
         const double mean = sum / count;
@@ -183,8 +184,8 @@ private:
     void add_plane()
     {
         TextureCamera camera;
-        camera.width = plane_width;
-        camera.height = plane_height;
+        camera.width = frame_width;
+        camera.height = frame_height;
         const TexturePyramid pyramid = texture_pyramid(set_, settings_.request.seed);
         const TextureView view = view_of(camera);
         std::vector<float> light;
@@ -192,7 +193,7 @@ private:
             light = reference_map_texture(pyramid, TextureLookup::exact, view);
         else
             light = map_texture(place_.device(), pyramid, TextureLookup::exact, view, default_work_group_size);
-        write("plane.png", encoded_pixels(light, plane_width, plane_height, pyramid.channels),
+        write("plane.png", encoded_pixels(light, frame_width, frame_height, pyramid.channels),
               "The endless plane, with anisotropic filtering.");
     }
 
@@ -233,6 +234,18 @@ std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& 
     return parameters;
 }
 
+/// Facts, files and pictures of a set.
+void add_set(const TextureSettings& settings, const BuiltTexture& built, const DistributionPlace& place,
+             DistributionFiles& files, DistributionResult& result)
+{
+    result.facts = facts_of(settings, built);
+    write_texture_files([&](const std::string& name) { return files.add(name); }, built.set);
+    for (const char* name : {"texture.json", "atlas.png", "sources.png", "exemplar.png"})
+        result.files.emplace_back(name);
+    TextureShow show(settings, built, place, files, result);
+    for (const std::string& word : settings.show) show.add(word);
+}
+
 }
 
 DistributionResult make_texture(const TextureSettings& settings, const DistributionPlace& place,
@@ -253,6 +266,7 @@ DistributionResult make_texture(const TextureSettings& settings, const Distribut
     DistributionResult result;
     result.parameters = parameters_for_claims(settings);
     std::vector<TextureValues> values;
+    std::optional<double> frames;
     for (int number = 0; number < settings.sets; ++number) {
         TextureRequest request = settings.request;
         request.seed += static_cast<std::uint64_t>(number);
@@ -264,14 +278,12 @@ DistributionResult make_texture(const TextureSettings& settings, const Distribut
         const BuiltTexture built = build_texture(request, exemplar, tell, solve);
         values.push_back(values_of(built.set, request.seed));
         if (number > 0) continue;
-        result.facts = facts_of(settings, built);
-        write_texture_files([&](const std::string& name) { return files.add(name); }, built.set);
-        for (const char* name : {"texture.json", "atlas.png", "sources.png", "exemplar.png"})
-            result.files.emplace_back(name);
-        TextureShow show(settings, built, place, files, result);
-        for (const std::string& word : settings.show) show.add(word);
+        add_set(settings, built, place, files, result);
+        if (settings.has_timing && place.engine == Engine::opencl)
+            frames = frames_a_second(place.device(), texture_pyramid(built.set, request.seed));
     }
     result.numbers = numbers_of(values);
+    if (frames) result.numbers.push_back(texture_number("frames", *frames, std::nullopt));
     return result;
 }
 

@@ -20,10 +20,12 @@ using testing::Contains;
 class TextureRun : public testing::Test
 {
 protected:
-    DistributionResult make(DistributionConfig config)
+    DistributionResult make(const DistributionConfig& config, Engine engine = Engine::reference)
     {
+        std::optional<Device> device;
         DistributionPlace place;
-        place.engine = Engine::reference;
+        place.engine = engine;
+        place.device = [&]() -> Device& { return device ? *device : device.emplace(Device::open()); };
         DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
         return make_distribution(config, place, files);
     }
@@ -69,7 +71,7 @@ TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;
     EXPECT_EQ(result.pictures.size(), texture_shows().size());
     EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).exceptions, 0u);
-    EXPECT_EQ(result.numbers.size(), texture_measures().size());
+    EXPECT_EQ(result.numbers.size(), texture_measures().size() - 1) << "all but frames, which are timed on a device";
     const PngPixels seams = read_png(folder_.path() / "seams.png");
     EXPECT_EQ(seams.width, 2 * 4 * 32);
 }
@@ -98,6 +100,18 @@ TEST_F(TextureRun, TellsRepetition)
     many.request.colors = {3, 3};
     EXPECT_GT(number(make(config_of(few, "texture")), "lattice_power"),
               2 * number(make(config_of(many, "texture")), "lattice_power"));
+}
+
+/// A frame takes no less than to read each of its pixels from memory, and no more than a minute.
+TEST_F(TextureRun, TimesFramesWhereItIsAskedTo)
+{
+    TextureSettings settings = noise_settings();
+    settings.show = {"exemplar"};
+    settings.sets = 2;
+    settings.has_timing = true;
+    const double frames = number(make(config_of(settings, "texture"), Engine::opencl), "frames");
+    EXPECT_GT(frames, 1.0 / 60);
+    EXPECT_LT(frames, 1e12 / (1024 * 576 * 3 * 4));
 }
 
 TEST_F(TextureRun, DrawsPackingsWithTheirNumbers)

@@ -104,5 +104,18 @@ TEST(TextureClaims, CompareEightTilesWithEighteen)
     EXPECT_EQ(textures.outcome("5.3-more-tiles")->agreement, Agreement::disagrees);
 }
 
+TEST(TextureClaims, CountFramesASecond)
+{
+    MadeUpTextures textures;
+    DistributionResult& timed = textures.add("corner", "3", "3", {{"frames", 310}});
+    textures.add("corner", "3", "3", {});
+    EXPECT_EQ(textures.outcome("5.4-frames")->agreement, Agreement::agrees);
+    EXPECT_THAT(textures.outcome("5.4-frames")->measured, HasSubstr("310 frames a second"));
+    timed.numbers[1].value = 25;
+    EXPECT_EQ(textures.outcome("5.4-frames")->agreement, Agreement::disagrees);
+    timed.numbers.pop_back();
+    EXPECT_FALSE(textures.outcome("5.4-frames")) << "nothing is timed";
+}
+
 }
 }

@@ -71,7 +71,11 @@ TEST(TextureTable, RefusesWhatCannotBe)
     expect_texture_refusal("kind = \"corner\"", "c.toml:2: [[texture]]: needs exemplar, a picture's file, or pattern");
     expect_texture_refusal("pattern = \"noise\"\nmarks = \"x.png\"",
                            "c.toml:4: marks = \"x.png\": must be a picture's file");
-    expect_texture_refusal("exemplar = \"none.png\"", "c.toml:3: exemplar = \"none.png\": must be a picture's file");
+    expect_texture_refusal("exemplar = \"none.png\"",
+                           "c.toml:3: exemplar = \"none.png\": no such file: must be a picture's file");
+    expect_texture_refusal("exemplar = \"/dev/null\"", "exemplar = \"/dev/null\": is a device, no file: must be");
+    expect_texture_refusal("pattern = \"noise\"\nsize = 24\ntiming = true",
+                           "c.toml:5: timing = true: is for corner tiles whose size is a power of two");
     expect_texture_refusal("pattern = \"nois\"", "c.toml:3: pattern = \"nois\": must be \"noise\" or");
     expect_texture_refusal("pattern = \"noise\"\nkind = \"wangs\"", "c.toml:4: kind = \"wangs\": must be");
     expect_texture_refusal("pattern = \"noise\"\nsize = 17", "c.toml:2: size = 17: must be even");

@@ -1,0 +1,29 @@
+#include "host/distribution/textures/frame_rate.hpp"
+
+#include "host/device/device.hpp"
+#include "host/sampling/sampler.hpp"
+#include "results/statistic.hpp"
+
+#include <chrono>
+
+namespace poissonlab {
+
+double frames_a_second(Device& device, const TexturePyramid& pyramid)
+{
+    constexpr int timed_frames = 9;
+    TextureCamera camera;
+    camera.width = frame_width;
+    camera.height = frame_height;
+    camera.filter = TextureFilter::mipmap;
+    std::vector<double> rates;
+    for (int frame = -1; frame < timed_frames; ++frame) { // the first one builds the kernel
+        camera.forward = frame;
+        const auto begin = std::chrono::steady_clock::now();
+        map_texture(device, pyramid, TextureLookup::packed, view_of(camera), default_work_group_size);
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        if (frame >= 0) rates.push_back(1 / seconds);
+    }
+    return median(std::move(rates));
+}
+
+}
