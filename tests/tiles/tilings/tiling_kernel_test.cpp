@@ -26,6 +26,7 @@ constexpr auto kernels = R"(
     kernel void look_up_sums(PARAMETERS) { PLACE tiles[id] = corner_sum_wang_tile_at(h, v, period, x, y); }
     kernel void look_up_edges(PARAMETERS) { PLACE tiles[id] = edge_hash_wang_tile_at(h, v, period, x, y); }
     kernel void look_up_cube(PARAMETERS) { PLACE tiles[id] = cube_at(h, period, x, y, z); }
+    kernel void look_up_wang_cube(PARAMETERS) { PLACE tiles[id] = face_hash_wang_cube_at(h, period, x, y, z); }
     kernel void look_up_domino(PARAMETERS) { PLACE tiles[id] = domino_at(h, period, x); }
 )";
 
@@ -95,14 +96,16 @@ TEST_F(TilingKernel, GivesTheTilesOfTheHost)
 
 TEST_F(TilingKernel, GivesTheCubesOfTheHost)
 {
-    for (const HashKind hash : hashes) {
-        for (const Period period : {Period{}, Period{5, 6, 7}}) {
-            const CubeTiling tiling(3, hash, 1, period);
-            const auto cubes = on_device("look_up_cube", tiling.hash(), tiling.hash(), period);
-            for (std::size_t i = 0; i < count; ++i)
-                ASSERT_EQ(cubes[i], tiling.tile(places_[3 * i], places_[3 * i + 1], places_[3 * i + 2])) << i;
-        }
-    }
+    for (const auto& [kind, kernel] :
+         {std::pair{TileKind::cube, "look_up_cube"}, {TileKind::wang_cube, "look_up_wang_cube"}})
+        for (const HashKind hash : hashes)
+            for (const Period period : {Period{}, Period{5, 6, 7}}) {
+                const CubeTiling tiling(3, hash, 1, period, kind);
+                const auto cubes = on_device(kernel, tiling.hash(), tiling.hash(), period);
+                for (std::size_t i = 0; i < count; ++i)
+                    ASSERT_EQ(cubes[i], tiling.tile(places_[3 * i], places_[3 * i + 1], places_[3 * i + 2]))
+                        << kernel << " " << i;
+            }
 }
 
 TEST_F(TilingKernel, GivesTheDominoesOfTheHost)
