@@ -15,23 +15,6 @@ ulong part_of(ulong total, uint u)
     return (total >> 32) * u + ((total & 0xffffffffUL) * u >> 32);
 }
 
-/// The last of n cells whose sum of those before it is at most t = part_of(sums[n], u): never an empty one. `guide` has
-/// that of the least t of each n-th of all u.
-uint cell_of(global const ulong* sums, global const uint* guide, uint n, uint u, ulong t)
-{
-    const uint part = (uint)((ulong)u * n >> 32);
-    uint low = guide[part];
-    uint high = guide[part + 1];
-    while (low < high) {
-        const uint middle = (low + high + 1) / 2;
-        if (sums[middle] <= t)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    return low;
-}
-
 /// rest * 2^32 / weight, rounded down; rest < weight <= 2^63. The guess is off by one at most.
 uint quotient(ulong rest, ulong weight)
 {
@@ -42,26 +25,66 @@ uint quotient(ulong rest, ulong weight)
     return left >= weight ? (uint)q + 1 : (uint)q;
 }
 
-/// The place in one row of cells: pixels times 2^32.
-ulong place_in(global const ulong* sums, global const uint* guide, uint n, uint u, uint* cell)
+/// Goes through the points of a work-item.
+#define EACH_POINT for (uint k = 0; k < POINTS_AN_ITEM; ++k)
+
+/// The places of points in rows of n cells: pixels times 2^32. The row of point k has its sums and its guide from
+/// first[k] on; u[k] says where in the row the point is. The cell is the last one whose sum of those before it is at
+/// most t = part_of(total, u): never an empty one; the guide has that of the least t of each n-th of all u, between two
+/// of which it is searched for. All searches take a step in turn: none waits for memory alone, and no branch depends
+/// on a single one.
+void find_places(global const ulong* sums, global const uint* guide, const size_t* first, uint n, const uint* u,
+                 ulong* places)
 {
-    const ulong t = part_of(sums[n], u);
-    *cell = cell_of(sums, guide, n, u, t);
-    const ulong first = sums[*cell];
-    return ((ulong)*cell << 32) | quotient(t - first, sums[*cell + 1] - first);
+    ulong t[POINTS_AN_ITEM];
+    uint low[POINTS_AN_ITEM], high[POINTS_AN_ITEM];
+    EACH_POINT
+    {
+        const size_t part = first[k] + (uint)((ulong)u[k] * n >> 32);
+        t[k] = part_of(sums[first[k] + n], u[k]);
+        low[k] = guide[part];
+        high[k] = guide[part + 1];
+    }
+    for (uint open = 1; open != 0;) {
+        open = 0;
+        EACH_POINT
+        {
+            const uint middle = (low[k] + high[k] + 1) / 2; // low, where the search is over
+            const bool is_above = sums[first[k] + middle] > t[k];
+            low[k] = is_above ? low[k] : middle;
+            high[k] = is_above ? middle - 1 : high[k];
+            open |= high[k] - low[k];
+        }
+    }
+    EACH_POINT
+    {
+        const size_t cell = first[k] + low[k];
+        places[k] = ((ulong)low[k] << 32) | quotient(t[k] - sums[cell], sums[cell + 1] - sums[cell]);
+    }
 }
 
-/// One work-item warps one point.
+/// A work-item warps POINTS_AN_ITEM points, each as far after the one before it as there are work-items, and the last
+/// point again where there are no more.
 kernel void warp_points(struct Warping warping, global const ulong* row_sums, global const uint* row_guide,
                         global const ulong* sums, global const uint* guide, global const uint2* points,
                         global ulong2* places)
 {
     const uint id = get_global_id(0);
-    if (id >= warping.points) return;
-    const uint2 point = points[id];
-    uint row, column;
-    const ulong y = place_in(row_sums, row_guide, warping.height, point.y, &row);
-    const size_t first = (size_t)row * (warping.width + 1);
-    const ulong x = place_in(sums + first, guide + first, warping.width, point.x, &column);
-    places[id] = (ulong2)(x, y);
+    const uint items = (warping.points + POINTS_AN_ITEM - 1) / POINTS_AN_ITEM;
+    if (id >= items) return;
+    uint u[POINTS_AN_ITEM], v[POINTS_AN_ITEM];
+    size_t first[POINTS_AN_ITEM];
+    ulong x[POINTS_AN_ITEM], y[POINTS_AN_ITEM];
+    EACH_POINT
+    {
+        const uint2 point = points[min(id + k * items, warping.points - 1)];
+        u[k] = point.x;
+        v[k] = point.y;
+        first[k] = 0;
+    }
+    find_places(row_sums, row_guide, first, warping.height, v, y);
+    EACH_POINT first[k] = (y[k] >> 32) * ((size_t)warping.width + 1);
+    find_places(sums, guide, first, warping.width, u, x);
+    EACH_POINT
+    if (id + k * items < warping.points) places[id + k * items] = (ulong2)(x[k], y[k]);
 }

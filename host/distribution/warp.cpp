@@ -24,7 +24,7 @@ void append_guide(std::span<const std::uint64_t> sums, std::vector<std::uint32_t
     }
 }
 
-constexpr std::size_t warp_group_size = 256;
+constexpr std::size_t warp_group_size = 64;
 
 }
 
@@ -70,9 +70,10 @@ DeviceMemory PointWarper::memory(std::size_t width, std::size_t height, std::siz
 
 void PointWarper::warp(const Buffer<std::uint32_t>& points, std::size_t count, Buffer<std::uint64_t>& places)
 {
-    const contract::warp::Warping warping{static_cast<std::uint32_t>(count), width_, height_};
-    warp_.run(count, work_group_size_, warping, buffers_.row_sums, buffers_.row_guide, buffers_.sums, buffers_.guide,
-              points, places);
+    using namespace contract::warp;
+    const Warping warping{static_cast<std::uint32_t>(count), width_, height_};
+    warp_.run((count + POINTS_AN_ITEM - 1) / POINTS_AN_ITEM, work_group_size_, warping, buffers_.row_sums,
+              buffers_.row_guide, buffers_.sums, buffers_.guide, points, places);
 }
 
 PixelPlaces PointWarper::warp(std::span<const std::uint32_t> points)

@@ -5,6 +5,11 @@
 
 CONTRACT(warp)
 
+enum
+{
+    POINTS_AN_ITEM = 16 ///< that a work-item warps
+};
+
 struct Warping
 {
     uint points;
