@@ -14,6 +14,7 @@ const std::vector<KernelFile>& kernel_files()
         {"farthest_point.cl", {}},
         {"gaussian_blue_noise.cl", {dimension}},
         {"gradient_domain.cl", {}},
+        {"instances.cl", {}},
         {"joint_nulling.cl", {dimension}},
         {"masked_squares.cl", {}},
         {"objects.cl", {}},

@@ -23,6 +23,14 @@ pobjects ObjectTileSet::distribution(const PoissonTiling& tiling) const
     return pobjects_open(&look_up, sorted_.data(), radius_);
 }
 
+std::vector<std::uint32_t> packed_numbers(const std::vector<std::uint16_t>& numbers)
+{
+    std::vector<std::uint32_t> words((numbers.size() + 1) / 2);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        words[i / 2] |= static_cast<std::uint32_t>(numbers[i]) << (i % 2 * 16);
+    return words;
+}
+
 contract::objects::ObjectTiles object_tiles(const ObjectTileSet& tiles, const PoissonTiling& tiling)
 {
     const ptiles_tiling t = runtime_tiling(tiles.tiles(), tiling);
@@ -42,10 +50,7 @@ ObjectPainter::ObjectPainter(Device device, const ObjectTileSet& tiles, const Ob
       draw_(device_.kernel(kernel_program("objects.cl", {}), "draw_objects"))
 {
     reserve(device_, buffers_.needed(tiles.sorted().size(), shapes.radii.size(), 0));
-    std::vector<std::uint32_t> words((tiles.sorted().size() + 1) / 2);
-    for (std::size_t i = 0; i < tiles.sorted().size(); ++i)
-        words[i / 2] |= static_cast<std::uint32_t>(tiles.sorted()[i]) << (i % 2 * 16);
-    buffers_.words.write(words);
+    buffers_.words.write(packed_numbers(tiles.sorted()));
     buffers_.shapes.write(shapes.radii);
 }
 

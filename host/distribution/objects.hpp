@@ -93,6 +93,9 @@ private:
     Kernel draw_;
 };
 
+/// Numbers of 16 bits, two a word, as kernels take those of points.
+std::vector<std::uint32_t> packed_numbers(const std::vector<std::uint16_t>& numbers);
+
 /// The tiling as the kernel takes it.
 contract::objects::ObjectTiles object_tiles(const ObjectTileSet& tiles, const PoissonTiling& tiling);
 

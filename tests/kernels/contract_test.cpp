@@ -4,6 +4,7 @@
 #include "kernels/common/dart_throwing.h"
 #include "kernels/common/gaussian_blue_noise.h"
 #include "kernels/common/gradient_domain.h"
+#include "kernels/common/instances.h"
 #include "kernels/common/masked_squares.h"
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
@@ -142,6 +143,15 @@ TEST(Contract, OfDistributions)
     const std::size_t search[] = {LAYOUT_OF(contract::self_similar::StartSearch, capacity)};
     EXPECT_THAT(on_device("kernels/common/self_similar.h", layout_of("StartSearch", "capacity")),
                 ElementsAreArray(search));
+    const std::size_t instance_scene[] = {LAYOUT_OF(contract::instances::InstanceScene, models)};
+    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("InstanceScene", "models")),
+                ElementsAreArray(instance_scene));
+    const std::size_t instance_tiles[] = {LAYOUT_OF(contract::instances::InstanceTiles, below)};
+    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("InstanceTiles", "below")),
+                ElementsAreArray(instance_tiles));
+    const std::size_t placed[] = {LAYOUT_OF(contract::instances::PlacedInstance, is_inside)};
+    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("PlacedInstance", "is_inside")),
+                ElementsAreArray(placed));
     const std::size_t tiles[] = {LAYOUT_OF(contract::objects::ObjectTiles, above)};
     EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectTiles", "above")), ElementsAreArray(tiles));
     const std::size_t scene[] = {LAYOUT_OF(contract::objects::ObjectScene, palette)};

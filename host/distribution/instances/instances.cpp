@@ -1,73 +1,15 @@
 #include "host/distribution/instances/instances.hpp"
 
 #include "base/errors/errors.hpp"
-#include "base/programs/interrupt.hpp"
+#include "host/distribution/instances/instance_placer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace poissonlab {
-namespace {
-
-enum InstancePurpose : std::uint32_t
-{
-    model_purpose = 100,
-    turn_purpose = 101,
-    tilt_purpose = 102,
-    tilt_direction_purpose = 103,
-    scale_purpose = 104, ///< and five after it
-};
-
-constexpr double smallest_scale = 0.001;
-
-/// Tiles a unit: D 7.6.2.2, where the text has its inverse.
-double tiles_a_unit(const ObjectTileSet& tiles, const InstanceSettings& settings)
-{
-    const double a_unit = settings.density / tiles.tiles().parameters.points_per_tile;
-    return instance_dimension(settings) == 3 ? std::cbrt(a_unit) : std::sqrt(a_unit);
-}
-
-double scale_of(const SpreadChoice& spread, std::uint32_t id)
-{
-    using Kind = SpreadChoice::Kind;
-    double scale = spread.a;
-    if (spread.kind == Kind::uniform) scale += (spread.b - spread.a) * pobjects_uniform(id, scale_purpose);
-    if (spread.kind == Kind::normal) scale += spread.b * pobjects_normal(id, scale_purpose);
-    return std::clamp(scale, smallest_scale, 1.0);
-}
-
-bool is_in_scene(const InstanceSettings& settings, double x, double y)
-{
-    const auto& [left, bottom, width, height] = settings.window;
-    if (x < left || x >= left + width || y < bottom || y >= bottom + height) return false;
-    const auto& [inner, outer, thickness] = settings.ring;
-    const double squared = x * x + y * y;
-    return instance_dimension(settings) == 2 || (squared >= inner * inner && squared < outer * outer);
-}
-
-Instance instance_at(const ptiles_point& point, const InstanceSettings& settings, double unit)
-{
-    Instance instance;
-    const std::uint32_t id = point.id;
-    for (std::size_t axis = 0; axis < 3; ++axis) instance.position[axis] = point.position[axis] / unit;
-    instance.model =
-        static_cast<std::uint32_t>(std::uint64_t{pobjects_bits(id, model_purpose)} * settings.models >> 32);
-    instance.turn = 2 * std::numbers::pi * pobjects_uniform(id, turn_purpose);
-    instance.scale = scale_of(settings.scale, id);
-    instance.tilt = settings.tilt * pobjects_uniform(id, tilt_purpose);
-    instance.tilt_direction = 2 * std::numbers::pi * pobjects_uniform(id, tilt_direction_purpose);
-    std::copy_n(point.tile, 3, instance.tile.begin());
-    instance.index = point.index;
-    instance.id = id;
-    return instance;
-}
-
-}
-
 Terrain::Terrain(const InstanceSettings& settings)
     : heights_(values_of_text(settings.terrain, "light", settings.terrain_area[2], settings.terrain_area[3])),
       area_(settings.terrain_area), scale_(settings.height)
@@ -107,33 +49,38 @@ double instance_radius(const ObjectTileSet& tiles, const InstanceSettings& setti
     return tiles.radius() / tiles_a_unit(tiles, settings);
 }
 
-std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
-                                   const InstanceSettings& settings)
+double tiles_a_unit(const ObjectTileSet& tiles, const InstanceSettings& settings)
+{
+    const double a_unit = settings.density / tiles.tiles().parameters.points_per_tile;
+    return instance_dimension(settings) == 3 ? std::cbrt(a_unit) : std::sqrt(a_unit);
+}
+
+InstanceBox instance_box(const ObjectTileSet& tiles, const InstanceSettings& settings)
 {
     const double unit = tiles_a_unit(tiles, settings);
-    const int dimension = instance_dimension(settings);
     const auto& [left, bottom, width, height] = settings.window;
-    const double reach = dimension == 3 ? settings.ring[1] : std::numeric_limits<double>::infinity();
+    const double reach = instance_dimension(settings) == 3 ? settings.ring[1] : std::numeric_limits<double>::infinity();
     const double half = settings.ring[2] / 2;
+    return {
+        {std::max(left, -reach) * unit - 0.5, std::max(bottom, -reach) * unit - 0.5, -half * unit - 0.5},
+        {std::min(left + width, reach) * unit + 0.5, std::min(bottom + height, reach) * unit + 0.5, half * unit + 0.5}};
+}
+
+std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
+                                   const InstanceSettings& settings, const DistributionPlace& place)
+{
     const std::optional<Terrain> terrain = terrain_of(settings);
-    const ptiles_tiling look_up = runtime_tiling(tiles.tiles(), tiling);
-    // Half a tile more to each side: positions in units decide what is in the window, the same for all windows.
-    const double low[3] = {std::max(left, -reach) * unit - 0.5, std::max(bottom, -reach) * unit - 0.5,
-                           -half * unit - 0.5};
-    const double high[3] = {std::min(left + width, reach) * unit + 0.5, std::min(bottom + height, reach) * unit + 0.5,
-                            half * unit + 0.5};
     std::vector<Instance> instances;
-    if (low[0] >= high[0] || low[1] >= high[1]) return instances;
-    std::vector<ptiles_point> points(ptiles_in_window(&look_up, low, high, nullptr, 0, 1));
-    ptiles_in_window(&look_up, low, high, points.data(), points.size(), 1);
-    stop_if_interrupted();
-    for (const ptiles_point& point : points) {
-        Instance instance = instance_at(point, settings, unit);
-        auto& [x, y, z] = instance.position;
-        if (!is_in_scene(settings, x, y) || (dimension == 3 && (z < -half || z >= half))) continue;
-        if (terrain) z = terrain->at(x, y);
-        instances.push_back(instance);
+    if (place.engine == Engine::reference) {
+        instances = reference::place_instances(tiles, tiling, settings);
+    } else {
+        Device& device = place.device();
+        check_fits("placing instances", InstancePlacer::memory(tiles), device.info());
+        instances = InstancePlacer(device, tiles).place(tiling, settings);
     }
+    if (terrain)
+        for (Instance& instance : instances)
+            instance.position[2] = terrain->at(instance.position[0], instance.position[1]);
     return instances;
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/densities/density_values.hpp"
 #include "host/config/distributions/distribution_config.hpp"
+#include "host/distribution/distribution_place.hpp"
 #include "host/distribution/objects.hpp"
 
 #include <array>
@@ -56,10 +57,29 @@ int instance_dimension(const InstanceSettings& settings);
 /// The radius of the disks or spheres that do not overlap, in units.
 double instance_radius(const ObjectTileSet& tiles, const InstanceSettings& settings);
 
+/// Tiles a unit: D 7.6.2.2, where the text has its inverse.
+double tiles_a_unit(const ObjectTileSet& tiles, const InstanceSettings& settings);
+
+/// A box around all instances, in tiles: half a tile larger to each side, so that positions in units decide, the same
+/// for all windows. Low is not below high where there can be none.
+struct InstanceBox
+{
+    std::array<double, 3> low{}, high{};
+
+    bool is_empty() const { return low[0] >= high[0] || low[1] >= high[1]; }
+};
+InstanceBox instance_box(const ObjectTileSet& tiles, const InstanceSettings& settings);
+
+namespace reference {
+/// The plain twin of InstancePlacer::place().
+std::vector<Instance> place_instances(const ObjectTileSet& tiles, const PoissonTiling& tiling,
+                                      const InstanceSettings& settings);
+}
+
 /// The instances with a position in the window, x and y from its lowest corner on, and in the ring where the scene has
-/// one; by rows of tiles. Throws Interrupted.
+/// one, on the terrain; by rows of tiles. Throws Interrupted.
 std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
-                                   const InstanceSettings& settings);
+                                   const InstanceSettings& settings, const DistributionPlace& place);
 
 /// The number of instances on average.
 double expected_instances(const InstanceSettings& settings);

@@ -17,7 +17,7 @@ DistributionResult make_instances(const InstanceSettings& settings, std::uint64_
 {
     const ObjectTileSet tiles(object_tile_set(settings.tiles, instance_dimension(settings), place));
     const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0], 0};
-    const std::vector<Instance> instances = instances_in(tiles, tiling, settings);
+    const std::vector<Instance> instances = instances_in(tiles, tiling, settings, place);
     const double radius = instance_radius(tiles, settings);
 
     DistributionResult result;

@@ -1,9 +1,11 @@
 // Instances by window: parts and the whole are the same, and numbers are those of their distributions.
 #include "host/distribution/instances/instance_files.hpp"
+#include "host/distribution/instances/instance_placer.hpp"
 #include "host/distribution/instances/instance_view.hpp"
 
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/random_tile_set.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
@@ -51,21 +53,92 @@ InstanceSettings a_belt()
     return settings;
 }
 
+/// By the plain twin.
+std::vector<Instance> made(const ObjectTileSet& tiles, const InstanceSettings& settings)
+{
+    return instances_in(tiles, {7, 0}, settings, {Engine::reference, {}});
+}
+
 std::vector<Instance> in_order(std::vector<Instance> instances)
 {
     std::ranges::sort(instances, {}, [](const Instance& i) { return std::tuple(i.tile, i.index); });
     return instances;
 }
 
+struct PlacedCase
+{
+    const char* name;
+    const ObjectTileSet& (*tiles)();
+    InstanceSettings settings;
+    PoissonTiling tiling;
+    std::size_t work_group_size = 0;
+};
+
+/// Tiles whose points lie up to half a tile outside of their squares.
+const ObjectTileSet& overhanging_tiles()
+{
+    static const ObjectTileSet tiles = [] {
+        PoissonTileSet set = random_chain_set(3, 6);
+        set.squared_min_distance = 1;
+        return ObjectTileSet(std::move(set));
+    }();
+    return tiles;
+}
+
+/// Trees with normal scales, some of which are cut off at both ends.
+InstanceSettings normal_trees()
+{
+    InstanceSettings settings = some_trees({-0.3, -70, 0.7, 0.4});
+    settings.terrain.clear();
+    settings.scale = {SpreadChoice::Kind::normal, 0.5, 0.4};
+    return settings;
+}
+
+InstanceSettings part_of_a_belt()
+{
+    InstanceSettings settings = a_belt();
+    settings.window = {0, -1, 0.8, 1.5};
+    settings.models = 65'536;
+    return settings;
+}
+
+class PlacedInstances : public testing::TestWithParam<PlacedCase>
+{
+};
+
+TEST_P(PlacedInstances, AreTheSameByKernelAndTwin)
+{
+    const auto& [name, tiles, settings, tiling, work_group_size] = GetParam();
+    const auto placed = InstancePlacer(Device::open(), tiles(), work_group_size).place(tiling, settings);
+    EXPECT_FALSE(placed.empty());
+    EXPECT_EQ(placed, reference::place_instances(tiles(), tiling, settings));
+}
+
+const auto name_of_case = [](const auto& info) { return std::string(info.param.name); };
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(
+    Small, PlacedInstances,
+    testing::Values(PlacedCase{"trees", plane_instance_tiles, some_trees({-0.5, -0.25, 1, 0.5}), {7, 0}},
+                    PlacedCase{"normal", plane_instance_tiles, normal_trees(), {8, 5}, 3},
+                    PlacedCase{"overhang", overhanging_tiles, normal_trees(), {9, 0}, 64}),
+    name_of_case);
+// More than are placed at a time.
+INSTANTIATE_TEST_SUITE_P(
+    Large, PlacedInstances,
+    testing::Values(PlacedCase{"forest", plane_instance_tiles, some_trees({-30, 1000, 60, 60}), {7, 0}},
+                    PlacedCase{"belt", space_instance_tiles, part_of_a_belt(), {7, 0}, 100}),
+    name_of_case);
+
 TEST(Instances, AreTheSameInPartsAndAtOnce)
 {
     std::vector<Instance> parts;
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 3; ++x) {
-            const auto part = instances_in(plane_instance_tiles(), {7, 0}, some_trees({x - 1.0, y * 0.5 - 2, 1, 0.5}));
+            const auto part = made(plane_instance_tiles(), some_trees({x - 1.0, y * 0.5 - 2, 1, 0.5}));
             parts.insert(parts.end(), part.begin(), part.end());
         }
-    const auto whole = instances_in(plane_instance_tiles(), {7, 0}, some_trees({-1, -2, 3, 2}));
+    const auto whole = made(plane_instance_tiles(), some_trees({-1, -2, 3, 2}));
     EXPECT_EQ(in_order(parts), in_order(whole));
     // The same bytes as well.
     EXPECT_EQ(instances_csv(in_order(parts)), instances_csv(in_order(whole)));
@@ -75,11 +148,11 @@ TEST(Instances, AreTheSameInPartsAndAtOnce)
 TEST(Instances, OfABeltAreTheSameInPartsAndAtOnce)
 {
     InstanceSettings settings = a_belt();
-    const auto whole = instances_in(space_instance_tiles(), {7, 0}, settings);
+    const auto whole = made(space_instance_tiles(), settings);
     std::vector<Instance> parts;
     for (const double x : {-1.0, 0.0}) {
         settings.window = {x, -1, 1, 2};
-        const auto part = instances_in(space_instance_tiles(), {7, 0}, settings);
+        const auto part = made(space_instance_tiles(), settings);
         parts.insert(parts.end(), part.begin(), part.end());
     }
     EXPECT_EQ(in_order(parts), in_order(whole));
@@ -89,7 +162,7 @@ TEST(Instances, OfABeltAreTheSameInPartsAndAtOnce)
 TEST(Instances, OfABeltFillARing)
 {
     const InstanceSettings settings = a_belt();
-    const auto belt = instances_in(space_instance_tiles(), {7, 0}, settings);
+    const auto belt = made(space_instance_tiles(), settings);
     const double expected = 20'000 * std::numbers::pi * (0.81 - 0.25) * 0.1;
     EXPECT_NEAR(expected_instances(settings), expected, 1e-3 * expected);
     EXPECT_NEAR(static_cast<double>(belt.size()), expected, 3 * std::sqrt(expected));
@@ -112,7 +185,7 @@ TEST(Instances, HaveEvenNumbersAndTheirDistance)
 {
     InstanceSettings settings = some_trees({0, 0, 20, 20});
     settings.terrain.clear();
-    const auto instances = instances_in(plane_instance_tiles(), {7, 0}, settings);
+    const auto instances = made(plane_instance_tiles(), settings);
     const auto n = static_cast<double>(instances.size());
     std::array<double, 5> models{};
     double turn = 0, scale = 0;
@@ -139,7 +212,7 @@ TEST(Instances, StandOnTheirTerrain)
     InstanceSettings settings = some_trees({-1, -2, 4, 2});
     settings.terrain_area = settings.window;
     settings.height = 5;
-    for (const Instance& i : instances_in(plane_instance_tiles(), {7, 0}, settings)) {
+    for (const Instance& i : made(plane_instance_tiles(), settings)) {
         const double x = (i.position[0] - 1) / 2, y = (i.position[1] + 1) / 2;
         if (std::abs(x) > 0.99 || std::abs(y) > 0.49) continue; // beyond the middles of pixels heights are those there
         EXPECT_NEAR(i.position[2], 5 * x * y, 1e-12); // linear between pixels, and so is the formula along each axis
@@ -151,7 +224,7 @@ TEST(Instances, StandOnTheirTerrain)
 TEST(Instances, AreWrittenForOtherPrograms)
 {
     const InstanceSettings settings = some_trees({0, 0, 1, 1});
-    const auto instances = instances_in(plane_instance_tiles(), {7, 0}, settings);
+    const auto instances = made(plane_instance_tiles(), settings);
     const std::string csv = instances_csv(instances), ply = instances_ply(instances);
     EXPECT_EQ(std::ranges::count(csv, '\n'), static_cast<std::ptrdiff_t>(instances.size() + 1));
     EXPECT_NE(ply.find("element vertex " + std::to_string(instances.size()) + "\n"), std::string::npos);
@@ -167,7 +240,7 @@ TEST(Instances, AreSeenFromAbove)
     InstanceSettings settings = some_trees({0, 0, 1, 0.5});
     settings.terrain.clear();
     settings.pixels = 120;
-    const auto instances = instances_in(plane_instance_tiles(), {7, 0}, settings);
+    const auto instances = made(plane_instance_tiles(), settings);
     const PngPixels view = view_from_above(instances, settings, instance_radius(plane_instance_tiles(), settings));
     EXPECT_EQ(view.width, 120);
     EXPECT_EQ(view.height, 60);
