@@ -11,6 +11,9 @@
 //   failures, and reduce the radius
 // - cover_cells: enter the disks of new points into the table
 //
+// Where disks are large or most darts find room, batches come out so small that their launches cost more than their
+// darts. There, on CPUs, throw_in_order (one work-item) does what the sequential algorithm does.
+//
 // The radius only falls, so a dart that is rejected at the lowest radius ahead is rejected at whatever radius
 // holds when its turn comes. Where a batch begins and how far ahead it looks decide about the cost only,
 // never about the result.
@@ -23,14 +26,11 @@
 //
 // Needs DIMENSION (2 or 3) and COVER_BITS (2 or 3).
 
-#define LARGE_DISKS 1 // for common/torus.clh, of which only what does not depend on it is used
-
 #include "kernels/common/philox.clh"
 #include "kernels/common/relaxation_dart_throwing.h"
-#include "kernels/common/torus.clh"
+#include "kernels/common/relaxing_grid.clh"
 
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
-#define NEXT_WORD DIMENSION // of a point
 
 // The table counts squared distances in units of 2^-15 of a grid cell's squared width, which no threshold
 // exceeds.
@@ -77,17 +77,6 @@ ALWAYS_INLINE Position dart_position(ulong dart, uint2 key)
     return position;
 }
 
-/// The cell of a position in a grid of 2^bits cells along each axis, bits <= 31.
-ALWAYS_INLINE uint cell_of(const Position* position, uint bits)
-{
-    uint index = 0;
-    _Pragma("unroll") for (int k = DIMENSION - 1; k >= 0; --k)
-    {
-        index = index << bits | (uint)((ulong)position->c[k] << bits >> 32);
-    }
-    return index;
-}
-
 /// The uppermost `bits` of the lower 32 of each lane, 0 < bits < 32. (A macro: PoCL warns of functions that
 /// take vectors wider than registers.)
 #define UPPERMOST(lanes, bits) (((lanes)&0xffffffffu) >> (32 - (bits)))
@@ -129,56 +118,6 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     result |= (low - vload8(1, farthest)) >> (ushort8)15 << (ushort8)1;
 #endif
     vstore8(convert_uchar8(result), id, flags);
-}
-
-/// The cells along one axis that are within reach of a coordinate, from the first on around the torus.
-typedef struct
-{
-    uint first;
-    uint count;
-} Reach;
-
-ALWAYS_INLINE Reach reach_of(uint coordinate, uint grid_bits, ulong squared_min_distance)
-{
-    const ulong width = 1ul << (32 - grid_bits);
-    const ulong below = coordinate & (width - 1);
-    const ulong above = width - below;
-    const uint reaches_below = below * below < squared_min_distance;
-    const uint reaches_above = above * above < squared_min_distance;
-    const Reach reach = {(uint)((ulong)coordinate >> (32 - grid_bits)) - reaches_below,
-                         1 + reaches_below + reaches_above};
-    return reach;
-}
-
-/// Is no point nearer to the position than the minimum distance? (Small grids have cells that are looked into
-/// twice.)
-ALWAYS_INLINE bool is_free(const Position* position, global const uint* heads, global const uint* points,
-                           uint grid_bits, ulong squared_min_distance)
-{
-    const uint last = (1u << grid_bits) - 1;
-    Reach reach[DIMENSION];
-    FOR_EACH_AXIS(k) reach[k] = reach_of(position->c[k], grid_bits, squared_min_distance);
-#if DIMENSION == 3
-    for (uint z = 0; z < reach[2].count; ++z) {
-        const uint slice = (reach[2].first + z & last) << grid_bits;
-#else
-    {
-        const uint slice = 0;
-#endif
-        for (uint y = 0; y < reach[1].count; ++y) {
-            const uint row = (slice | (reach[1].first + y & last)) << grid_bits;
-            for (uint x = 0; x < reach[0].count; ++x) {
-                for (uint link = heads[row | (reach[0].first + x & last)]; link != 0;) {
-                    global const uint* point = &points[(link - 1) * POINT_WORDS];
-                    Position other;
-                    FOR_EACH_AXIS(k) other.c[k] = point[k];
-                    if (squared_distance(&other, position) < squared_min_distance) return false;
-                    link = point[NEXT_WORD];
-                }
-            }
-        }
-    }
-    return true;
 }
 
 /// The number of the lowest bit that is set.
@@ -227,15 +166,6 @@ ALWAYS_INLINE bool fail(Progress* progress, ulong count, ulong attempts, ulong l
         progress->failures %= attempts;
     }
     return failing == count;
-}
-
-void insert_point(const Position* position, uint number, global uint* heads, global uint* points,
-                  uint grid_bits)
-{
-    const uint cell = cell_of(position, grid_bits);
-    FOR_EACH_AXIS(k) points[number * POINT_WORDS + k] = position->c[k];
-    points[number * POINT_WORDS + NEXT_WORD] = heads[cell];
-    heads[cell] = number + 1;
 }
 
 /// The first work-item owns everything. Settles darts until the batch ends, or the radius falls below what
@@ -289,6 +219,54 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
     state[LOW_LEVEL] = progress.level + settling.levels_ahead;
     state[LOW_THRESHOLD] = thresholds[progress.level + settling.levels_ahead - settling.first_level];
     state[CANDIDATES] += looked_at;
+}
+
+/// The first work-item owns everything. Throws 8 blocks of darts `settling.words` times, one dart after the other, or
+/// until the level comes to `end_level`, or there are `target` points. Points since FIRST_NEW stay out of the table.
+kernel void throw_in_order(struct Settling settling, ulong end_level, global ulong* state,
+                           global const ulong* thresholds, global uint* heads, global uint* points)
+{
+    if (get_global_id(0) != 0) return;
+    ulong dart = state[NEXT_DART];
+    ulong level = state[LEVEL];
+    ulong failures = state[FAILURES];
+    uint count = (uint)state[POINTS];
+    ulong threshold = thresholds[level - settling.first_level];
+    ulong block = dart / DARTS_A_BLOCK;
+    bool goes_on = count < settling.target && level < end_level;
+    for (uint i = 0; i < settling.words && goes_on; ++i, block += 8) {
+        const ulong8 numbers = block + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
+        EightBlocks counters;
+        counters.word[0] = numbers;
+        counters.word[1] = numbers >> 32;
+        counters.word[2] = counters.word[3] = 0;
+        const EightBlocks random = philox8(counters, (uint2)(settling.key_x, settling.key_y));
+        ulong words[4][8];
+        for (uint w = 0; w < 4; ++w) vstore8(random.word[w], 0, words[w]);
+        for (; dart < (block + 8) * DARTS_A_BLOCK && goes_on; ++dart) {
+            const uint lane = (uint)(dart / DARTS_A_BLOCK - block);
+            const uint first = (uint)(dart % DARTS_A_BLOCK) * DIMENSION;
+            Position position;
+            FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
+            if (is_free(&position, heads, points, settling.grid_bits, threshold)) {
+                insert_point(&position, count, heads, points, settling.grid_bits);
+                ++count;
+                failures = 0;
+                goes_on = count < settling.target;
+            } else if (++failures == settling.attempts) {
+                failures = 0;
+                ++level;
+                threshold = thresholds[level - settling.first_level];
+                goes_on = level < end_level;
+            }
+        }
+    }
+    state[NEXT_DART] = dart;
+    state[LEVEL] = level;
+    state[FAILURES] = failures;
+    state[POINTS] = count;
+    state[LOW_LEVEL] = level + settling.levels_ahead;
+    state[LOW_THRESHOLD] = thresholds[level + settling.levels_ahead - settling.first_level];
 }
 
 /// The table's units from a coordinate to the farthest of each part of a grid cell along an axis, rounded up;

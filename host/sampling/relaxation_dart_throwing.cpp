@@ -26,6 +26,13 @@ constexpr std::uint64_t largest_batch = std::uint64_t{1} << 18;
 /// kernels run in parallel and cost a launch each.
 constexpr double candidates_a_batch = 300;
 
+/// Darts are thrown one after the other, by a single work-item of a CPU, while at least one of so many becomes a point:
+/// then batches of so few candidates take more time to launch than to throw.
+constexpr std::uint64_t darts_a_point_in_order = 40;
+
+/// Darts of such a launch; a multiple of what kernels draw at once.
+constexpr std::uint64_t darts_in_order = std::uint64_t{1} << 14;
+
 /// A batch is looked at for a radius that is smaller by this factor at most, or by as many levels at least:
 /// the smaller, the more candidates fail.
 constexpr double least_radius_ahead = 0.98;
@@ -123,7 +130,7 @@ public:
     RelaxationThrowing(Device& device, RelaxationDartBuffers& buffers, const RelaxationDartThrowingRequest& request,
                        std::size_t group_size)
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
-          window_(request)
+          may_throw_in_order_(device.info().type == "CPU"), is_in_order_(may_throw_in_order_), window_(request)
     {
         const KernelProgram program =
             kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}});
@@ -133,6 +140,7 @@ public:
         cover_ = device.kernel(program, "cover_cells");
         clear_ = device.kernel(program, "clear_cells");
         link_ = device.kernel(program, "link_points");
+        throw_in_order_ = device.kernel(program, "throw_in_order");
         reserve(device, buffers_.needed(request, group_size));
     }
 
@@ -144,10 +152,15 @@ public:
         while (state_[POINTS] < request_.points) {
             fit_grids();
             fit_window();
-            for (std::uint64_t round = 0; round < rounds_at_once; ++round) throw_batch();
+            if (is_in_order_) {
+                throw_in_order();
+            } else {
+                for (std::uint64_t round = 0; round < rounds_at_once; ++round) throw_batch();
+            }
             const StateWords before = state_;
             buffers_.state.read(state_);
-            choose_batch(before);
+            if (!is_in_order_) choose_batch(before);
+            choose_order(before);
         }
         while (window_.level() < state_[LEVEL]) window_.reduce();
         return {accepted_points(), window_.radius(), state_[NEXT_DART]};
@@ -163,6 +176,38 @@ private:
 
     static std::uint32_t u32(std::uint64_t value) { return static_cast<std::uint32_t>(value); }
 
+    contract::relaxation_dart_throwing::Settling settling(std::uint64_t words) const
+    {
+        return {.first_level = window_.level(),
+                .attempts = request_.attempts,
+                .words = u32(words),
+                .key_x = request_.stream[0],
+                .key_y = request_.stream[1],
+                .target = u32(request_.points),
+                .levels_ahead = u32(levels_ahead_),
+                .grid_bits = grid_bits_};
+    }
+
+    /// Ends at the level where grids become finer, and within the table of thresholds.
+    void throw_in_order()
+    {
+        std::size_t end = state_[LEVEL] - window_.level() + 1;
+        const std::size_t last = window_thresholds_.size() - levels_in_reach(request_);
+        while (end < last && grid_bits_for(window_thresholds_[end]) == grid_bits_) ++end;
+        throw_in_order_.run(1, 1, settling(darts_in_order / darts_a_throwing_item), window_.level() + end,
+                            buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points);
+    }
+
+    /// Throws in order while many darts become points.
+    void choose_order(const StateWords& before)
+    {
+        const std::uint64_t darts = state_[NEXT_DART] - before[NEXT_DART];
+        const std::uint64_t points = state_[POINTS] - before[POINTS];
+        const bool was_in_order = is_in_order_;
+        is_in_order_ = may_throw_in_order_ && points * darts_a_point_in_order >= darts;
+        if (was_in_order && !is_in_order_) update_table();
+    }
+
     void throw_batch()
     {
         RelaxationDartBuffers& b = buffers_;
@@ -171,15 +216,7 @@ private:
         throw_.run(batch_ / darts_a_throwing_item, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
         find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points, grid_bits_,
                   key_x, key_y, b.candidates);
-        const contract::relaxation_dart_throwing::Settling settling{.first_level = window_.level(),
-                                                                    .attempts = request_.attempts,
-                                                                    .words = words,
-                                                                    .key_x = key_x,
-                                                                    .key_y = key_y,
-                                                                    .target = u32(request_.points),
-                                                                    .levels_ahead = u32(levels_ahead_),
-                                                                    .grid_bits = grid_bits_};
-        settle_.run(1, 1, settling, b.state, b.candidates, b.thresholds, b.heads, b.points);
+        settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.heads, b.points);
         update_table();
     }
 
@@ -190,14 +227,17 @@ private:
                    buffers_.state, buffers_.points, grid_bits_, buffers_.table);
     }
 
+    /// The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of 2^-32.
+    std::uint32_t grid_bits_for(std::uint64_t squared_min_distance) const
+    {
+        const int for_distance = std::countl_zero(squared_min_distance - 1) / 2;
+        return u32(static_cast<std::uint64_t>(std::min(for_distance, limits_.most_grid_bits)));
+    }
+
     /// Makes the grids as fine as the minimum distance allows.
     void fit_grids()
     {
-        // The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of
-        // 2^-32.
-        const std::uint64_t squared = window_thresholds_[state_[LEVEL] - window_.level()];
-        const int for_distance = std::countl_zero(squared - 1) / 2;
-        const auto bits = u32(static_cast<std::uint64_t>(std::min(for_distance, limits_.most_grid_bits)));
+        const std::uint32_t bits = grid_bits_for(window_thresholds_[state_[LEVEL] - window_.level()]);
         if (grids_exist_ && bits == grid_bits_) return;
         grids_exist_ = true;
         grid_bits_ = bits;
@@ -252,7 +292,8 @@ private:
     const RelaxationDartThrowingRequest& request_;
     std::size_t group_size_;
     GridLimits limits_;
-    Kernel throw_, find_, settle_, cover_, clear_, link_;
+    bool may_throw_in_order_, is_in_order_;
+    Kernel throw_, find_, settle_, cover_, clear_, link_, throw_in_order_;
     StateWords state_{}; ///< as the host saw it last
     std::uint64_t batch_ = first_batch;
     std::uint64_t levels_ahead_ = 1;
