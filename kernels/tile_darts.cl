@@ -12,15 +12,27 @@
 #include "kernels/common/philox.clh"
 #include "kernels/common/tile_torus.clh"
 
-/// Dart number `dart` of a stream.
-Position dart_at(uint dart, uint stream, const struct Darts* darts)
+#define DARTS_AT_ONCE 8 // that are drawn as vectors
+
+/// Draws darts `dart` to dart + DARTS_AT_ONCE - 1 of a stream: coordinates axis after axis, BATCH apart.
+void draw_darts(uint dart, uint stream, const struct Darts* darts, local int* positions)
 {
-    const uint4 words = philox((uint4)(dart, stream, darts->attempt, darts->zone), (uint2)(darts->key_x, darts->key_y));
-    const uint word[3] = {words.x, words.y, words.z};
-    Position position;
+    EightBlocks counters;
+    counters.word[0] = dart + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
+    counters.word[1] = stream;
+    counters.word[2] = darts->attempt;
+    counters.word[3] = darts->zone;
+    const EightBlocks random = philox8(counters, (uint2)(darts->key_x, darts->key_y));
     for (int k = 0; k < DIMENSION; ++k) {
-        position.c[k] = (darts->low + (int)((ulong)word[k] * darts->extent >> 32)) & TORUS_MASK;
+        const ulong8 offset = (random.word[k] & 0xffffffffu) * (ulong)darts->extent >> 32;
+        vstore8((darts->low + convert_int8(offset)) & TORUS_MASK, 0, positions + k * BATCH);
     }
+}
+
+Position dart_at(local const int* positions, uint number)
+{
+    Position position;
+    for (int k = 0; k < DIMENSION; ++k) position.c[k] = positions[k * BATCH + number];
     return position;
 }
 
@@ -28,7 +40,7 @@ Position dart_at(uint dart, uint stream, const struct Darts* darts)
 bool is_free(global const int* points, uint capacity, uint count, const Position* position, uint squared_distance)
 {
     for (uint from = 0; from < count; from += LANES) {
-        if (any(squared_distances(points, capacity, count, from, position) < squared_distance)) return false;
+        if (any_of(squared_distances(points, capacity, count, from, position) < squared_distance)) return false;
     }
     return true;
 }
@@ -63,6 +75,7 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
 
     local Filling filling;
     local uchar is_candidate[BATCH];
+    local int positions[DIMENSION * BATCH];
     if (item == 0) {
         filling.points = counts[problem];
         filling.level = filling.failures = filling.darts = 0;
@@ -72,8 +85,12 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
         const uint first = filling.darts;
         const uint reachable = filling.level + (filling.failures + BATCH - 1) / darts.attempts;
         const uint least = thresholds[min(reachable, level_count - 1)];
+        for (uint i = item * DARTS_AT_ONCE; i < BATCH; i += items * DARTS_AT_ONCE) {
+            draw_darts(first + i, stream, &darts, positions + i);
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
         for (uint i = item; i < BATCH; i += items) {
-            const Position position = dart_at(first + i, stream, &darts);
+            const Position position = dart_at(positions, i);
             is_candidate[i] = !is_allowed(&position, &zone)                                         ? 2
                               : is_free(points, capacity, filling.points * copies, &position, least) ? 1
                                                                                                      : 0;
@@ -84,7 +101,7 @@ kernel void throw_tile_darts(struct Darts darts, global const uint* problems, gl
             for (uint i = 0; i < BATCH && f.points < target && f.level < level_count; ++i) {
                 ++f.darts;
                 if (is_candidate[i] == 2) continue; // not in the domain
-                const Position position = dart_at(first + i, stream, &darts);
+                const Position position = dart_at(positions, i);
                 if (is_candidate[i] == 1 &&
                     is_free(points, capacity, f.points * copies, &position, thresholds[f.level])) {
                     for (uint image = 0; image < copies; ++image) {

@@ -74,17 +74,15 @@ uint smallest_of_group(uint value, local uint* values)
     return smallest;
 }
 
-/// Appends a point to a window if it is inside; there is room for one more that is not.
-ALWAYS_INLINE void append_if(Window* window, const TorusPoints* points, uint entry, int is_inside)
+/// Puts a point into a window.
+ALWAYS_INLINE void put_into_window(Window* window, uint at, const TorusPoints* points, uint entry)
 {
-    const uint at = window->count;
     window->x[at] = points->c[entry] << UNIT_SHIFT;
     window->y[at] = points->c[points->capacity + entry] << UNIT_SHIFT;
 #if DIMENSION == 3
     window->z[at] = points->c[2 * points->capacity + entry] << UNIT_SHIFT;
 #endif
     window->index[at] = entry;
-    window->count += is_inside & 1;
 }
 
 /// Which of eight points have coordinates that are all less than `reach` from a position.
@@ -94,63 +92,82 @@ ALWAYS_INLINE int8 are_inside(const TorusPoints* points, uint from, const Positi
     FOR_EACH_AXIS(k)
     {
         const int8 difference = vload8(0, points->c + k * points->capacity + from) - position->c[k];
-        is_inside &= abs((difference << 15) >> 15) < (uint8)(uint)reach;
+        is_inside &= lengths_of((difference << 15) >> 15) < (uint8)(uint)reach;
     }
     return is_inside;
 }
 
+#define POINTS_A_MASK 32
+
+/// The same for as many points as a word has bits: hits are rare, and whether eight have one is hard to predict.
+ALWAYS_INLINE uint mask_inside(const TorusPoints* points, uint from, const Position* position, int reach)
+{
+    uint8 bits = 0;
+    uint8 bit = (uint8)(1, 2, 4, 8, 16, 32, 64, 128);
+    for (uint v = from; v < min(from + POINTS_A_MASK, points->count); v += LANES, bit <<= LANES) {
+        bits |= as_uint8(are_inside(points, v, position, reach)) & bit;
+    }
+    const uint4 four = bits.lo | bits.hi;
+    const uint2 two = four.lo | four.hi;
+    return two.x | two.y;
+}
+
+/// The number of the lowest bit that is set.
+ALWAYS_INLINE uint lowest_bit(uint bits) { return 31 - clz(bits & (0u - bits)); }
+
 /// Collects the points whose coordinates are all less than `reach` from a position; count > MAX_POINTS: too many.
 void gather_box(Window* window, const TorusPoints* points, const Position* position, int reach)
 {
-    window->count = 0;
-    for (uint v = 0; v < points->count; v += LANES) {
-        const int8 is_inside = are_inside(points, v, position, reach);
-        if (!any(is_inside)) continue;
-        if (window->count > MAX_POINTS - LANES) {
-            window->count = MAX_POINTS + 1;
-            return;
+    uint count = 0;
+    for (uint from = 0; from < points->count; from += POINTS_A_MASK) {
+        uint eight = LANES; // points that were appended last, of those of the mask
+        for (uint mask = mask_inside(points, from, position, reach); mask != 0; mask &= mask - 1) {
+            const uint bit = lowest_bit(mask);
+            if (bit / LANES != eight && count > MAX_POINTS - LANES) {
+                window->count = MAX_POINTS + 1;
+                return;
+            }
+            eight = bit / LANES;
+            put_into_window(window, count++, points, from + bit);
         }
-        int inside[LANES];
-        vstore8(is_inside, 0, inside);
-        for (uint i = 0; i < LANES; ++i) append_if(window, points, v + i, inside[i]);
     }
+    window->count = count;
 }
 
 /// Gathers the window from a list that has all of its points, in the list's order.
 void gather_listed(Window* window, const TorusPoints* points, const Position* position, int reach,
                    global const ushort* list)
 {
-    window->count = 0;
-    const uint count = list[0];
-    for (uint i = 1; i <= count; ++i) {
+    // A length is less than `reach` where the difference, shifted by reach - 1, is less than 2 reach - 1 around the
+    // torus. There is room for one more point that is not inside.
+    const uint limit = (uint)(2 * reach - 1) << UNIT_SHIFT;
+    uint count = 0;
+    const uint end = list[0];
+    for (uint i = 1; i <= end; ++i) {
         const uint entry = list[i];
-        int is_inside = 1;
+        put_into_window(window, count, points, entry);
+        uint is_inside = 1;
         FOR_EACH_AXIS(k)
         {
-            const int length = abs(torus_difference_of(points->c[k * points->capacity + entry] - position->c[k]));
-            is_inside &= length < reach;
+            const int low = position->c[k] - reach + 1;
+            is_inside &= (uint)(points->c[k * points->capacity + entry] - low) << UNIT_SHIFT < limit;
         }
-        append_if(window, points, entry, is_inside);
+        count += is_inside;
     }
+    window->count = count;
 }
 
 /// Lists the points in a box for gather_listed: their number, then the points. Too many: NO_LIST.
 void list_box(const TorusPoints* points, const Position* position, int reach, global ushort* list)
 {
     uint count = 0;
-    for (uint v = 0; v < points->count; v += LANES) {
-        const int8 is_inside = are_inside(points, v, position, reach);
-        if (!any(is_inside)) continue;
-        if (count > MAX_LISTED - LANES) {
+    for (uint from = 0; from < points->count; from += POINTS_A_MASK) {
+        uint mask = mask_inside(points, from, position, reach);
+        if (count + popcount(mask) > MAX_LISTED) {
             list[0] = NO_LIST;
             return;
         }
-        int inside[LANES];
-        vstore8(is_inside, 0, inside);
-        for (uint i = 0; i < LANES; ++i) {
-            list[1 + count] = (ushort)(v + i);
-            count += inside[i] & 1;
-        }
+        for (; mask != 0; mask &= mask - 1) list[++count] = (ushort)(from + lowest_bit(mask));
     }
     list[0] = (ushort)count;
 }
@@ -208,7 +225,8 @@ bool find_centroid(const Window* window, const Position* position, uint site, in
     return true;
 }
 
-int rounded(double value) { return convert_int_rte(value); }
+/// To the nearest integer, or to the even one of two, for magnitudes below 2^31.
+int rounded(double value) { return convert_int((value + 0x1.8p52) - 0x1.8p52); }
 
 void put_double(global double* doubles, const TorusPoints* points, uint number)
 {
@@ -320,7 +338,7 @@ Position repelled(const TorusPoints* points, const Position* position, uint site
         const uint8 entry = (uint8)(0, 1, 2, 3, 4, 5, 6, 7) + v;
         const uint8 squared = select(squared_distances(points->c, points->capacity, points->count, v, position), (uint8)UINT_MAX, entry == site);
         nearest_of_lane = min(nearest_of_lane, squared);
-        if (!any(squared <= limit)) continue;
+        if (!any_of(squared <= limit)) continue;
         uint lanes[8];
         vstore8(squared, 0, lanes);
         for (uint i = 0; i < 8; ++i) {
