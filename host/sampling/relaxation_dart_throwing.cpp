@@ -198,7 +198,7 @@ private:
                             buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points);
     }
 
-    /// Throws in order while many darts become points.
+    /// Throws in order while many darts become points; the table, which is not needed until then, is made up for.
     void choose_order(const StateWords& before)
     {
         const std::uint64_t darts = state_[NEXT_DART] - before[NEXT_DART];
@@ -246,7 +246,7 @@ private:
         const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
         clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells));
         link_.run(std::max<std::size_t>(1, state_[POINTS]), group_size_, b.state, b.heads, b.points, grid_bits_);
-        update_table();
+        if (!is_in_order_) update_table();
     }
 
     /// Makes the table of thresholds hold all levels that the next rounds can reach.
