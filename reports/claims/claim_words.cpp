@@ -40,6 +40,14 @@ std::string machine_words(const Run& run)
 
 }
 
+std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,
+                                                 SeriesQuery::Needs needs)
+{
+    auto found = report.all({.sampler = sampler, .needs = needs});
+    std::erase_if(found, [](const ReportSeries* series) { return !text_parameter(*series, "density").empty(); });
+    return found;
+}
+
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias)
 {

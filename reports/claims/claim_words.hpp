@@ -24,6 +24,10 @@ std::string percent_words(double share);
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias);
 
+/// The series of a method that have the same density everywhere.
+std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,
+                                                 SeriesQuery::Needs needs);
+
 /// A time of 2006, and the series whose time today stands beside it.
 struct TimedSeries
 {

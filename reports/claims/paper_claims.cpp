@@ -44,12 +44,20 @@ Paper dissertation()
     return {"lagae-2007", "Ares Lagae, <cite>Tile-Based Methods in Computer Graphics</cite> (2007)", std::move(all)};
 }
 
+Paper class_notes()
+{
+    return {"notes-2008",
+            "Lagae, Kaplan, Fu, Ostromoukhov, Kopf and Deussen, <cite>Tile-Based Methods for Interactive "
+            "Applications</cite>, class notes (2008)",
+            claims_about_polyominoes()};
+}
+
 }
 
 const std::vector<Paper>& papers()
 {
     static const std::vector<Paper> all = [] {
-        std::vector<Paper> list{dissertation()};
+        std::vector<Paper> list{dissertation(), class_notes()};
         std::ranges::move(later_papers(), std::back_inserter(list));
         return list;
     }();

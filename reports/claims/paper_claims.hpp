@@ -1,6 +1,6 @@
 // Claims that papers make about the methods of this laboratory, judged by the results of a report: Lagae's Tile-Based
-// Methods in Computer Graphics (2007), with the articles on texture tiles that it follows, and papers that came after
-// it.
+// Methods in Computer Graphics (2007), with the articles on texture tiles that it follows, the class notes of 2008, and
+// papers that came after it.
 //
 // A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
 // series. Criteria are standard errors where there are some, and else numbers that are stated. Times of 2006 are shown
@@ -86,6 +86,9 @@ std::vector<PaperClaim> claims_about_applications();
 
 /// Claims about texture tiles: chapter 5, and the articles that it follows.
 std::vector<PaperClaim> claims_about_textures();
+
+/// The claims of the class notes about polyominoes (9.4).
+std::vector<PaperClaim> claims_about_polyominoes();
 
 /// The recommendations of section 6.16.
 std::vector<PaperClaim> recommendations();

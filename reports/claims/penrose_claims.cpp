@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace poissonlab {
 namespace {
 
@@ -14,12 +12,7 @@ using PenroseOutcome = std::optional<ClaimOutcome>;
 /// The dissertation has Penrose tilings of the same density everywhere.
 std::vector<const ReportSeries*> even_penrose(const ClaimSeries& report, SeriesQuery::Needs needs)
 {
-    auto found = report.all({.sampler = "penrose", .needs = needs});
-    std::erase_if(found, [](const ReportSeries* series) {
-        return std::ranges::any_of(series->stored->parameters,
-                                   [](const auto& parameter) { return parameter.first == "density"; });
-    });
-    return found;
+    return of_even_density(report, "penrose", needs);
 }
 
 PenroseOutcome radius_of_penrose(const ClaimSeries& report)

@@ -13,10 +13,8 @@ using RecursiveOutcome = std::optional<ClaimOutcome>;
 std::vector<const ReportSeries*> recursive_series(const ClaimSeries& report, const std::string& drawing,
                                                   SeriesQuery::Needs needs = SeriesQuery::Needs::anything)
 {
-    auto found = report.all({.sampler = "recursive-wang-tiles", .needs = needs});
-    std::erase_if(found, [&](const ReportSeries* series) {
-        return text_parameter(*series, "drawing") != drawing || !text_parameter(*series, "density").empty();
-    });
+    auto found = of_even_density(report, "recursive-wang-tiles", needs);
+    std::erase_if(found, [&](const ReportSeries* series) { return text_parameter(*series, "drawing") != drawing; });
     return found;
 }
 

@@ -126,6 +126,25 @@ std::vector<ClaimCase> tile_claim_cases()
              MadeUpReport::set_curve(r.add("penrose", {}), {.anisotropy = agrees ? 6.0 : 0.5});
              tiles(r, "corner", 4, 64, 2);
          }},
+        {"notes-2008-fast",
+         [](MadeUpReport& r, bool agrees) {
+             set_seconds(r.add("polyominoes", {}), agrees ? 0.001 : 0.2);
+             set_seconds(r.add("polyominoes", {{"density", "x + 1"}}), agrees ? 0.2 : 0.001); // not even
+             set_seconds(darts(r, "0.75"), 0.02);
+         }},
+        {"notes-2008-blue-noise",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("polyominoes", {}), {.low = agrees ? 0.05 : 0.5});
+         }},
+        {"notes-2008-no-artifacts",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("polyominoes", {}), {.spike = agrees ? 3.0 : 20.0});
+         }},
+        {"notes-2008-penrose",
+         [](MadeUpReport& r, bool agrees) {
+             MadeUpReport::set_curve(r.add("polyominoes", {}), {.spike = 12.0});
+             MadeUpReport::set_curve(r.add("penrose", {}), {.spike = agrees ? 20.0 : 12.5});
+         }},
         {"6.16-not-interactive",
          [](MadeUpReport& r, bool agrees) { set_seconds(darts(r, "0.7"), agrees ? 0.2 : 0.01); }},
         {"6.16-interactive",
