@@ -2,6 +2,7 @@
 
 #include "base/geometry/convex_cell.hpp"
 #include "base/random/random.hpp"
+#include "kernels/common/averaged_tiles.h"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <tbb/parallel_for.h>
@@ -11,9 +12,6 @@
 
 namespace poissonlab {
 namespace {
-
-/// Beyond 3 x 3 tiles, in units.
-constexpr double cell_reach = 4.0 * tile_units;
 
 WangPoint rounded_centroid(const ConvexCell& cell)
 {
@@ -31,7 +29,7 @@ bool is_known_from(const ConvexCell& cell, const WangPoint& centre, const std::a
             const double at = centre[k] + v[k];
             inside = std::min({inside, at - low[k], high[k] - at});
         }
-        return inside >= std::hypot(v[0], v[1]);
+        return inside >= std::sqrt(v[0] * v[0] + v[1] * v[1]);
     });
 }
 
@@ -42,38 +40,14 @@ void cut_by(ConvexCell& cell, const WangPoint& centre, const std::vector<WangPoi
         cell.cut(point[0] + x * tile_units - centre[0], point[1] + y * tile_units - centre[1]);
 }
 
-/// The cell among the points of its own tile, nearest first.
+/// The cell among the points of its own tile.
 ConvexCell cell_in_tile(const std::vector<WangPoint>& tile, std::size_t number)
 {
     const WangPoint& centre = tile[number];
-    std::vector<std::array<double, 3>> others;
-    for (std::size_t i = 0; i < tile.size(); ++i) {
-        if (i == number) continue;
-        const double x = tile[i][0] - centre[0], y = tile[i][1] - centre[1];
-        others.push_back({x * x + y * y, x, y});
-    }
-    std::ranges::sort(others);
-    ConvexCell cell(cell_reach);
-    for (const auto& [squared, x, y] : others) cell.cut(x, y);
+    ConvexCell cell(contract::averaged_tiles::CELL_REACH);
+    for (std::size_t i = 0; i < tile.size(); ++i)
+        if (i != number) cell.cut(tile[i][0] - centre[0], tile[i][1] - centre[1]);
     return cell;
-}
-
-/// The tiles that fit beside one along the x axis (or the y axis), at the side `sign`.
-std::vector<std::size_t> tiles_beside(std::size_t tile, bool along_x, int sign)
-{
-    std::vector<std::size_t> tiles;
-    for (std::size_t other = 0; other < wang_point_tiles; ++other)
-        if (may_lie_beside(tile, other, along_x ? sign : 0, along_x ? 0 : sign)) tiles.push_back(other);
-    return tiles;
-}
-
-/// The two tiles that fit between those at two sides.
-std::vector<std::size_t> tiles_between(std::size_t at_x, std::size_t at_y, int x, int y)
-{
-    std::vector<std::size_t> tiles;
-    for (std::size_t other = 0; other < wang_point_tiles; ++other)
-        if (may_lie_beside(at_x, other, 0, y) && may_lie_beside(at_y, other, x, 0)) tiles.push_back(other);
-    return tiles;
 }
 
 /// A sum of displacements.
@@ -160,6 +134,24 @@ Sum sum_over_all(const WangPoints& points, std::size_t tile, std::size_t number,
     return sum;
 }
 
+}
+
+std::vector<std::size_t> tiles_beside(std::size_t tile, bool along_x, int sign)
+{
+    std::vector<std::size_t> tiles;
+    for (std::size_t other = 0; other < wang_point_tiles; ++other)
+        if (may_lie_beside(tile, other, along_x ? sign : 0, along_x ? 0 : sign)) tiles.push_back(other);
+    return tiles;
+}
+
+std::vector<std::size_t> tiles_between(std::size_t at_x, std::size_t at_y, int x, int y)
+{
+    std::vector<std::size_t> tiles;
+    for (std::size_t other = 0; other < wang_point_tiles; ++other)
+        if (may_lie_beside(at_x, other, 0, y) && may_lie_beside(at_y, other, x, 0)) tiles.push_back(other);
+    return tiles;
+}
+
 WangPoint mean_displacement(const WangPoints& points, std::size_t tile, std::size_t number)
 {
     const ConvexCell own = cell_in_tile(points.tiles[tile], number);
@@ -168,7 +160,6 @@ WangPoint mean_displacement(const WangPoints& points, std::size_t tile, std::siz
     return sum_over_all(points, tile, number, own).mean();
 }
 
-/// A surrounding by chance, each as likely.
 std::array<std::size_t, 9> random_surrounding(std::size_t tile, std::uint32_t iteration, std::uint64_t seed)
 {
     const StreamKey stream = stream_key(seed, Purpose::wang_surroundings, 0);
@@ -192,21 +183,20 @@ std::array<std::size_t, 9> random_surrounding(std::size_t tile, std::uint32_t it
             chosen(tiles_between(east, north, 1, 1), corners[3])};
 }
 
-WangPoint moved(const WangPoint& point, const WangPoint& by)
+WangPoint moved_in_tile(const WangPoint& point, const WangPoint& by)
 {
     return {std::clamp(point[0] + by[0], 0, tile_units - 1), std::clamp(point[1] + by[1], 0, tile_units - 1)};
 }
 
-WangPoints averaged_exactly(const WangPoints& points)
+WangPoints moved_tiles(const WangPoints& points,
+                       const std::function<WangPoint(std::size_t tile, std::size_t number)>& displacement)
 {
     WangPoints result = points;
     for (std::size_t tile = 0; tile < wang_point_tiles; ++tile)
         tbb::parallel_for(std::size_t{0}, points.tiles[tile].size(), [&](std::size_t i) {
-            result.tiles[tile][i] = moved(points.tiles[tile][i], mean_displacement(points, tile, i));
+            result.tiles[tile][i] = moved_in_tile(points.tiles[tile][i], displacement(tile, i));
         });
     return result;
-}
-
 }
 
 WangPoints start_averaged_tiles(std::uint32_t points_per_tile, std::uint64_t seed)
@@ -236,13 +226,14 @@ WangPoint centroid_displacement(const WangPoints& points, std::span<const std::s
 
 WangPoints average_once(const WangPoints& points, AveragedVariant variant, std::uint32_t iteration, std::uint64_t seed)
 {
-    if (variant == AveragedVariant::exact) return averaged_exactly(points);
+    if (variant == AveragedVariant::exact)
+        return moved_tiles(points, [&](std::size_t tile, std::size_t i) { return mean_displacement(points, tile, i); });
     WangPoints result = points;
     for (std::size_t tile = 0; tile < wang_point_tiles; ++tile) {
         const auto around = random_surrounding(tile, iteration, seed);
         std::vector<WangPoint> next;
         for (std::size_t i = 0; i < result.tiles[tile].size(); ++i)
-            next.push_back(moved(result.tiles[tile][i], centroid_displacement(result, around, i)));
+            next.push_back(moved_in_tile(result.tiles[tile][i], centroid_displacement(result, around, i)));
         result.tiles[tile] = next;
     }
     return result;

@@ -3,8 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
+#include "host/sampling/device_sampler.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
-#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
 #include "tiles/poisson/tile_regions.hpp"
 
@@ -12,6 +13,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -33,15 +35,19 @@ double mean_size(const WangPoints& points)
     return sum / static_cast<double>(wang_point_tiles);
 }
 
-class WangTileSampler final : public Sampler
+class WangTileSampler final : public DeviceSampler
 {
 public:
-    WangTileSampler(const SampleRequest& request, const std::function<BuiltTiles()>& build) : seed_(request.seed)
+    /// `build` is given the device that is the engine, or null.
+    WangTileSampler(const SampleRequest& request, Engine engine, const DeviceProvider& device,
+                    const std::function<BuiltTiles(Device*)>& build)
+        : DeviceSampler(engine, device), seed_(request.seed)
     {
         const auto begin = std::chrono::steady_clock::now();
-        built_ = build();
+        built_ = build(device_);
         side_ = std::min(tiling_side(request.points, std::max(1.0, mean_size(built_.points)), 2), 65'536U);
-        preparation_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        preparation_seconds_ = seconds - build_seconds();
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -99,17 +105,20 @@ double relative_radius_across(const WangPoints& points)
     return relative_radius(std::sqrt(static_cast<double>(squared)) / tile_units, points.tiles.front().size(), 2);
 }
 
-BuiltTiles averaged_tiles(const Parameters& given, const SampleRequest& request)
+BuiltTiles averaged_tiles(const Parameters& given, const SampleRequest& request, Device* device)
 {
     const AveragedVariant variant = *averaged_variants.find(given.text("variant"));
     BuiltTiles built{start_averaged_tiles(static_cast<std::uint32_t>(given.integer("points_per_tile")), request.seed),
                      {}};
     const auto iterations = static_cast<std::uint32_t>(given.integer("iterations"));
+    std::optional<AveragedTiles> kernels;
+    if (device) kernels.emplace(*device);
     for (std::uint32_t i = 0; i <= iterations; ++i) {
         built.iterations.push_back({relative_radius_across(built.points), 0});
         if (i == iterations) break;
         if (request.on_step) request.on_step(fmt::format("averaged tiles: iteration {} of {}", i + 1, iterations));
-        built.points = average_once(built.points, variant, i, request.seed);
+        built.points = kernels ? kernels->average_once(built.points, variant, i, request.seed)
+                               : average_once(built.points, variant, i, request.seed);
     }
     return built;
 }
@@ -171,8 +180,10 @@ SamplerSpec shade_tile_sampler()
                             "a tile; more points_per_tile, or a smaller relative_radius",
                             distance));
     };
-    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
-        return std::make_unique<WangTileSampler>(request, [&] { return shade_tiles(given, request.seed); });
+    // The darts of eight tiles wait for each other, and take milliseconds: the host throws them.
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider& device) {
+        return std::make_unique<WangTileSampler>(request, Engine::reference, device,
+                                                 [&](Device*) { return shade_tiles(given, request.seed); });
     };
     return spec;
 }
@@ -197,8 +208,14 @@ SamplerSpec averaged_tile_sampler()
           .choices = averaged_variants.all(),
           .otherwise = std::string(averaged_variants[AveragedVariant::exact])}});
     spec.check = [](const Parameters&, const SampleRequest&, const SourceLocation&) {};
-    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
-        return std::make_unique<WangTileSampler>(request, [&] { return averaged_tiles(given, request); });
+    spec.device_memory = [](const Parameters& given, const SampleRequest&, const DeviceInfo&) {
+        if (given.integer("iterations") == 0) return DeviceMemory{};
+        return AveragedTiles::memory(static_cast<std::size_t>(given.integer("points_per_tile")));
+    };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) {
+        return std::make_unique<WangTileSampler>(request, engine, device,
+                                                 [&](Device* used) { return averaged_tiles(given, request, used); });
     };
     return spec;
 }

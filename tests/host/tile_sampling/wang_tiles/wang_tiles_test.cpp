@@ -4,7 +4,7 @@
 #include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
-#include "host/tile_sampling/wang_tiles/averaged_tiles.hpp"
+#include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "host/tile_sampling/wang_tiles/shade_tiles.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tiles/poisson/tile_regions.hpp"
@@ -151,6 +151,36 @@ TEST(AveragedTiles, MoveByTheMeanOverAllSurroundings)
             EXPECT_NEAR(next.tiles[tile][i][k], target, 1) << "point " << i; // of rounded sums
         }
 }
+
+/// A number of points a tile, iterations before, and the size of work-groups.
+struct AveragedCase
+{
+    std::uint32_t points, iterations;
+    std::size_t group_size;
+};
+
+class AveragedTileKernels : public testing::TestWithParam<AveragedCase>
+{
+};
+
+/// In the beginning points lie in the middle of their tiles, and more than a quadrant decides many cells.
+TEST_P(AveragedTileKernels, MoveAsTheTwin)
+{
+    static Device device = Device::open();
+    AveragedTiles kernels(device, GetParam().group_size);
+    for (const AveragedVariant variant : {AveragedVariant::exact, AveragedVariant::one_surrounding}) {
+        WangPoints points = start_averaged_tiles(GetParam().points, 3);
+        for (std::uint32_t i = 0; i <= GetParam().iterations; ++i) {
+            const WangPoints expected = average_once(points, variant, i, 3);
+            EXPECT_EQ(kernels.average_once(points, variant, i, 3), expected) << i;
+            points = expected;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, AveragedTileKernels, testing::Values(AveragedCase{2, 0, 4}));
+INSTANTIATE_TEST_SUITE_P(Sizes, AveragedTileKernels,
+                         testing::Values(AveragedCase{2, 3, 0}, AveragedCase{16, 12, 0}, AveragedCase{63, 6, 16}));
 
 TEST(AveragedTiles, AreTheSameOnAnyNumberOfThreads)
 {
