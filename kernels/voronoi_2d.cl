@@ -1,4 +1,4 @@
-// The centroids of the Voronoi cells of points on the torus, exactly, one cell after the other ("meshless
+// The centroids of the Voronoi cells of points on the torus, exactly, each cell for itself ("meshless
 // Voronoi").
 //
 // After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018:
@@ -6,11 +6,10 @@
 // (security radius). Unlike there, the cell is not clipped plane by plane but walked around ("gift
 // wrapping"): from one edge to the next, a step looks at all points at once, as vectors.
 //   find_centroids_fast   cells whose Voronoi neighbours all lie in the surrounding 3 x 3 or 5 x 5 grid
-//   cells. Neighbours
-//                         are found in single precision; the result is taken only if every vertex is seen, by
-//                         more than any rounding error, to be nearer to its own three points than to any
-//                         other. The geometry of the cell is then computed from its neighbours in double
-//                         precision. All other sites are listed.
+//                         cells, several at once. Neighbours are found in single precision; the result is
+//                         taken only if every vertex is seen, by more than any rounding error, to be nearer
+//                         to its own three points than to any other. The geometry of the cell is computed
+//                         from its neighbours in double precision. All other sites are listed.
 //   find_centroids        the sites of that list, in double precision, without limit to the number of points
 //   or edges.
 // Points that coincide share their cell as if shifted apart along x by an infinitesimal distance, in order of
@@ -20,137 +19,159 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/voronoi_2d.clh"
+#include "kernels/common/voronoi_2d_batch.clh"
+#include "kernels/common/voronoi_2d_window.clh"
 
-#define MAX_REACH 2 // rings of grid cells around a site's
-
-ALWAYS_INLINE void append_vector(Window* window, uint at, global const int* fixed_point, uint stride, uint from)
+/// The results, a value a site.
+typedef struct
 {
-    vstore8(vload8(0, fixed_point + from), 0, window->x + at);
-    vstore8(vload8(0, fixed_point + stride + from), 0, window->y + at);
-    vstore8((uint8)(0, 1, 2, 3, 4, 5, 6, 7) + from, 0, window->index + at);
+    global double* areas;
+    global double2* displacements;
+    global double* energies;
+    global double* squared_near;
+} Results;
+
+ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, Results results)
+{
+    results.areas[site] = cell->area;
+    results.displacements[site] = cell->area > 0 ? cell->moment / cell->area : (double2)0;
+    results.energies[site] = cell->energy;
+    results.squared_near[site] = cell->squared_near;
 }
 
-/// Appends a row's points. Copies whole vectors; what is too much is overwritten by the next row.
-ALWAYS_INLINE void append_row(Window* window, global const int* fixed_point, uint stride, uint begin,
-                              uint end)
+/// Finds a cell among the points of a window, or proves that `cell`, which is known with its vertices, is right there.
+ALWAYS_INLINE bool find_in_window(const Window* window, Margins margins, uint site, bool is_known, const Grid* grid,
+                                  VoronoiCell* cell, Vertices* vertices, bool* is_proven)
 {
-    const uint at = window->count;
-    window->count += end - begin;
-    if (window->count > MAX_POINTS) return;
-    // Mostly these are enough: no branch to be mispredicted.
-    append_vector(window, at, fixed_point, stride, begin);
-    append_vector(window, at + LANES, fixed_point, stride, begin + LANES);
-    for (uint i = 2 * LANES; i < end - begin; i += LANES) {
-        append_vector(window, at + i, fixed_point, stride, begin + i);
-    }
+    Differences d;
+    const uint vectors =
+        subtract_site(window, site, grid->fixed_point[site], grid->fixed_point[grid->stride + site], &d);
+    *is_proven = is_known && is_complete(vertices, margins) && is_certain(&d, vectors, vertices);
+    if (*is_proven) return true;
+    return cell_among(&d, vectors, window, grid->positions[site], grid->positions, cell, vertices) &&
+           is_complete(vertices, margins) && is_certain(&d, vectors, vertices);
 }
 
-/// All points in the (2 reach + 1)^2 cells around a cell; count > MAX_POINTS where there are too many.
-ALWAYS_INLINE void gather_window(Window* window, uint cell_x, uint cell_y, uint reach, uint grid_size,
-                                 global const uint* starts, global const int* fixed_point, uint stride)
+/// A cell of the batch, and its vertices in one piece.
+ALWAYS_INLINE Vertices vertices_of(const BatchCells* cells, uint slot, uint edges)
 {
-    window->count = 0;
-    for (uint j = 0; j < 2 * reach + 1 && window->count <= MAX_POINTS; ++j) {
-        const uint y = cell_y + j + (cell_y + j < reach ? grid_size : 0) - reach;
-        global const uint* row = starts + (y < grid_size ? y : y - grid_size) * grid_size;
-        const uint low = cell_x + (cell_x < reach ? grid_size : 0) - reach;
-        const uint high = low + 2 * reach + 1;
-        append_row(window, fixed_point, stride, row[low], row[min(high, grid_size)]);
-        if (high > grid_size) append_row(window, fixed_point, stride, row[0], row[high - grid_size]);
-    }
-}
-
-/// Is each vertex nearer to its own three points than to any other of the window, whatever the rounding?
-ALWAYS_INLINE bool is_certain(const Differences* d, uint vectors, const Vertices* vertices)
-{
-#pragma OPENCL FP_CONTRACT ON
-    // d is a neighbour of vertex v, or a closer point, when |d|^2 / 2 - d v is at most 0. Rounding of v, d
-    // and the products stays below 2^-20 radius^2, rounding of points to fixed point below 6 radius.
-    const float4 r = vertices->radius;
-    const float radius = max(max(r.x, r.y), max(r.z, r.w));
-    const float threshold = radius * (radius * 0x1p-18f + 8.0f);
-    int8 touching = 0;
-    for (uint v = 0; v < vectors; ++v) {
-        const float8 dx = d->x[v];
-        const float8 dy = d->y[v];
-        const float8 slack = 0.5f * (dx * dx + dy * dy) - threshold;
-        for (uint block = 0; block < vertices->count; block += LANES) {
-            _Pragma("unroll") for (uint k = block; k < block + LANES; ++k)
-            {
-                touching -= dx * vertices->x[k] + dy * vertices->y[k] > slack;
-            }
-        }
-    }
-    return sum_of(touching) == 2 * (int)vertices->count; // two neighbours and, not in the window, the site
-}
-
-ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, global double* areas,
-                              global double2* displacements, global double* energies,
-                              global double* squared_near)
-{
-    areas[site] = cell->area;
-    displacements[site] = cell->area > 0 ? cell->moment / cell->area : (double2)0;
-    energies[site] = cell->energy;
-    squared_near[site] = cell->squared_near;
-}
-
-/// The cell of a site from the points in 3 x 3, or else 5 x 5 grid cells around its own; windows are gathered when
-/// first needed, until then they hold nothing. False where the slow way is needed.
-ALWAYS_INLINE bool find_cell(Window* windows, uint site, uint grid_cell, global const double2* positions,
-                             global const int* fixed_point, uint stride, global const uint* starts, uint grid_size,
-                             float width, VoronoiCell* cell)
-{
-    const uint cell_x = grid_cell % grid_size;
-    const uint cell_y = grid_cell / grid_size;
-    const int x = fixed_point[site];
-    const int y = fixed_point[stride + site];
-    // Rounding of the positions and of the borders is below 1,024.
-    const float left = (float)(uint)x - cell_x * width - 1024.0f;
-    const float below = (float)(uint)y - cell_y * width - 1024.0f;
     Vertices vertices;
-    bool is_known = false;
-    for (uint i = 0; i < MAX_REACH && 2 * i + 4 <= grid_size; ++i) {
-        const uint reach = i + 1;
-        Window* window = windows + i;
-        if (window->count == 0) {
-            gather_window(window, cell_x, cell_y, reach, grid_size, starts, fixed_point, stride);
-        }
-        if (window->count > MAX_POINTS) return false;
-        const float width_around = (2 * reach + 1) * width - 4096.0f;
-        const Margins margins = {reach * width + left, width_around - (reach * width + left), reach * width + below,
-                                 width_around - (reach * width + below)};
-        Differences d;
-        const uint vectors = subtract_site(window, site, x, y, &d);
-        // The cell found in the smaller window is most often the right one; only its proof needs more points.
-        if (is_known && is_complete(&vertices, margins) && is_certain(&d, vectors, &vertices)) return true;
-        is_known = cell_among(&d, vectors, window, positions[site], positions, cell, &vertices);
-        if (is_known && is_complete(&vertices, margins)) return is_certain(&d, vectors, &vertices);
+    vertices.count = edges;
+    for (uint k = 0; k < (edges <= LANES ? LANES : MAX_EDGES); ++k) {
+        vertices.x[k] = ((const float*)&cells->x[k])[slot];
+        vertices.y[k] = ((const float*)&cells->y[k])[slot];
     }
-    return false;
+    vertices.radius = ((const float*)&cells->radius)[slot];
+    vertices.left = ((const float*)&cells->left)[slot];
+    vertices.right = ((const float*)&cells->right)[slot];
+    vertices.below = ((const float*)&cells->below)[slot];
+    vertices.above = ((const float*)&cells->above)[slot];
+    return vertices;
 }
 
-/// One work-item owns one grid cell and the Voronoi cells of its points. `displacements` lead from sites to
-/// centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are
-/// appended to `slow` (in any order); slow_count is 0 before.
-kernel void find_centroids_fast(global const double2* positions, global const int* fixed_point, uint stride,
-                                global const uint* starts, uint grid_size, float width, global double* areas,
-                                global double2* displacements, global double* energies,
-                                global double* squared_near, global uint* slow, global uint* slow_count)
+ALWAYS_INLINE void store_of_batch(const BatchCells* cells, uint slot, uint site, Results results)
 {
-    const uint id = get_global_id(0);
-    if (id >= grid_size * grid_size) return;
-    const uint end = starts[id + 1];
-    Window windows[MAX_REACH];
-    for (uint i = 0; i < MAX_REACH; ++i) windows[i].count = 0;
-    for (uint site = starts[id]; site < end; ++site) {
+    results.areas[site] = ((const double*)&cells->area)[slot];
+    results.displacements[site] = (double2)(((const double*)&cells->displacement_x)[slot],
+                                            ((const double*)&cells->displacement_y)[slot]);
+    results.energies[site] = ((const double*)&cells->energy)[slot];
+    results.squared_near[site] = ((const double*)&cells->squared_near)[slot];
+}
+
+/// Computes the cells of a batch. Most are complete in the window that they were found in; others are proven or found
+/// in 5 x 5 grid cells, which are gathered once for all points of a cell. What remains goes the slow way.
+void finish_batch(Batch* batch, const Grid* grid, Results results, Window* large, uint* large_cell, global uint* slow,
+                  global uint* slow_count)
+{
+    BatchCells cells;
+    find_batch_cells(batch, grid->positions, &cells);
+    for (uint slot = 0; slot < batch->count; ++slot) {
+        const uint site = batch->site[slot];
+        const bool is_known = batch->is_known[slot] && ((const double*)&cells.smallest_turn)[slot] > 0;
+        Vertices vertices = vertices_of(&cells, slot, (uint)batch->edges[slot]);
+        if (is_known && is_complete(&vertices, batch->margins[slot])) {
+            if (is_certain(&batch->differences[slot], batch->vectors[slot], &vertices)) {
+                store_of_batch(&cells, slot, site, results);
+            } else {
+                slow[atomic_inc(slow_count)] = site;
+            }
+            continue;
+        }
+        const uint grid_cell = batch->grid_cell[slot];
+        if (grid->grid_size >= 6 && *large_cell != grid_cell) {
+            gather_window(large, grid_cell % grid->grid_size, grid_cell / grid->grid_size, 2, grid->grid_size,
+                          grid->starts, grid->fixed_point, grid->stride);
+            *large_cell = grid_cell;
+        }
         VoronoiCell cell;
-        if (find_cell(windows, site, id, positions, fixed_point, stride, starts, grid_size, width, &cell)) {
-            store_cell(&cell, site, areas, displacements, energies, squared_near);
+        bool is_proven = false;
+        const bool is_found = grid->grid_size >= 6 && large->count <= MAX_POINTS &&
+                              find_in_window(large, margins_around(site, grid_cell, 2, grid), site, is_known, grid,
+                                             &cell, &vertices, &is_proven);
+        if (is_proven) {
+            store_of_batch(&cells, slot, site, results);
+        } else if (is_found) {
+            store_cell(&cell, site, results);
         } else {
             slow[atomic_inc(slow_count)] = site;
         }
     }
+    batch->count = 0;
+}
+
+/// Adds a site, whose points are in a window of 3 x 3 grid cells; of two sites in a row, the neighbours are found.
+ALWAYS_INLINE void add_site(Batch* batch, const Window* window, uint site, uint grid_cell, const Grid* grid)
+{
+    const uint slot = batch->count++;
+    batch->window[slot] = window;
+    batch->site[slot] = site;
+    batch->grid_cell[slot] = grid_cell;
+    batch->margins[slot] = margins_around(site, grid_cell, 1, grid);
+    batch->vectors[slot] = subtract_site(window, site, grid->fixed_point[site],
+                                         grid->fixed_point[grid->stride + site], &batch->differences[slot]);
+    if (slot % 2 == 1) walk_pair(batch, slot - 1);
+}
+
+/// One work-item owns `run` grid cells in a row and the Voronoi cells of their points. `displacements` lead from sites
+/// to centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended
+/// to `slow` (in any order); slow_count is 0 before.
+kernel void find_centroids_fast(global const double2* positions, global const int* fixed_point, uint stride,
+                                global const uint* starts, uint grid_size, float width, uint run,
+                                global double* areas, global double2* displacements, global double* energies,
+                                global double* squared_near, global uint* slow, global uint* slow_count)
+{
+    const uint begin = (uint)get_global_id(0) * run;
+    const uint end = min(begin + run, grid_size * grid_size);
+    const Grid grid = {positions, fixed_point, stride, starts, grid_size, width};
+    const Results results = {areas, displacements, energies, squared_near};
+    Batch batch;
+    batch.count = 0;
+    for (uint k = 0; k < ALL_ROWS; ++k) vstore8((uint8)0, 0, batch.neighbour[k]);
+    vstore8((uint8)0, 0, batch.site);
+    vstore8((int8)0, 0, batch.edges);
+    Window windows[2]; // a site may wait for one of the next cell
+    Window large;
+    uint large_cell = UINT_MAX;
+    uint number = 0;
+    for (uint cell = begin; cell < end; ++cell) {
+        const uint last = starts[cell + 1];
+        if (starts[cell] == last) continue;
+        Window* window = &windows[number++ % 2];
+        window->count = MAX_POINTS + 1;
+        if (grid_size >= 4) {
+            gather_window(window, cell % grid_size, cell / grid_size, 1, grid_size, starts, fixed_point, stride);
+        }
+        for (uint site = starts[cell]; site < last; ++site) {
+            if (window->count > MAX_POINTS) {
+                slow[atomic_inc(slow_count)] = site;
+                continue;
+            }
+            add_site(&batch, window, site, cell, &grid);
+            if (batch.count == BATCH_SITES) finish_batch(&batch, &grid, results, &large, &large_cell, slow, slow_count);
+        }
+    }
+    if (batch.count % 2 == 1) walk_single(&batch, batch.count - 1);
+    if (batch.count > 0) finish_batch(&batch, &grid, results, &large, &large_cell, slow, slow_count);
 }
 
 /// The end of a walk along an edge: the nearest vertex so far, as the parameter t of the edge's line, and the point
@@ -311,7 +332,8 @@ kernel void find_centroids(global const double2* positions, global const uint* i
         const int cell_y = min((int)(position.y * grid_size), (int)grid_size - 1);
         const Surroundings s = {positions, ids, starts, grid_size, site, position, cell_x, cell_y};
         const VoronoiCell cell = cell_by_rings(&s);
-        store_cell(&cell, site, areas, displacements, energies, squared_near);
+        const Results results = {areas, displacements, energies, squared_near};
+        store_cell(&cell, site, results);
     }
 }
 

@@ -9,6 +9,13 @@ namespace {
 /// Work-items that share the sites of the slow way.
 constexpr std::size_t slow_items = 256;
 
+/// Grid cells in a row whose sites a work-item of the 2D kernel takes together: enough to fill batches of sites, and
+/// few enough for all threads to have some. Elsewhere than on CPUs, threads are worth more than full batches.
+constexpr std::uint32_t cells_a_run_on_cpus = 16;
+
+/// Work-items of a group are then few, or groups would be.
+constexpr std::size_t most_runs_a_group = 8;
+
 /// Mean number of points in a cell of the grid: more mean more points to look at, fewer more cells that do
 /// not hold all Voronoi neighbours among their surroundings.
 double points_per_cell(int dimension) { return dimension == 2 ? 2.6 : 1.0; }
@@ -29,7 +36,8 @@ NeededBuffers VoronoiKernels::Buffers::needed(int dimension, std::size_t points)
 }
 
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
-    : work_group_size_(work_group_size)
+    : dimension_(dimension), cells_a_run_(device.info().type == "CPU" ? cells_a_run_on_cpus : 1),
+      work_group_size_(work_group_size)
 {
     reserve(device, buffers_.needed(dimension, points));
     const KernelProgram fast = kernel_program(dimension == 2 ? "voronoi_2d.cl" : "voronoi_3d_fast.cl", {});
@@ -45,8 +53,16 @@ void VoronoiKernels::find_cells(PointGrid& grid)
     const float margin = std::nextafter(static_cast<float>(0x1p32 / cells), 0.0f);
     const Buffers& b = buffers_;
     forget_slow_.run(1, 1, b.slow_count);
-    find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(),
-                   cells, margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow, b.slow_count);
+    if (dimension_ == 2) {
+        const std::size_t runs = (grid.cells() + cells_a_run_ - 1) / cells_a_run_;
+        find_fast_.run(runs, std::min(work_group_size_, most_runs_a_group), grid.positions(), grid.fixed_point(),
+                       grid.stride(), grid.starts(), cells, margin, cells_a_run_, b.volumes, b.displacements,
+                       b.energies, b.squared_near, b.slow, b.slow_count);
+    } else {
+        find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(),
+                       grid.starts(), cells, margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,
+                       b.slow_count);
+    }
     find_slow_.run(slow_items, 1, grid.positions(), grid.ids(), grid.starts(), cells, b.slow, b.slow_count, b.volumes,
                    b.displacements, b.energies, b.squared_near);
 }

@@ -63,6 +63,8 @@ private:
         NeededBuffers needed(int dimension, std::size_t points);
     };
 
+    int dimension_;
+    std::uint32_t cells_a_run_;
     std::size_t work_group_size_;
     Buffers buffers_;
     Kernel forget_slow_, find_fast_, find_slow_;
