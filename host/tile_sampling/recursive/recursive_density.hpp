@@ -28,6 +28,9 @@ public:
         return up >= 63 || at_level > limit >> up ? (at_level == 0 ? 0 : limit) : at_level << up;
     }
 
+    /// The points per tile of its own level at full weight, in units of 2^-32.
+    std::uint64_t most() const { return most_; }
+
     /// Weights by place in the square.
     const DensityBounds& bounds() const { return bounds_; }
 

@@ -62,23 +62,37 @@ public:
     template <class Add>
     void visit(const Node& node, int level, const Add& add, std::vector<Node>& next) const
     {
-        const std::uint64_t most = demand_over(node, level);
+        const RankedCell ranked = ranks_of(node, level);
         const RecursiveTile& tile = tiles_.tile(node.tile);
-        const bool is_twice = drawing_ == RecursiveDrawing::twice;
-        const std::uint32_t first = level > 0 && !is_twice ? points_ : 0;
-        const std::uint32_t last = is_twice ? points_ : recursive_cells * points_;
-        for (std::uint32_t rank = first; rank < last; ++rank) {
-            const std::uint64_t turn = rank * one_point + node.turn;
-            if (turn > most) break;
+        for (std::uint32_t rank = ranked.first; rank < ranked.first + ranked.count; ++rank) {
             const RecursiveLink link = tile.links[rank];
             const std::uint32_t cell = link.cell();
-            add_if_wanted({tile.children[cell], cell_of(node, cell), 0}, link.point(), level, turn, add);
+            add_if_wanted({tile.children[cell], cell_of(node, cell), 0}, link.point(), level,
+                          rank * one_point + node.turn, add);
         }
-        // A smaller tile's first sub-point comes when it has more than N points per tile.
-        const std::uint64_t full = points_ * one_point;
-        if (is_twice ? most <= full : most / recursive_cells < full) return;
+        descend(node, level, next);
+    }
+
+    /// The ranks of a tile whose turn comes before the largest demand over it.
+    RankedCell ranks_of(const Node& node, int level) const
+    {
+        const std::uint64_t most = demand_over(node, level);
+        const bool is_twice = drawing_ == RecursiveDrawing::twice;
+        const std::uint64_t first = level > 0 && !is_twice ? points_ : 0;
+        const std::uint64_t last = is_twice ? points_ : recursive_cells * points_;
+        const std::uint64_t end = most < node.turn ? 0 : std::min(last, (most - node.turn) / one_point + 1);
+        return {node.tile, node.cell, node.turn, static_cast<std::uint32_t>(first),
+                static_cast<std::uint32_t>(end > first ? end - first : 0)};
+    }
+
+    /// Adds the tiles in the cells of a tile that have more. A smaller tile's first sub-point comes when it has more
+    /// than N points per tile.
+    void descend(const Node& node, int level, std::vector<Node>& next) const
+    {
+        const std::uint64_t most = demand_over(node, level), full = points_ * one_point;
+        if (drawing_ == RecursiveDrawing::twice ? most <= full : most / recursive_cells < full) return;
         for (std::uint32_t cell = 0; cell < recursive_cells; ++cell) {
-            const Node child{tile.children[cell], cell_of(node, cell),
+            const Node child{tiles_.tile(node.tile).children[cell], cell_of(node, cell),
                              (cell_turns[cell] * one_point + node.turn) / recursive_cells};
             if (meets_window(child, level + 1)) next.push_back(child);
         }
@@ -202,6 +216,24 @@ PointSet RecursiveTiling::torus_points(const RecursiveDensity& density, Recursiv
         }
     }
     return set;
+}
+
+void RecursiveTiling::show_levels(const RecursiveDensity& density, RecursiveDrawing drawing,
+                                  const std::function<void(int level, const std::vector<RankedCell>&)>& show) const
+{
+    const RecursiveWindow window{0, {0, 0}, side_};
+    const Walk walk(*tiles_, window, density, drawing);
+    std::vector<Node> nodes = roots();
+    for (int level = 0; !nodes.empty(); ++level) {
+        std::vector<RankedCell> ranked;
+        std::vector<Node> next;
+        for (const Node& node : nodes) {
+            ranked.push_back(walk.ranks_of(node, level));
+            walk.descend(node, level, next);
+        }
+        show(level, ranked);
+        nodes = std::move(next);
+    }
 }
 
 std::vector<RecursivePoint> RecursiveTiling::window_points(const RecursiveWindow& window,

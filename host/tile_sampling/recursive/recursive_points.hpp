@@ -6,7 +6,8 @@
 //
 // Departures: M x M tiles of level 0 lie on a torus, by the direct algorithm with one hash function. The tiles of a
 // level get their next points one after the other, in an order in which neighbours are far from each other, rather than
-// all at once: a uniform density of N points has just N.
+// all at once: a uniform density of N points has just N. What is here is plain; recursive_kernel.hpp finds the points
+// of a torus on a device.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace poissonlab {
@@ -45,6 +47,15 @@ struct RecursiveWindow
     std::uint64_t side = 1;
 };
 
+/// A tile of a level in its place, and the ranks of it that may have points: `count` from `first` on.
+struct RankedCell
+{
+    std::uint8_t tile = 0;
+    std::array<std::uint64_t, 2> cell{};
+    std::uint64_t turn = 0; ///< when the tile gets its next point: parts of 2^32 of one
+    std::uint32_t first = 0, count = 0;
+};
+
 /// The deepest level whose tiles have numbers in 64 bits, for tori of up to four tiles.
 inline constexpr int deepest_recursive_level = 31;
 
@@ -55,10 +66,15 @@ public:
     RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream);
 
     std::uint32_t side() const { return side_; }
+    const RecursiveTileSet& tiles() const { return *tiles_; }
 
     /// The points of the whole torus, in the order of tiles and ranks. `density` is over the torus: its side, level 0.
     /// On all threads; the same for any number of them.
     PointSet torus_points(const RecursiveDensity& density, RecursiveDrawing drawing = RecursiveDrawing::once) const;
+
+    /// Shows the tiles of each level that may have points, in the order of torus_points().
+    void show_levels(const RecursiveDensity& density, RecursiveDrawing drawing,
+                     const std::function<void(int level, const std::vector<RankedCell>&)>& show) const;
 
     /// The points in a window, whose density is one over just these tiles. Places are those of the window's level or
     /// deeper ones, exactly: points of larger tiles are followed down. Throws InputError for windows that reach beyond

@@ -3,13 +3,15 @@
 #include "base/errors/errors.hpp"
 #include "base/random/random.hpp"
 #include "host/sampling/density_parameters.hpp"
-#include "host/tile_sampling/recursive/recursive_points.hpp"
+#include "host/sampling/device_sampler.hpp"
+#include "host/tile_sampling/recursive/recursive_kernel.hpp"
 #include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -30,11 +32,11 @@ RecursiveDensity density_asked(const Parameters& given, const SampleRequest& req
     return {request.points, small_parameter(given, base_key), 0, given_density(given)};
 }
 
-class RecursiveSampler final : public Sampler
+class RecursiveSampler final : public DeviceSampler
 {
 public:
-    RecursiveSampler(const Parameters& given, const SampleRequest& request)
-        : seed_(request.seed), side_(small_parameter(given, base_key)),
+    RecursiveSampler(const Parameters& given, const SampleRequest& request, Engine engine, const DeviceProvider& device)
+        : DeviceSampler(engine, device), seed_(request.seed), side_(small_parameter(given, base_key)),
           drawing_(*recursive_drawings.find(given.text("drawing"))), density_(density_asked(given, request)),
           begin_(std::chrono::steady_clock::now()),
           cached_(cached_recursive_tiles(small_parameter(given, recursive_size_key), request.seed, tile_cache_folder(),
@@ -42,12 +44,14 @@ public:
     {
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin_;
         preparation_seconds_ = all.count() - cached_.waiting_seconds;
+        if (device_) generator_.emplace(*device_, cached_.tiles, density_);
     }
 
     PointSet sample(std::uint32_t realization) override
     {
         const StreamKey stream = stream_key(seed_, Purpose::recursive_tilings, realization);
-        return RecursiveTiling(cached_.tiles, side_, stream).torus_points(density_, drawing_);
+        const RecursiveTiling tiling(cached_.tiles, side_, stream);
+        return generator_ ? generator_->torus_points(tiling, drawing_) : tiling.torus_points(density_, drawing_);
     }
 
     /// A density takes some points or leaves them by where they lie.
@@ -65,6 +69,7 @@ private:
     std::chrono::steady_clock::time_point begin_;
     CachedRecursiveTiles cached_;
     double preparation_seconds_ = 0;
+    std::optional<RecursiveGenerator> generator_; ///< nothing: the reference does the work
 };
 
 std::vector<ParameterSpec> recursive_parameters()
@@ -128,8 +133,13 @@ SamplerSpec recursive_wang_tile_sampler()
     spec.most_points = most_recursive_points;
     // One tile can only lie beside itself.
     spec.is_deterministic = [](const Parameters& given) { return given.integer(base_key) == 1; };
-    spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider&) {
-        return std::make_unique<RecursiveSampler>(given, request);
+    spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
+        return RecursiveGenerator::memory(small_parameter(given, recursive_size_key),
+                                          density_asked(given, request).bounds().weights.size());
+    };
+    spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
+                     const DeviceProvider& device) {
+        return std::make_unique<RecursiveSampler>(given, request, engine, device);
     };
     return spec;
 }

@@ -327,7 +327,7 @@ protected:
 
     static std::unique_ptr<Sampler> make(const Parameters& given, std::size_t points = 2000)
     {
-        return spec().create(given, {points, 2, 1}, Engine::opencl, {});
+        return spec().create(given, {points, 2, 1}, Engine::reference, {});
     }
 
     static std::string refused(const Parameters& given, std::size_t points = 2000)
