@@ -9,6 +9,7 @@ const std::vector<KernelFile>& kernel_files()
 {
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
     static const std::vector<KernelFile> files{
+        {"averaged_tiles.cl", {}},
         {"beatty_tiling.cl", {}},
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
         {"farthest_point.cl", {}},
@@ -22,10 +23,12 @@ const std::vector<KernelFile>& kernel_files()
         {"point_grid.cl", {dimension}},
         {"polyominoes.cl", {{"FACTOR", {"2", "9"}}, {"CELL_UNITS", {"4096"}}}},
         {"power_cells.cl", {}},
+        {"recursive_tiles.cl", {}},
         {"relaxation.cl", {dimension}},
         {"relaxation_dart_throwing.cl", {dimension, {"COVER_BITS", {"2", "3"}}}},
         {"repulsion.cl", {dimension}},
         {"sample_elimination.cl", {dimension}},
+        {"sector_darts.cl", {}},
         {"self_similar.cl", {}},
         {"texture_map.cl", {{"LOOKUP", {"0", "1", "2", "3"}}, {"CHANNELS", {"1", "3"}}}},
         {"tile_darts.cl", {dimension}},

@@ -49,6 +49,14 @@ public:
     /// The point set of a realization: the same bytes for the same request and realization, always.
     virtual PointSet sample(std::uint32_t realization) = 0;
 
+    /// Is told that so many realizations will be asked for one after the other, from `first` on: methods that make
+    /// several side by side do so then. Sets are the same with and without it.
+    virtual void expect([[maybe_unused]] std::uint32_t first, [[maybe_unused]] std::uint32_t count) {}
+
+    /// The seconds that the last set took where it was made side by side with others: its share of their time, without
+    /// building kernels. Nothing: those of its sample().
+    virtual std::optional<double> shared_seconds() const { return {}; }
+
     /// True where realizations differ in size by the nature of the method (saturation), rather than by
     /// mistake.
     virtual bool sizes_vary() const { return false; }

@@ -30,13 +30,15 @@ std::optional<std::filesystem::path> stored_file(const UnitStore& store, const U
 
 }
 
-Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, const Workplace& workplace)
+Sample SamplerSlot::make(const SeriesTask& task, const RealizationRange& range, const Workplace& workplace)
 {
+    const std::uint32_t realization = range.first;
     if (task_ != &task) {
         clear();
         sampler_ = task.create();
         task_ = &task;
     }
+    sampler_->expect(range.first, range.count);
     const double built_before = sampler_->build_seconds();
     const auto begin = std::chrono::steady_clock::now();
     Sample sample;
@@ -47,7 +49,7 @@ Sample SamplerSlot::make(const SeriesTask& task, std::uint32_t realization, cons
     const double built = sampler_->build_seconds();
     const double prepared = sampler_->preparation_seconds();
     record.points = sample.points.size();
-    record.seconds = std::max(0.0, seconds - (built - built_before));
+    record.seconds = sampler_->shared_seconds().value_or(std::max(0.0, seconds - (built - built_before)));
     record.conditions = workplace.conditions();
     record.on_device = workplace.is_device_open && workplace.is_device_open();
     record.sizes_vary = sampler_->sizes_vary();

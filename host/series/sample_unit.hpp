@@ -3,6 +3,7 @@
 
 #include "host/sampling/sampler.hpp"
 #include "host/series/experiment.hpp"
+#include "host/series/series_units.hpp"
 #include "host/store/unit_store.hpp"
 
 #include <cstddef>
@@ -55,8 +56,9 @@ inline constexpr std::size_t most_tile_set_bytes = std::size_t{8} << 20;
 class SamplerSlot
 {
 public:
-    /// Makes a realization of a series, with the sampler at hand if it is that of the same series.
-    Sample make(const SeriesTask& task, std::uint32_t realization, const Workplace& workplace);
+    /// Makes the first realization of a range of a series, with the sampler at hand if it is that of the same series.
+    /// The others of the range will be asked for next.
+    Sample make(const SeriesTask& task, const RealizationRange& range, const Workplace& workplace);
 
     /// Releases the sampler.
     void clear();

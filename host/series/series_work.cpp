@@ -83,12 +83,13 @@ bool SeriesWork::is_sampled(std::uint32_t realization) const
                                            : stored_sample(store_, key).has_value();
 }
 
-Sample SeriesWork::make(std::uint32_t realization, const WorkListener& listener)
+/// Makes the first realization of a range whose others will be asked for next.
+Sample SeriesWork::make(const RealizationRange& range, const WorkListener& listener)
 {
     stop_if_interrupted();
-    Sample sample = slot_.make(task_, realization, *experiment_.workplace);
+    Sample sample = slot_.make(task_, range, *experiment_.workplace);
     if (sample.points.size() == 0)
-        throw InputError(fmt::format("{}: realization {} has no points", task_.label, realization));
+        throw InputError(fmt::format("{}: realization {} has no points", task_.label, range.first));
     if (listener.sampled) listener.sampled(sample.record.points, sample.record.seconds);
     return sample;
 }
@@ -100,8 +101,9 @@ void SeriesWork::store(std::uint32_t realization, const Sample& sample)
 
 void SeriesWork::sample(const RealizationRange& range, const WorkListener& listener)
 {
-    for (std::uint32_t k = range.first; k < range.first + range.count; ++k)
-        if (!is_sampled(k)) store(k, make(k, listener));
+    const std::uint32_t end = range.first + range.count;
+    for (std::uint32_t k = range.first; k < end; ++k)
+        if (!is_sampled(k)) store(k, make({k, end - k}, listener));
 }
 
 /// The record of a realization that is stored.
@@ -116,7 +118,7 @@ SampleRecord SeriesWork::record(std::uint32_t realization) const
 SampleRecord SeriesWork::first_record(const WorkListener& listener)
 {
     if (!is_sampled(0)) {
-        Sample first = make(0, listener);
+        Sample first = make(units_.part(0), listener);
         store(0, first);
         first_ = std::move(first.points);
     }
@@ -152,7 +154,7 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
         } else if (const auto file = stored_points(store_, units_.sample_key(k))) {
             unit.add(read_points(*file).at(0));
         } else {
-            const Sample sample = make(k, listener);
+            const Sample sample = make({k, range.first + range.count - k}, listener);
             tbb::parallel_invoke([&] { unit.add(sample.points); }, [&] { store(k, sample); });
         }
         if (listener.analysed) listener.analysed();
@@ -244,7 +246,7 @@ void SeriesWork::time_more()
     const UnitKey key = units_.times_key(experiment_.workplace->conditions());
     std::vector<double> seconds;
     if (const auto unit = store_.find(key)) from_bytes(unit->record, seconds);
-    for (; count < experiment_.timing_runs; ++count) seconds.push_back(make(0, {}).record.seconds);
+    for (; count < experiment_.timing_runs; ++count) seconds.push_back(make({0, 1}, {}).record.seconds);
     store_.store(key, to_bytes(seconds));
 }
 

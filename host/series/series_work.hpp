@@ -71,7 +71,7 @@ public:
 
 private:
     bool has_points_to_keep(std::uint32_t realization) const;
-    Sample make(std::uint32_t realization, const WorkListener& listener);
+    Sample make(const RealizationRange& range, const WorkListener& listener);
     void store(std::uint32_t realization, const Sample& sample);
     SampleRecord record(std::uint32_t realization) const;
     SampleRecord first_record(const WorkListener& listener);

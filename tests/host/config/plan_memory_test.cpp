@@ -142,6 +142,8 @@ points = [256, 20000]
 stop = "saturation"
 [[method]]
 sampler = "sector-darts"
+variant = ["logarithmic", "linear", "boundary"]
+points = [256, 20000]
 [[method]]
 sampler = "shade-tiles"
 [[method]]

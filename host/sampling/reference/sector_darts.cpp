@@ -1,52 +1,36 @@
-#include "host/sampling/classics/sector_darts.hpp"
+// Sector darts, plain and sequential: what the kernels must reproduce.
+#include "host/sampling/sectors/sector_darts.hpp"
 
-#include "base/errors/errors.hpp"
-#include "base/geometry/relative_radius.hpp"
-#include "base/random/random.hpp"
-#include "host/sampling/classics/plain_spec.hpp"
-#include "host/sampling/classics/scalloped_region.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
-
-#include <fmt/format.h>
+#include "host/sampling/reference/scalloped_region.hpp"
+#include "kernels/common/sector_darts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
-namespace poissonlab {
+namespace poissonlab::reference {
 namespace {
 
-enum class SectorVariant
-{
-    logarithmic,
-    linear,
-    boundary,
-};
-constexpr WordTable<SectorVariant, 3> sector_variants{{{{SectorVariant::logarithmic, "logarithmic"},
-                                                        {SectorVariant::linear, "linear"},
-                                                        {SectorVariant::boundary, "boundary"}}}};
-
-constexpr double units = 4294967296.0; ///< of the torus' side
-
-/// The relative radius that full sets have, about.
-double usual_radius(SectorVariant variant)
-{
-    return variant == SectorVariant::boundary ? 0.862 : variant == SectorVariant::linear ? 0.804 : 0.775;
-}
+using namespace contract::sector_darts;
+using contract::directions::direction_of;
+using contract::directions::HALF_TURN;
+using contract::directions::unit_vector;
+using contract::directions::UnitVector;
 
 /// Angles of a circle that are free, as ranges.
 class FreeAngles
 {
 public:
-    FreeAngles() : ranges_{{-std::numbers::pi, std::numbers::pi}} {}
+    FreeAngles() : ranges_{{-HALF_TURN, HALF_TURN}} {}
 
     /// Angles are from -pi to pi: a range that reaches beyond comes in again at the other end.
     void subtract(double angle, double half)
     {
         const double begin = angle - half, end = angle + half;
         cut(begin, end);
-        if (begin < -turn / 2) cut(begin + turn, end + turn);
-        if (end > turn / 2) cut(begin - turn, end - turn);
+        if (begin < -HALF_TURN) cut(begin + 2 * HALF_TURN, end + 2 * HALF_TURN);
+        if (end > HALF_TURN) cut(begin - 2 * HALF_TURN, end - 2 * HALF_TURN);
     }
 
     bool is_empty() const { return ranges_.empty(); }
@@ -59,8 +43,6 @@ public:
     }
 
 private:
-    static constexpr double turn = 2 * std::numbers::pi;
-    static constexpr double least = 1e-9;
     struct Range
     {
         double begin, end;
@@ -70,7 +52,7 @@ private:
     {
         left_.clear();
         const auto keep = [&](double from, double to) {
-            if (to - from > least) left_.push_back({from, to});
+            if (to - from > LEAST_ANGLE) left_.push_back({from, to});
         };
         for (const Range& range : ranges_) {
             if (end <= range.begin || begin >= range.end) {
@@ -135,16 +117,14 @@ private:
     std::vector<double> areas_, sums_;
 };
 
-class SectorDarts
+class PlainSectorDarts
 {
 public:
-    SectorDarts(double min_distance, const StreamKey& stream)
-        : distance_(static_cast<std::uint64_t>(std::ceil(min_distance * units))),
-          // Rounding a dart to the grid takes less than a unit from its distance.
-          reach_(static_cast<double>(distance_ + 1)), stream_(stream),
-          grid_(static_cast<std::size_t>(1 / (min_distance * min_distance)), 2)
+    PlainSectorDarts(const SectorDartRequest& request, const StreamKey& stream)
+        : distance_(sector_rules(request).distance), reach_(sector_rules(request).reach), stream_(stream),
+          grid_(static_cast<std::size_t>(1 / (request.min_distance * request.min_distance)), 2)
     {
-        const auto words = philox({0, 0, 0, first_use}, stream_);
+        const auto words = philox({0, 0, 0, FIRST_USE}, stream_);
         grid_.add({words[0], words[1], 0});
     }
 
@@ -158,29 +138,46 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t first_use = 0, choice_use = 1, dart_use = 2;
-
     std::array<std::uint32_t, 4> random(std::uint32_t use)
     {
         const std::uint64_t count = draws_++;
         return philox({static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(count >> 32), 0, use}, stream_);
     }
 
-    static double uniform(std::uint32_t word) { return word / units; }
+    static double uniform(std::uint32_t word) { return word / UNITS; }
 
-    PolarPlace seen_from(std::size_t from, std::size_t to) const
+    /// A point as seen from another one.
+    std::array<double, 2> seen_from(std::size_t from, std::size_t to) const
     {
-        const double x = static_cast<std::int32_t>(grid_[to][0] - grid_[from][0]);
-        const double y = static_cast<std::int32_t>(grid_[to][1] - grid_[from][1]);
-        return {std::atan2(y, x), std::hypot(x, y)};
+        return {static_cast<double>(static_cast<std::int32_t>(grid_[to][0] - grid_[from][0])),
+                static_cast<double>(static_cast<std::int32_t>(grid_[to][1] - grid_[from][1]))};
+    }
+
+    void cut_off(ScallopedRegion& region, std::size_t point, std::size_t other, double radius) const
+    {
+        const auto [x, y] = seen_from(point, other);
+        region.subtract(x, y, radius);
+    }
+
+    /// Cuts off the place of a rejected dart.
+    void cut_off(ScallopedRegion& region, const PolarPlace& place) const
+    {
+        const UnitVector direction = unit_vector(place.angle);
+        region.subtract(place.distance * direction.x, place.distance * direction.y, REJECTED_RADIUS * reach_);
+    }
+
+    static std::uint32_t rounded(double length)
+    {
+        return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(length + 0.5)));
     }
 
     /// Adds a dart unless it is too near to a point, which rounding may make it.
     bool add(std::size_t from, const PolarPlace& place)
     {
+        const UnitVector direction = unit_vector(place.angle);
         TorusPosition dart = grid_[from];
-        dart[0] += static_cast<std::uint32_t>(std::llround(place.distance * std::cos(place.angle)));
-        dart[1] += static_cast<std::uint32_t>(std::llround(place.distance * std::sin(place.angle)));
+        dart[0] += rounded(place.distance * direction.x);
+        dart[1] += rounded(place.distance * direction.y);
         if (grid_.squared_nearest(dart, distance_ * distance_ - 1) < distance_ * distance_) return false;
         grid_.add(dart);
         return true;
@@ -191,7 +188,7 @@ private:
     {
         std::vector<std::size_t> open{0};
         while (!open.empty()) {
-            const std::size_t chosen = std::uint64_t{random(choice_use)[0]} * open.size() >> 32;
+            const std::size_t chosen = std::uint64_t{random(CHOICE_USE)[0]} * open.size() >> 32;
             const std::size_t point = open[chosen];
             open[chosen] = open.back();
             open.pop_back();
@@ -207,19 +204,24 @@ private:
     void fill_boundary(std::size_t point)
     {
         FreeAngles free;
+        // Half the angle that a point takes has the quotient of its distance and twice the reach as cosine.
+        const auto reach = static_cast<std::uint64_t>(reach_);
         const auto subtract = [&](std::size_t other) {
-            const PolarPlace place = seen_from(point, other);
-            if (place.distance < 2 * reach_) free.subtract(place.angle, std::acos(place.distance / (2 * reach_)));
+            const std::uint64_t squared = squared_torus_distance(grid_[point], grid_[other]);
+            if (squared >= 4 * reach * reach) return;
+            const double across = std::sqrt(static_cast<double>(4 * reach * reach - squared));
+            const auto [x, y] = seen_from(point, other);
+            free.subtract(direction_of(x, y), direction_of(std::sqrt(static_cast<double>(squared)), across));
         };
         for (const std::size_t other : grid_.within(grid_[point], 2 * reach_))
             if (other != point) subtract(other);
         while (!free.is_empty()) {
-            const auto words = random(dart_use);
+            const auto words = random(DART_USE);
             const double angle = free.choose(words[0], uniform(words[1]));
             if (add(point, {angle, reach_}))
                 subtract(grid_.size() - 1);
             else
-                free.subtract(angle, 1e-9); // rounded too near to a point: a sliver that holds none
+                free.subtract(angle, REJECTED_ANGLE); // rounded too near to a point: a sliver that holds none
         }
     }
 
@@ -237,7 +239,7 @@ private:
         ScallopedRegion region(reach_);
         for (const auto& [gap, other] : others) {
             if (region.is_empty() || gap >= 2 * reach_) break;
-            region.subtract(seen_from(point, other), other < point ? 2 * reach_ : reach_);
+            cut_off(region, point, other, other < point ? 2 * reach_ : reach_);
         }
         return region;
     }
@@ -246,12 +248,12 @@ private:
     {
         ScallopedRegion region = region_of(point);
         while (!region.is_empty()) {
-            const auto words = random(dart_use);
+            const auto words = random(DART_USE);
             const PolarPlace place = region.sample(uniform(words[0]), uniform(words[1]));
             if (add(point, place))
-                region.subtract(seen_from(point, grid_.size() - 1), reach_);
+                cut_off(region, point, grid_.size() - 1, reach_);
             else
-                region.subtract(place, 1e-6 * reach_);
+                cut_off(region, place);
         }
     }
 
@@ -269,18 +271,18 @@ private:
             areas.set(i, regions[i].area());
         };
         while (open > 0) {
-            const auto words = random(dart_use);
+            const auto words = random(DART_USE);
             std::size_t point = std::min(areas.find(uniform(words[2]) * areas.total()), regions.size() - 1);
             while (regions[point].is_empty()) point = (point + 1) % regions.size(); // what rounding leaves
             const PolarPlace place = regions[point].sample(uniform(words[0]), uniform(words[1]));
             if (!add(point, place)) {
-                update(point, [&](ScallopedRegion& region) { region.subtract(place, 1e-6 * reach_); });
+                update(point, [&](ScallopedRegion& region) { cut_off(region, place); });
                 continue;
             }
             const std::size_t added = grid_.size() - 1;
             for (const std::size_t other : grid_.within(grid_[added], 3 * reach_))
                 if (other != added && !regions[other].is_empty())
-                    update(other, [&](ScallopedRegion& region) { region.subtract(seen_from(other, added), reach_); });
+                    update(other, [&](ScallopedRegion& region) { cut_off(region, other, added, reach_); });
             regions.push_back(region_of(added));
             areas.set(added, regions[added].area());
             open += !regions[added].is_empty();
@@ -294,72 +296,11 @@ private:
     std::uint64_t draws_ = 0;
 };
 
-double sector_distance(const Parameters& parameters, const SampleRequest& request)
-{
-    if (parameters.is_given("min_distance")) return parameters.number("min_distance");
-    return min_distance_for(usual_radius(*sector_variants.find(parameters.text("variant"))), request.points, 2);
 }
 
-class SectorDartSampler final : public Sampler
+PointSet throw_sector_darts(const SectorDartRequest& request, const StreamKey& stream)
 {
-public:
-    SectorDartSampler(std::uint64_t seed, double min_distance, SectorVariant variant)
-        : seed_(seed), distance_(min_distance), variant_(variant)
-    {}
-
-    bool sizes_vary() const override { return true; }
-
-    PointSet sample(std::uint32_t realization) override
-    {
-        return SectorDarts(distance_, stream_key(seed_, Purpose::sector_darts, realization)).run(variant_);
-    }
-
-private:
-    std::uint64_t seed_;
-    double distance_;
-    SectorVariant variant_;
-};
-
-}
-
-SamplerSpec sector_dart_sampler()
-{
-    SamplerSpec spec =
-        plain_spec("sector-darts", "Sector darts",
-                   "darts beside the points that are there, until none fits (Dunbar and Humphreys 2006)", {2},
-                   {{.key = "variant",
-                     .kind = ParameterSpec::Kind::choice,
-                     .help = "where the next dart falls: anywhere around points, by area; around one point after the "
-                             "other; or at the least distance of one",
-                     .choices = sector_variants.all(),
-                     .otherwise = std::string(sector_variants[SectorVariant::boundary])},
-                    {.key = "min_distance",
-                     .help = "the minimum distance, in units of the torus' side",
-                     .maximum = 0.125,
-                     .exclusive_minimum = true,
-                     .symbol = "d",
-                     .unless_given = "what gives about analysis.points points"}});
-    spec.check = [](const Parameters& parameters, const SampleRequest& request, const SourceLocation& where) {
-        const double distance = sector_distance(parameters, request);
-        if (distance > 0.125)
-            throw InputError::at(where,
-                                 fmt::format("sampler = \"sector-darts\": {} points have a distance of {:.3f}: must "
-                                             "be at most 0.125, so that neighbourhoods do not meet themselves; more "
-                                             "points",
-                                             request.points, distance));
-        constexpr double most = 1 << 26;
-        if (1 / (distance * distance) > most)
-            throw parameters.error("min_distance", fmt::format("must leave at most {:.0f} points", most));
-    };
-    spec.most_points = [](const Parameters& parameters, const SampleRequest& request) -> std::size_t {
-        const double distance = sector_distance(parameters, request);
-        return static_cast<std::size_t>(0.92 / (distance * distance)) + 20; // boundary darts have 0.86
-    };
-    spec.create = [](const Parameters& parameters, const SampleRequest& request, Engine, const DeviceProvider&) {
-        return std::make_unique<SectorDartSampler>(request.seed, sector_distance(parameters, request),
-                                                   *sector_variants.find(parameters.text("variant")));
-    };
-    return spec;
+    return PlainSectorDarts(request, stream).run(request.variant);
 }
 
 }

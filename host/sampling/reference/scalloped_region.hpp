@@ -2,12 +2,15 @@
 //
 // Dunbar and Humphreys, A spatial data structure for fast Poisson-disk sample generation, 2006: an annulus from which
 // disks are cut. A sector has an angle and, at each of its directions, all distances between two arcs.
+// kernels/common/scalloped_region.clh does the same operations.
 #pragma once
+
+#include "kernels/common/directions.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace poissonlab {
+namespace poissonlab::reference {
 
 /// A place by direction and distance from the point.
 struct PolarPlace
@@ -23,9 +26,9 @@ public:
     ScallopedRegion() = default;
     explicit ScallopedRegion(double radius);
 
-    /// Cuts off a disk with its centre at a place. Slivers of less than a billionth of a turn or of the area are
-    /// dropped.
-    void subtract(const PolarPlace& centre, double radius);
+    /// Cuts off a disk with its centre at a place, relative to the point. Slivers of less than a billionth of a turn or
+    /// of the area are dropped.
+    void subtract(double x, double y, double radius);
 
     bool is_empty() const { return sectors_.empty(); }
     double area() const { return area_; }
@@ -34,15 +37,18 @@ public:
     PolarPlace sample(double u, double v) const;
 
 private:
+    using UnitVector = contract::directions::UnitVector;
+
     /// An arc as a distance for each direction: of a circle's two intersections with a ray, the nearer or the farther.
     struct Arc
     {
-        double distance = 0, angle = 0; ///< of the circle's centre
+        double x = 0, y = 0; ///< of the circle's centre
         double radius = 0;
         bool is_far = true;
 
-        double at(double direction) const;
-        double swept(double direction) const; ///< area up to a direction, but for a constant
+        double across(const UnitVector& direction) const { return x * direction.y - y * direction.x; }
+        double at(const UnitVector& direction) const;
+        double swept(double angle, const UnitVector& direction) const; ///< area up to an angle, but for a constant
     };
 
     struct Sector
@@ -51,7 +57,7 @@ private:
         Arc inner, outer;
         double area = 0;
 
-        double area_to(double direction) const;
+        double swept(double angle) const;
     };
 
     void cut(const Sector& sector, const Arc& near, std::vector<Sector>& result) const;

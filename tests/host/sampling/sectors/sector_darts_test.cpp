@@ -1,8 +1,9 @@
-// Sector darts: regions against counting random places, exact distances, and sets that nothing fits into any more.
-#include "host/sampling/classics/sector_darts.hpp"
+// Sector darts: regions against counting random places, exact distances, sets that nothing fits into any more, and
+// kernels against their twin.
+#include "host/sampling/sectors/sector_darts.hpp"
 
 #include "analysis/measures/largest_empty_ball.hpp"
-#include "host/sampling/classics/scalloped_region.hpp"
+#include "host/sampling/reference/scalloped_region.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/chi_square.hpp"
 
@@ -14,11 +15,20 @@
 namespace poissonlab {
 namespace {
 
+using reference::PolarPlace;
+using reference::ScallopedRegion;
+
 struct Disk
 {
     PolarPlace centre;
     double radius;
 };
+
+void cut_off(ScallopedRegion& region, const Disk& disk)
+{
+    region.subtract(disk.centre.distance * std::cos(disk.centre.angle),
+                    disk.centre.distance * std::sin(disk.centre.angle), disk.radius);
+}
 
 /// Disks as neighbours make them: of one radius from one away on, of two radii from two on.
 std::vector<Disk> random_disks(std::mt19937& random, int count)
@@ -49,7 +59,7 @@ TEST(ScallopedRegion, HasTheAreaThatIsLeft)
     for (int i = 0; i < 40; ++i) {
         const auto disks = random_disks(random, i % 7);
         ScallopedRegion region(1);
-        for (const Disk& disk : disks) region.subtract(disk.centre, disk.radius);
+        for (const Disk& disk : disks) cut_off(region, disk);
         constexpr int count = 40'000;
         int inside = 0;
         for (int k = 0; k < count; ++k) inside += is_left(place(random), place(random), disks);
@@ -66,7 +76,7 @@ TEST(ScallopedRegion, SamplesAreUniformAndInside)
     std::uniform_real_distribution<double> unit(0, 1);
     const std::vector<Disk> disks{{{0.3, 1.2}, 1}, {{2.5, 1.8}, 1}, {{-2, 2.6}, 2}};
     ScallopedRegion region(1);
-    for (const Disk& disk : disks) region.subtract(disk.centre, disk.radius);
+    for (const Disk& disk : disks) cut_off(region, disk);
     // Counts in a grid over the region, against how much of each of its squares is left.
     constexpr int side = 12, samples = 60'000, darts = 600'000;
     std::vector<double> counts(side * side), expected(side * side);
@@ -99,7 +109,7 @@ TEST(ScallopedRegion, SamplesAreUniformAndInside)
     EXPECT_LT(chi_square, squares + 5 * std::sqrt(2.0 * squares));
 }
 
-class SectorDarts : public testing::TestWithParam<const char*>
+class SectorDartSets : public testing::TestWithParam<const char*>
 {
 protected:
     static PointSet sample(double distance, std::uint32_t realization)
@@ -114,7 +124,7 @@ protected:
 
 /// Exactly the distance that is asked for or more, and no circle of that radius is empty, but for the rounding of
 /// darts.
-TEST_P(SectorDarts, KeepTheirDistanceAndAreMaximal)
+TEST_P(SectorDartSets, KeepTheirDistanceAndAreMaximal)
 {
     for (const double distance : {0.124, 0.1, 0.03}) {
         for (std::uint32_t realization = 0; realization < 3; ++realization) {
@@ -127,7 +137,7 @@ TEST_P(SectorDarts, KeepTheirDistanceAndAreMaximal)
     EXPECT_NE(sample(0.05, 1), sample(0.05, 2));
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, SectorDarts, testing::Values("logarithmic", "linear", "boundary"),
+INSTANTIATE_TEST_SUITE_P(Variants, SectorDartSets, testing::Values("logarithmic", "linear", "boundary"),
                          [](const auto& variant) { return std::string(variant.param); });
 
 /// Darts at the least distance pack closer than others, and all have about as many points as are asked for.
@@ -142,6 +152,70 @@ TEST(SectorDartVariants, HaveTheNumberOfPointsThatIsAskedFor)
         EXPECT_NEAR(size, 4096, 60) << variant;
         EXPECT_LE(size, static_cast<double>(spec.most_points(parameters, {4096, 2, 11})));
     }
+}
+
+std::vector<StreamKey> streams_of(std::uint32_t count)
+{
+    std::vector<StreamKey> streams;
+    for (std::uint32_t i = 0; i < count; ++i) streams.push_back(stream_key(7, Purpose::sector_darts, i));
+    return streams;
+}
+
+/// So many sets side by side, and the twin's one after the other.
+void expect_same_sets(const SectorDartRequest& request, std::uint32_t count)
+{
+    static Device device = Device::open();
+    const auto streams = streams_of(count);
+    const auto sets = SectorDarts(device).throw_darts(request, streams);
+    ASSERT_EQ(sets.size(), count);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(sets[i], reference::throw_sector_darts(request, streams[i])) << i;
+}
+
+class SectorDartKernels : public testing::TestWithParam<SectorVariant>
+{
+};
+
+TEST_P(SectorDartKernels, MakeTheSameFewPoints) { expect_same_sets({0.125, GetParam()}, 2); }
+
+INSTANTIATE_TEST_SUITE_P(Small, SectorDartKernels,
+                         testing::Values(SectorVariant::logarithmic, SectorVariant::linear, SectorVariant::boundary));
+
+class ManySectorDartKernels : public SectorDartKernels
+{
+};
+
+/// Far more points than the steps of a call, so that sets go on where they stopped.
+TEST_P(ManySectorDartKernels, MakeTheSamePoints)
+{
+    expect_same_sets({0.0123, GetParam()}, 3);
+    expect_same_sets({0.05, GetParam()}, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, ManySectorDartKernels,
+                         testing::Values(SectorVariant::logarithmic, SectorVariant::linear, SectorVariant::boundary));
+
+/// Sets that are made side by side are those that are made alone, and share the time.
+TEST(SectorDartSampler, MakesExpectedSetsSideBySide)
+{
+    Device device = Device::open();
+    const SamplerSpec spec = sector_dart_sampler();
+    Parameters parameters(spec.parameters);
+    const auto made = [&](Engine engine) {
+        return spec.create(parameters, {2048, 2, 3}, engine, [&]() -> Device& { return device; });
+    };
+    const auto alone = made(Engine::reference), some = made(Engine::opencl);
+    EXPECT_FALSE(alone->shared_seconds());
+    EXPECT_EQ(some->sample(4), alone->sample(4)); // not expected
+    some->expect(5, 20);                          // more than are made at once
+    double first = 0;
+    for (std::uint32_t k = 5; k < 26; ++k) {
+        EXPECT_EQ(some->sample(k), alone->sample(k)) << k;
+        ASSERT_TRUE(some->shared_seconds());
+        const double share = *some->shared_seconds();
+        if (k == 5) first = share;
+        EXPECT_EQ(share == first, k <= 20) << k;
+    }
+    EXPECT_EQ(some->sample(7), alone->sample(7)); // once more
 }
 
 }
