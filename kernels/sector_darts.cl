@@ -7,14 +7,14 @@
 //   grow_point_by_point   one random point after the other, until there is no room beside it: linear sets have darts
 //                         in all that is left around the point, boundary sets at the least distance of it
 //   grow_by_area          logarithmic sets: darts into what is left around all points, uniformly
-// Angles and areas are of double precision, with directions by polynomials of our own (kernels/common/directions.h):
-// bytes are the same everywhere.
+// Angles and areas are of double precision, with directions by polynomials of our own (kernels/common/sectors/
+// directions.h): bytes are the same everywhere.
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/growing_set.clh"
-#include "kernels/common/scalloped_region.clh"
-#include "kernels/common/area_tree.clh"
+#include "kernels/common/sectors/growing_set.clh"
+#include "kernels/common/sectors/scalloped_region.clh"
+#include "kernels/common/sectors/area_tree.clh"
 
 /// Angles of a circle that are free, as ranges.
 typedef struct

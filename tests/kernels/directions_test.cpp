@@ -1,6 +1,6 @@
-// Cosines, sines and angles of kernels/common/directions.h against the library's of long double, whose errors are a
-// thousandth of the bounds.
-#include "kernels/common/directions.h"
+// Cosines, sines and angles of kernels/common/sectors/directions.h against the library's of long double, whose errors
+// are a thousandth of the bounds.
+#include "kernels/common/sectors/directions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "host/sampling/reference/scalloped_region.hpp"
 
-#include "kernels/common/sector_darts.h"
+#include "kernels/common/sectors/sector_darts.h"
 
 #include <algorithm>
 #include <cmath>

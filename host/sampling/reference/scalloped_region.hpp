@@ -2,10 +2,10 @@
 //
 // Dunbar and Humphreys, A spatial data structure for fast Poisson-disk sample generation, 2006: an annulus from which
 // disks are cut. A sector has an angle and, at each of its directions, all distances between two arcs.
-// kernels/common/scalloped_region.clh does the same operations.
+// kernels/common/sectors/scalloped_region.clh does the same operations.
 #pragma once
 
-#include "kernels/common/directions.h"
+#include "kernels/common/sectors/directions.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "host/sampling/classics/torus_grid.hpp"
 #include "host/sampling/reference/scalloped_region.hpp"
-#include "kernels/common/sector_darts.h"
+#include "kernels/common/sectors/sector_darts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
-#include "kernels/common/sector_darts.h"
+#include "kernels/common/sectors/sector_darts.h"
 
 #include <cstddef>
 #include <vector>
