@@ -1,13 +1,16 @@
 // Structs that kernels are told by value have the same layout on the device, and constants the same values.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
+#include "kernels/common/averaged_tiles.h"
 #include "kernels/common/dart_throwing.h"
 #include "kernels/common/gaussian_blue_noise.h"
 #include "kernels/common/gradient_domain.h"
 #include "kernels/common/instances.h"
 #include "kernels/common/masked_squares.h"
+#include "kernels/common/recursive_tiles.h"
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
+#include "kernels/common/sectors/sector_darts.h"
 #include "kernels/common/self_similar.h"
 #include "kernels/common/texture_map.h"
 #include "kernels/common/tile_filling.h"
@@ -118,6 +121,30 @@ TEST(Contract, OfVoronoiDarts)
     EXPECT_THAT(on_device(file, layout_of("Batch", "key_y")), ElementsAreArray(batch));
     const std::size_t offset[] = {LAYOUT_OF(Offset, squared_gap)};
     EXPECT_THAT(on_device(file, layout_of("Offset", "squared_gap")), ElementsAreArray(offset));
+}
+
+TEST(Contract, OfSectorDarts)
+{
+    using namespace contract::sector_darts;
+    const std::string file = "kernels/common/sectors/sector_darts.h";
+    const std::size_t rules[] = {LAYOUT_OF(SectorRules, steps)};
+    EXPECT_THAT(on_device(file, layout_of("SectorRules", "steps")), ElementsAreArray(rules));
+    const std::size_t set[] = {LAYOUT_OF(GrowingSet, free_sector)};
+    EXPECT_THAT(on_device(file, layout_of("GrowingSet", "free_sector")), ElementsAreArray(set));
+    const std::size_t kept[] = {LAYOUT_OF(KeptSector, next)};
+    EXPECT_THAT(on_device(file, layout_of("KeptSector", "next")), ElementsAreArray(kept));
+}
+
+TEST(Contract, OfEarlyTiles)
+{
+    const std::size_t shift[] = {LAYOUT_OF(contract::averaged_tiles::CentroidShift, is_known)};
+    EXPECT_THAT(on_device("kernels/common/averaged_tiles.h", layout_of("CentroidShift", "is_known")),
+                ElementsAreArray(shift));
+    const std::string file = "kernels/common/recursive_tiles.h";
+    const std::size_t tile[] = {LAYOUT_OF(contract::recursive_tiles::RankedTile, begin)};
+    EXPECT_THAT(on_device(file, layout_of("RankedTile", "begin")), ElementsAreArray(tile));
+    const std::size_t level[] = {LAYOUT_OF(contract::recursive_tiles::RankedLevel, is_uniform)};
+    EXPECT_THAT(on_device(file, layout_of("RankedLevel", "is_uniform")), ElementsAreArray(level));
 }
 
 TEST(Contract, OfGaussianBlueNoise)

@@ -2,6 +2,9 @@
 // are a thousandth of the bounds.
 #include "kernels/common/sectors/directions.h"
 
+#include "host/device/device.hpp"
+#include "host/device/kernel_source.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,6 +75,33 @@ TEST(Directions, OfAxesAndOfNothing)
     EXPECT_EQ(direction_of(-2, 0), pi);
     EXPECT_EQ(unit_vector(0).x, 1);
     EXPECT_EQ(unit_vector(0).y, 0);
+}
+
+TEST(Directions, AreTheSameOnADevice)
+{
+    constexpr std::size_t count = 4096;
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> angle(-64, 64);
+    std::vector<double> given(count), expected;
+    for (double& value : given) value = angle(random);
+    for (std::size_t i = 0; i < count; ++i) {
+        const UnitVector vector = unit_vector(given[i]);
+        for (const double value : {vector.x, vector.y, direction_of(given[i], given[count - 1 - i])})
+            expected.push_back(value);
+    }
+    Device device = Device::open();
+    auto values = device.buffer<double>(count), found = device.buffer<double>(3 * count);
+    values.write(given);
+    const std::string text = "#pragma OPENCL FP_CONTRACT OFF\n" + kernel_source("kernels/common/sectors/directions.h") +
+                             "kernel void find(uint count, global const double* values, global double* found) {"
+                             "  const uint i = get_global_id(0);"
+                             "  const struct UnitVector vector = unit_vector(values[i]);"
+                             "  found[3 * i] = vector.x;"
+                             "  found[3 * i + 1] = vector.y;"
+                             "  found[3 * i + 2] = direction_of(values[i], values[count - 1 - i]);"
+                             "}";
+    device.kernel_from_text(text, "directions", "find").run(count, 64, std::uint32_t{count}, values, found);
+    EXPECT_EQ(found.read(0, 3 * count), expected);
 }
 
 }
