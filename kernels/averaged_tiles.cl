@@ -8,7 +8,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/averaged_tiles.h"
+#include "kernels/common/tile_sampling/averaged_tiles.h"
 #include "kernels/common/polygon.clh"
 
 /// A cell, and which points can change it.

@@ -3,7 +3,7 @@
 //
 // A work-item divides one triangle down to the level that the density asks for, twice: it counts its points first, and
 // writes them where those of the triangles before end. Places are whole numbers throughout.
-#include "kernels/common/penrose.h"
+#include "kernels/common/tile_sampling/penrose.h"
 
 constant long LAST = (1L << FRACTION_BITS) - 1;
 constant int SHIFT = FRACTION_BITS - UNIT_BITS;

@@ -1,7 +1,7 @@
 // The points of a torus that is tiled with polyominoes: see tiles/polyominoes/polyomino_points.hpp.
 //
 // Constants: FACTOR, by which lengths grow when tiles are divided; CELL_UNITS, in a cell.
-#include "kernels/common/polyominoes.h"
+#include "kernels/common/tile_sampling/polyominoes.h"
 
 #define CHILDREN (FACTOR * FACTOR)
 

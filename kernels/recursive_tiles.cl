@@ -6,7 +6,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/recursive_tiles.h"
+#include "kernels/common/tile_sampling/recursive_tiles.h"
 
 /// The tile that has one of all ranks: the last one that begins there or before.
 uint tile_with(struct RankedLevel level, global const struct RankedTile* tiles, uint rank)

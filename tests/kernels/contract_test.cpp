@@ -1,13 +1,11 @@
 // Structs that kernels are told by value have the same layout on the device, and constants the same values.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
-#include "kernels/common/averaged_tiles.h"
 #include "kernels/common/dart_throwing.h"
 #include "kernels/common/gaussian_blue_noise.h"
 #include "kernels/common/gradient_domain.h"
 #include "kernels/common/instances.h"
 #include "kernels/common/masked_squares.h"
-#include "kernels/common/recursive_tiles.h"
 #include "kernels/common/relaxation_dart_throwing.h"
 #include "kernels/common/sample_elimination.h"
 #include "kernels/common/sectors/sector_darts.h"
@@ -15,6 +13,8 @@
 #include "kernels/common/texture_map.h"
 #include "kernels/common/tile_filling.h"
 #include "kernels/common/tile_points.h"
+#include "kernels/common/tile_sampling/averaged_tiles.h"
+#include "kernels/common/tile_sampling/recursive_tiles.h"
 #include "kernels/common/voronoi_darts.h"
 #include "kernels/common/warp.h"
 #include "tiles/poisson/object_lookup.hpp"
@@ -138,9 +138,9 @@ TEST(Contract, OfSectorDarts)
 TEST(Contract, OfEarlyTiles)
 {
     const std::size_t shift[] = {LAYOUT_OF(contract::averaged_tiles::CentroidShift, is_known)};
-    EXPECT_THAT(on_device("kernels/common/averaged_tiles.h", layout_of("CentroidShift", "is_known")),
+    EXPECT_THAT(on_device("kernels/common/tile_sampling/averaged_tiles.h", layout_of("CentroidShift", "is_known")),
                 ElementsAreArray(shift));
-    const std::string file = "kernels/common/recursive_tiles.h";
+    const std::string file = "kernels/common/tile_sampling/recursive_tiles.h";
     const std::size_t tile[] = {LAYOUT_OF(contract::recursive_tiles::RankedTile, begin)};
     EXPECT_THAT(on_device(file, layout_of("RankedTile", "begin")), ElementsAreArray(tile));
     const std::size_t level[] = {LAYOUT_OF(contract::recursive_tiles::RankedLevel, is_uniform)};

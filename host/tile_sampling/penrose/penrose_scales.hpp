@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/tile_sampling/penrose/penrose_table.hpp"
-#include "kernels/common/penrose.h"
+#include "kernels/common/tile_sampling/penrose.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The vectors by which points of a Penrose tiling move away from its corners.
 #pragma once
 
-#include "kernels/common/penrose.h"
+#include "kernels/common/tile_sampling/penrose.h"
 
 #include <array>
 #include <cstdint>

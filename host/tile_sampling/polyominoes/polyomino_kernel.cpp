@@ -1,6 +1,6 @@
 #include "host/tile_sampling/polyominoes/polyomino_kernel.hpp"
 
-#include "kernels/common/polyominoes.h"
+#include "kernels/common/tile_sampling/polyominoes.h"
 
 #include <utility>
 

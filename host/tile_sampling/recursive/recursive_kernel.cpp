@@ -1,6 +1,6 @@
 #include "host/tile_sampling/recursive/recursive_kernel.hpp"
 
-#include "kernels/common/recursive_tiles.h"
+#include "kernels/common/tile_sampling/recursive_tiles.h"
 
 #include <array>
 #include <utility>

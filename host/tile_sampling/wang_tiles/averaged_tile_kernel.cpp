@@ -1,6 +1,6 @@
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 
-#include "kernels/common/averaged_tiles.h"
+#include "kernels/common/tile_sampling/averaged_tiles.h"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <array>

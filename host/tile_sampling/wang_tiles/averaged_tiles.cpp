@@ -2,7 +2,7 @@
 
 #include "base/geometry/convex_cell.hpp"
 #include "base/random/random.hpp"
-#include "kernels/common/averaged_tiles.h"
+#include "kernels/common/tile_sampling/averaged_tiles.h"
 #include "tiles/poisson/tile_regions.hpp"
 
 #include <tbb/parallel_for.h>
