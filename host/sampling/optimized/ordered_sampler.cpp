@@ -49,6 +49,7 @@ public:
     std::optional<TileSetRecord> tile_set() const override { return made_->tile_set(); }
     std::optional<double> proven_relative_radius() const override { return made_->proven_relative_radius(); }
     std::uint32_t tiles_along_axis() const override { return made_->tiles_along_axis(); }
+    std::uint32_t tile_sets() const override { return made_->tile_sets(); }
 
 private:
     std::unique_ptr<Sampler> made_;

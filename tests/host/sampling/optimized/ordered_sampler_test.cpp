@@ -95,6 +95,36 @@ public:
     bool is_window() const override { return true; }
 };
 
+/// A method that has something of its own to say of everything.
+class TalkativeSampler final : public Sampler
+{
+public:
+    PointSet sample(std::uint32_t) override { return {2, {0.5, 0.5}}; }
+    bool sizes_vary() const override { return true; }
+    std::vector<IterationRecord> iterations() const override { return {{0.5, 2}}; }
+    double preparation_seconds() const override { return 7; }
+    std::optional<TileSetRecord> tile_set() const override { return TileSetRecord{}; }
+    std::optional<double> proven_relative_radius() const override { return 0.25; }
+    std::uint32_t tiles_along_axis() const override { return 5; }
+    std::uint32_t tile_sets() const override { return 3; }
+};
+
+TEST(OrderedSampler, SaysWhatTheMethodSays)
+{
+    SamplerSpec talkative;
+    talkative.create = [](const Parameters&, const SampleRequest&, Engine, const DeviceProvider&) {
+        return std::make_unique<TalkativeSampler>();
+    };
+    const auto ordered = in_progressive_order(talkative).create({}, {1, 2, 1}, Engine::reference, {});
+    EXPECT_TRUE(ordered->sizes_vary());
+    EXPECT_EQ(ordered->iterations().size(), 1u);
+    EXPECT_EQ(ordered->preparation_seconds(), 7);
+    EXPECT_TRUE(ordered->tile_set().has_value());
+    EXPECT_EQ(ordered->proven_relative_radius(), 0.25);
+    EXPECT_EQ(ordered->tiles_along_axis(), 5u);
+    EXPECT_EQ(ordered->tile_sets(), 3u);
+}
+
 TEST(OrderedSampler, MistakesAreSaidWithTheirPlace)
 {
     EXPECT_EQ(message_of([] { ordered_plan("sampler = \"random\"\norder = \"best\"\n"); }),
