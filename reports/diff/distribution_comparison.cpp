@@ -1,4 +1,4 @@
-// The comparison of the numbers of two distributions: points and objects, textures.
+// The comparison of the numbers of two distributions: points and objects, textures, schemes.
 #include "reports/diff/run_comparison.hpp"
 #include "results/texture_measures.hpp"
 
@@ -22,11 +22,28 @@ Better better_of(const DistributionResult& result, const std::string& key)
     return row == texture_measures().end() ? Better::neither : row->better;
 }
 
+/// Times of a machine, and what is computed from them, differ from run to run. They are known by their keys.
+bool is_of_times(const std::string& key)
+{
+    return key.ends_with("_ns") || key.ends_with("_time_ratio") || key.starts_with("lookups_") ||
+           key.starts_with("noise_calls_");
+}
+
 SampleMean mean_of_number(const DistributionResult& result, const DistributionNumber& number)
 {
     const DistributionNumber* const sets = find_number(result, "sets");
     const bool has_error = sets && number.standard_error;
     return {number.value, number.standard_error.value_or(0), has_error ? static_cast<std::size_t>(sets->value) : 1};
+}
+
+/// The words of a comparison of that number, without values.
+NumberComparison comparison_of(const DistributionResult& result, const DistributionNumber& number)
+{
+    NumberComparison words;
+    words.quantity = number.title;
+    words.unit = result.is_texture() ? number.meaning : "";
+    words.better = better_of(result, number.key);
+    return words;
 }
 
 }
@@ -39,18 +56,22 @@ std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair
                       pair.run_before->engine == pair.run_after->engine && before.facts == after.facts;
     std::vector<NumberComparison> numbers;
     for (const DistributionNumber& old : before.numbers) {
-        NumberComparison number;
-        number.quantity = old.title;
-        number.unit = before.is_texture() ? old.meaning : "";
-        number.better = better_of(before, old.key);
+        NumberComparison& number = numbers.emplace_back(comparison_of(before, old));
         number.before = mean_of_number(before, old);
-        if (const DistributionNumber* const other = find_number(after, old.key)) {
-            number.after = mean_of_number(after, *other);
-            judge(number, terms);
-        } else {
+        const DistributionNumber* const other = find_number(after, old.key);
+        if (other) number.after = mean_of_number(after, *other);
+        if (!other)
             number.note = "only in the old results";
-        }
-        numbers.push_back(std::move(number));
+        else if (is_of_times(old.key))
+            number.note = "a time of the machine";
+        else
+            judge(number, terms);
+    }
+    for (const DistributionNumber& added : after.numbers) {
+        if (find_number(before, added.key)) continue;
+        NumberComparison& number = numbers.emplace_back(comparison_of(after, added));
+        number.after = mean_of_number(after, added);
+        number.note = "only in the new results";
     }
     return numbers;
 }

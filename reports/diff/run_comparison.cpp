@@ -63,8 +63,8 @@ void add_remarks(const std::string& name, const Run& before, const Run& after, s
         remarks.push_back((name.empty() ? "the configs" : name + ": the configs") + " differ");
 }
 
-/// Pairs the entries of two runs, series or distributions, by their names. `entries` is the list of a run, `first` and
-/// `second` are the members of a pair that hold them.
+/// Pairs the entries of two runs, series, distributions or schemes, by their names. `entries` is the list of a run,
+/// `first` and `second` are the members of a pair that hold them.
 template <class Entry>
 void match_entries(const std::string& name, const Run& before, const Run& after, std::vector<Entry> Run::*entries,
                    const Entry* SeriesComparison::*first, const Entry* SeriesComparison::*second,
@@ -101,8 +101,9 @@ void match_runs(RunComparison& comparison)
         add_remarks(name, *run, *other->second, comparison.remarks);
         match_entries(name, *run, *other->second, &Run::series, &SeriesComparison::before, &SeriesComparison::after,
                       comparison);
-        match_entries(name, *run, *other->second, &Run::distributions, &SeriesComparison::distribution_before,
-                      &SeriesComparison::distribution_after, comparison);
+        for (const auto entries : {&Run::distributions, &Run::schemes})
+            match_entries(name, *run, *other->second, entries, &SeriesComparison::distribution_before,
+                          &SeriesComparison::distribution_after, comparison);
     }
     for (const auto& [name, run] : after)
         if (!before.contains(name)) comparison.added.push_back(joined(name, "(all of it)"));

@@ -15,7 +15,7 @@
 
 namespace poissonlab {
 
-/// A series or distribution that both have. The runs outlive it.
+/// A series, distribution or scheme that both have. The runs outlive it.
 struct SeriesComparison
 {
     std::string run;    ///< the folder of its run in a collection; empty: there is one run
@@ -51,7 +51,7 @@ RunComparison compare_results(const std::filesystem::path& before, const std::fi
 /// The numbers of one series in both runs, not yet settled. Reads the tables of curves. Throws InputError.
 std::vector<NumberComparison> compare_series(const SeriesComparison& pair);
 
-/// The same of a distribution: those of textures by their catalogue.
+/// The same of a distribution or scheme: those of textures by their catalogue. Times are not judged.
 std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair);
 
 }
