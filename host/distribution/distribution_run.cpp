@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace poissonlab {
 namespace {
 
@@ -55,6 +57,14 @@ struct MakeKind
     DistributionResult operator()(const PackingSettings& settings) const { return make_packing(settings, files); }
 };
 
+/// Throws InputError for a number that results cannot hold: settings far out may lead there.
+void check_numbers(const std::vector<DistributionNumber>& numbers)
+{
+    for (const DistributionNumber& number : numbers)
+        if (!std::isfinite(number.value) || !std::isfinite(number.standard_error.value_or(0)))
+            throw InputError(fmt::format("\"{}\" is {}, and must be a finite number", number.title, number.value));
+}
+
 std::string numbers_text(const std::vector<DistributionNumber>& numbers)
 {
     std::string text = "key,value\n";
@@ -69,6 +79,7 @@ DistributionResult make_distribution(const DistributionConfig& config, const Dis
 {
     try {
         DistributionResult result = std::visit(MakeKind{config, place, files}, config.settings);
+        check_numbers(result.numbers);
         write_whole_file(files.add(file_names::distribution_numbers), numbers_text(result.numbers));
         result.files.push_back(file_names::distribution_numbers);
         return result;

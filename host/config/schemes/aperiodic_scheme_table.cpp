@@ -13,7 +13,9 @@
 namespace poissonlab {
 namespace {
 
-/// The numbers of a list; `allowed` is how messages describe it.
+constexpr double most_listed = 100; ///< sides of isohedral tiles are about 1
+
+/// The numbers of a list, from -100 to 100; `allowed` is how messages describe it.
 std::vector<double> numbers_of_list(const std::string& key, const ConfigNode& node, const ConfigNode& list,
                                     const char* allowed)
 {
@@ -23,8 +25,9 @@ std::vector<double> numbers_of_list(const std::string& key, const ConfigNode& no
     for (const ConfigNode& item : *items) {
         const auto* whole = item.get_if<std::int64_t>();
         const auto* real = item.get_if<double>();
-        if (!whole && !(real && std::isfinite(*real))) throw invalid_node(key, node, allowed);
+        if (!whole && !real) throw invalid_node(key, node, allowed);
         numbers.push_back(whole ? static_cast<double>(*whole) : *real);
+        if (!(std::abs(numbers.back()) <= most_listed)) throw invalid_node(key, node, allowed);
     }
     return numbers;
 }
@@ -32,7 +35,7 @@ std::vector<double> numbers_of_list(const std::string& key, const ConfigNode& no
 /// curves = [[[0.3, 0.1], [0.7, -0.1]], ...]: the points of each between (0, 0) and (1, 0).
 std::vector<PlaneCurve> read_curves(const ConfigTable& table)
 {
-    constexpr const char* allowed = "must be a list of curves, each a list of points [x, y]";
+    constexpr const char* allowed = "must be a list of curves, each a list of points [x, y] from -100 to 100";
     const ConfigNode* const node = find(table, "curves");
     if (!node) return {};
     const auto* curves = node->get_if<ConfigList>();
@@ -167,7 +170,8 @@ SchemeChoice read_isohedral(const ConfigTable& table, std::uint64_t seed)
     const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
     settings.is_random = read_flag(table, "random", false);
     if (const ConfigNode* const node = find(table, "parameters"))
-        settings.parameters.deformations = numbers_of_list("parameters", *node, *node, "must be a list of numbers");
+        settings.parameters.deformations =
+            numbers_of_list("parameters", *node, *node, "must be a list of numbers from -100 to 100");
     settings.parameters.curves = read_curves(table);
     for (const char* const key : {"parameters", "curves"})
         if (settings.is_random && find(table, key))

@@ -86,7 +86,11 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\nparameters = [0.1]",
                           "c.toml:2: IH1 has 4 parameters, not 1");
     expect_scheme_refusal("kind = \"isohedral\"\nrandom = true\nparameters = [1]", "does not go with random = true");
+    expect_scheme_refusal("kind = \"isohedral\"\nparameters = [1e300, 1]",
+                          "must be a list of numbers from -100 to 100");
+    expect_scheme_refusal("kind = \"isohedral\"\nparameters = [nan, 1]", "must be a list of numbers from -100 to 100");
     expect_scheme_refusal("kind = \"isohedral\"\ncurves = [[0.5, 0.1]]", "must be a list of curves");
+    expect_scheme_refusal("kind = \"isohedral\"\ncurves = [[[0.5, 101]]]", "points [x, y] from -100 to 100");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\ncoloring = { colors = 2, aspects = [2], steps = [0, 0] }",
                           "must be a list of 1 colours from 0 to 1");
     expect_scheme_refusal("kind = \"isohedral\"\nwindow = [0, 4]", "must be [width, height], each from 1 to 100");
