@@ -54,7 +54,7 @@ PixelValues picture_values(const LinearPicture& picture, std::string_view channe
             if (is_ink && value > 1 + rounding)
                 throw InputError(fmt::format("{}: {}: luminance {}: must be at most 1 for ink", name,
                                              pixel_name(picture.width, picture.height, values.values.size()), value));
-            values.values.push_back(is_ink ? std::max(0.0, 1 - value) : value);
+            values.values.push_back(is_ink ? std::max(1 - value, 0.0) : value); // of what is no number: itself
         }
     return values;
 }

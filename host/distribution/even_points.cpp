@@ -4,6 +4,7 @@
 #include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "host/config/sampler_table.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "host/tile_sampling/tile_samplers.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
@@ -181,9 +182,14 @@ SquarePoints sampled_points(const SamplerChoice& method, std::size_t points, dou
 {
     const double longest = std::max(width, height);
     const double area = width * height / (longest * longest);
-    const SampleRequest request{static_cast<std::size_t>(std::llround(static_cast<double>(points) / area)), 2, seed,
-                                place.on_step};
+    const double in_square = std::round(static_cast<double>(points) / area);
     const SamplerSpec& spec = *method.spec;
+    if (in_square > static_cast<double>(max_points))
+        throw InputError(
+            fmt::format("{} points of {} x {} pixels by \"{}\": are {:.0f} in the square around them; must "
+                        "be at most {}",
+                        points, width, height, spec.name, in_square, max_points));
+    const SampleRequest request{static_cast<std::size_t>(in_square), 2, seed, place.on_step};
     if (std::ranges::find(spec.dimensions, 2) == spec.dimensions.end())
         throw InputError(fmt::format("sampler \"{}\": has no sets in the plane", spec.name));
     if (spec.check) spec.check(method.parameters, request, {spec.name});

@@ -12,6 +12,7 @@ namespace poissonlab {
 namespace {
 
 constexpr std::int64_t radii_a_width = 6; ///< of strokes
+constexpr double longest_vector = 1e150;  ///< whose square is a number
 constexpr double head_back = 0.5;         ///< where an arrow's head ends, in parts of half its length
 constexpr double head_aside = 0.3;
 
@@ -66,9 +67,10 @@ VectorField read_field(const IconSettings& settings)
     bool has_vectors = false;
     for (std::size_t i = 0; i < field.u.values.size(); ++i) {
         const double u = field.u.values[i], v = field.v.values[i];
-        if (std::isinf(u) || std::isinf(v))
-            throw InputError(fmt::format("the field at {} is infinite: must be numbers, or not a number for a hole",
-                                         pixel_name(field.u.width, field.u.height, i)));
+        if (std::abs(u) > longest_vector || std::abs(v) > longest_vector)
+            throw InputError(fmt::format("the field at {} is ({}, {}): must be numbers up to {}, or not a number for a "
+                                         "hole",
+                                         pixel_name(field.u.width, field.u.height, i), u, v, longest_vector));
         has_vectors = has_vectors || u * u + v * v > 0;
     }
     if (!has_vectors) throw InputError("the field has no vectors: is 0 or a hole everywhere");

@@ -23,6 +23,7 @@ namespace {
 constexpr int tone_window = 32; ///< pixels
 constexpr double densest_disks = std::numbers::pi / (2 * std::numbers::sqrt3);
 constexpr double most_marks = 1 << 24;
+constexpr double most_tiled_points = 1 << 26; ///< that ranks choose marks of
 constexpr double place_units_a_pixel = 4294967296.0;
 
 PixelPlaces ranked_places(const Density& density, std::size_t points, std::uint64_t seed)
@@ -40,6 +41,11 @@ PixelPlaces tiled_places(const Density& density, const PoissonTileSet& tiles, st
     double parts = 0; // of the most ink, in pixels
     for (const std::uint64_t weight : density.weights)
         parts += static_cast<double>(weight) / static_cast<double>(full_weight);
+    const double looked_at = static_cast<double>(points) * static_cast<double>(density.weights.size()) / parts;
+    if (looked_at > most_tiled_points)
+        throw InputError(fmt::format("{} marks by the ranks of tiles: the darkest places are so small a part of the "
+                                     "picture that they are chosen of {:.0f} points; must be at most {:.0f}",
+                                     points, looked_at, most_tiled_points));
     const double side = std::sqrt(tiles.parameters.points_per_tile * parts / static_cast<double>(points)); // of a tile
     const PoissonTiling tiling{stream_key(seed, Purpose::tile_choice, 0)[0], 0};
     const ptiles_tiling look_up = runtime_tiling(tiles, tiling);

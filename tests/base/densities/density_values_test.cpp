@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace poissonlab {
 namespace {
 
@@ -27,6 +30,9 @@ TEST(PixelValues, OfPicturesAreRowsFromTheBottom)
     EXPECT_THAT(picture_values(two_rows(), "ink", "p").values, testing::ElementsAre(0.25, 0, 0.75, 0.5));
     EXPECT_THAT(picture_values(two_rows(), "Z", "p").values, testing::ElementsAre(-3, -4, -1, -2));
     EXPECT_THAT(message_of([] { picture_values(two_rows(), "X", "p"); }), HasSubstr("must be light, ink or a channel"));
+    LinearPicture hole = two_rows();
+    hole.values[0] = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_TRUE(std::isnan(picture_values(hole, "ink", "p").at(0, 1)));
 }
 
 /// Negative numbers and those that are none are for others to refuse.

@@ -123,6 +123,15 @@ TEST(EvenPoints, OfOtherMethodsAreCutOutOfASquare)
     EXPECT_EQ(*std::next(ys.begin()) - *ys.begin(), 2 * (*std::next(xs.begin()) - *xs.begin()));
 }
 
+/// The square around a thin rectangle has far more points than it.
+TEST(EvenPoints, OfOtherMethodsAreRefusedWhereTheSquareHasTooMany)
+{
+    const SamplerSpec& grid = *find_sampler("regular");
+    const SamplerChoice method{&grid, Parameters(grid.parameters)};
+    EXPECT_THAT(message_of([&] { even_points(method, 1'000'000, 1, 1000, 1, work_on(Engine::reference)); }),
+                HasSubstr("are 1000000000 in the square around them; must be at most 134217728"));
+}
+
 TEST(EvenPoints, AreRefusedOfMethodsInSpace)
 {
     const SamplerSpec& spheres = *find_sampler("sphere-tiles");

@@ -106,7 +106,10 @@ TEST(Icons, AreRefusedForFieldsWithoutVectors)
     settings.u = settings.v = "0";
     EXPECT_THAT(message_of([&] { read_field(settings); }), testing::HasSubstr("the field has no vectors"));
     settings.u = "1/0";
-    EXPECT_THAT(message_of([&] { read_field(settings); }), testing::HasSubstr("is infinite"));
+    EXPECT_THAT(message_of([&] { read_field(settings); }), testing::HasSubstr("is (inf, 0): must be numbers up to"));
+    settings.u = "-1e200"; // whose square is no number
+    EXPECT_THAT(message_of([&] { read_field(settings); }),
+                testing::HasSubstr("is (-1e+200, 0): must be numbers up to"));
 }
 
 }

@@ -167,6 +167,18 @@ TEST(Stippling, NeverOverlapsByRanksOfTiles)
                 HasSubstr("README.md"));
 }
 
+/// Tiles are as fine as the darkest places ask for, all over the picture.
+TEST(Stippling, RefusesRanksOfFarMorePointsThanMarks)
+{
+    StippleSettings settings = dots_of("abs(x) < 0.001 && abs(y) < 0.001", 10'000);
+    settings.by_ranks = true;
+    settings.method = {source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles", {}};
+    const InkPicture picture = read_ink(settings);
+    EXPECT_EQ(picture.total, 4);
+    EXPECT_THAT(message_of([&] { stipple(picture, settings, 1, stippled_on(Engine::reference)); }),
+                HasSubstr("are chosen of 2621440000 points; must be at most 67108864"));
+}
+
 /// Strokes lie along stripes, or along the angle that is given; a window of even ink has its tone.
 TEST(Hatching, FollowsLines)
 {
