@@ -12,6 +12,9 @@ const mostPoints = { graphics: 200000, processor: 20000 }; // that are drawn, by
 /** Of the tile set, in tiles: as proven; about that of darts where nothing is. */
 const minDistance = Number(about.distance) || 0.7 * Math.sqrt(2 / (Math.sqrt(3) * set.pointsPerTile));
 
+const tooManyTiles = "Too many tiles are in view: zoom in";
+const mostSaved = { points: 1e6, pixels: 2 ** 26 }; // browsers hold no longer texts and no larger pictures
+
 const looks = ["disks", "distances", "instances"];
 const boxes = ["borders", "corners", "beside", "show-spectrum"]; // what is switched on and off
 
@@ -140,6 +143,11 @@ const chunks = new Map(); // Bridson's points of the tiles that were seen lately
 /** The same window by chunks of Bridson's points, with those in red that are too near to one of another chunk. */
 function drawChunks() {
   const [context, width, height] = cleared(byId("chunks"), window.devicePixelRatio || 1);
+  const { columns, rows } = tilesAround(...halves());
+  if (columns * rows * set.pointsPerTile > mostPoints.processor) {
+    byId("chunks-status").textContent = tooManyTiles;
+    return;
+  }
   const points = [];
   if (chunks.size > 4000) chunks.clear();
   eachTile(width / 2 / state.zoom, height / 2 / state.zoom, (i, j, x, y) => {
@@ -197,6 +205,15 @@ function windowPoints([i, j, width, height]) {
   });
 }
 
+/** False, with a word to the user, where the tiles in view are too many for a file or a picture over them. */
+function canHold(kind) {
+  const [, , width, height] = seenWindow();
+  const each = kind === "png" ? painted.cells ** 2 : set.pointsPerTile;
+  const isHeld = width * height * each <= (kind === "png" ? mostSaved.pixels : mostSaved.points);
+  if (!isHeld) byId("status").textContent = tooManyTiles;
+  return isHeld;
+}
+
 /** The number of places that are left of points where a coordinate of the plane is a float of 32 bits. */
 function floatPlaces(points) {
   const columns = new Map();
@@ -228,12 +245,21 @@ function address() {
   return `seed=${seed}&tile=${tile}&at=${at}&zoom=${zoom}&look=${look}&density=${density}&show=${boxes.filter(isShown)}`;
 }
 
+/** What the command must be told of the density, and what it cannot be told: it takes pictures in parts of their densest
+ *  place. */
+function densityWords(view) {
+  if (painted.isEmpty) return [state.density < 1 ? ` --density ${state.density}` : "", ""];
+  const most = state.density * painted.most(view);
+  const note = most < 1 ? ` # with all points at the densest place, which has ${Number(most.toPrecision(3))} of them here` : "";
+  return [" --density density.png", note];
+}
+
 function showTexts() {
   const view = seenWindow();
   const [i, j, width, height] = view;
-  const thin = !painted.isEmpty ? " --density density.png" : state.density < 1 ? ` --density ${state.density}` : "";
+  const [thin, note] = densityWords(view);
   byId("command").textContent =
-      `poissonlab tiles points ${about.name} --window ${view.join(" ")} --seed ${state.seed}${thin} --out points.txt`;
+      `poissonlab tiles points ${about.name} --window ${view.join(" ")} --seed ${state.seed}${thin} --out points.txt${note}`;
   byId("call").textContent = `double low[] = {${i}, ${j}}, high[] = {${i + width}, ${j + height}};\n` +
       `n = ptiles_in_window(&tiling, low, high, points, capacity, ${state.density}); // tiling.seed: ${state.seed}`;
   byId("link").href = `#${address()}`;
@@ -286,7 +312,7 @@ function readAddress() {
   if (pair("tile").length === 2 && pair("tile").every(Number.isInteger)) state.tile = pair("tile").map(wholeTile);
   if (pair("at").length === 2 && pair("at").every((v) => v >= 0 && v < 1)) state.at = pair("at");
   number("zoom", ...zooms);
-  number("density", 0, 1);
+  number("density", Number(byId("density").min), 1);
   number("seed", 0, 4294967295);
   if (looks.includes(given.get("look"))) state.look = given.get("look");
   setSeed(state.seed);

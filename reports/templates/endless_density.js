@@ -50,6 +50,19 @@ class PaintedDensity {
     return lightOf[this.grey(i, j, Math.floor(u * this.cells), Math.floor(v * this.cells))];
   }
 
+  /** The largest density in a window of tiles. */
+  most([i, j, width, height]) {
+    if (this.tiles.size < width * height) return 1;
+    let most = 0;
+    for (let y = j; y < j + height; ++y)
+      for (let x = i; x < i + width; ++x) {
+        const tile = this.tiles.get(`${x},${y}`);
+        if (!tile) return 1;
+        most = Math.max(most, ...tile);
+      }
+    return lightOf[most];
+  }
+
   /** Paints a disk: `at` from the lower corner of the tile at a place, all in tiles. */
   paint([i, j], at, radius, light) {
     const grey = greyOf(light);

@@ -91,7 +91,7 @@ for (const box of [...boxes, "painting"])
 /** Lays the chosen picture over the whole tiles in view. */
 async function takePicture() {
   const file = byId("picture").files[0];
-  if (!file) return;
+  if (!file || !canHold("png")) return;
   try {
     painted.layPicture(await createImageBitmap(file), seenWindow(), byId("picture-of").value === "ink");
   } catch (error) {
@@ -131,6 +131,7 @@ function save(blob, name) {
 for (const button of document.querySelectorAll("[data-save]"))
   button.addEventListener("click", () => {
     const kind = button.dataset.save;
+    if (!canHold(kind)) return;
     if (kind === "png") return painted.pictureOf(seenWindow()).toBlob((blob) => save(blob, "density.png"));
     const text = fileOf(kind, windowPoints(seenWindow()), byId("command").textContent, pointRadius(minDistance, 1));
     save(new Blob([text], { type: "text/plain" }), `points.${kind}`);

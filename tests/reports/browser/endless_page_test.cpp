@@ -278,6 +278,37 @@ TEST_F(EndlessPage, ZoomsWithoutEnd)
     EXPECT_THAT(browser_->messages(), IsEmpty());
 }
 
+/// What would take minutes, or more memory than a browser gives, is not begun.
+TEST_F(EndlessPage, RefusesFarTooManyTiles)
+{
+    open("zoom=4&show=beside");
+    EXPECT_EQ(evaluate("(drawNow(), byId('chunks-status').textContent)"), "Too many tiles are in view: zoom in");
+    EXPECT_EQ(evaluate("chunks.size"), 0);
+    evaluate("save = () => (window.isSaved = true)");
+    browser_->click("[data-save=csv]");
+    EXPECT_EQ(evaluate("[byId('status').textContent, window.isSaved === true]"),
+              (nlohmann::json{"Too many tiles are in view: zoom in", false}));
+    evaluate("state.zoom = 100");
+    browser_->click("[data-save=csv]");
+    EXPECT_EQ(evaluate("window.isSaved"), true);
+    EXPECT_THAT(browser_->messages(), IsEmpty());
+}
+
+/// The command takes pictures in parts of their densest place: where that has fewer points on the page, it says so.
+TEST_F(EndlessPage, SaysWhatTheCommandMakesOfADensity)
+{
+    const auto command = [] { return evaluate("(drawNow(), byId('command').textContent)").get<std::string>(); };
+    open("density=0"); // not below the slider's least
+    EXPECT_THAT(command(), HasSubstr(" --density 0.02 --out points.txt"));
+    open("zoom=400");
+    evaluate("painted.paint([0, 0], [0.5, 0.5], 0.2, 0.2)");
+    EXPECT_THAT(command(), testing::EndsWith(" --density density.png --out points.txt"));
+    evaluate("painted.paint([0, 0], [0.5, 0.5], 9, 0.2)");
+    EXPECT_THAT(command(), testing::EndsWith("# with all points at the densest place, which has 0.202 of them here"));
+    evaluate("state.density = 0.5");
+    EXPECT_THAT(command(), HasSubstr("which has 0.101 of them here"));
+}
+
 /// A link holds the view; Tab goes to everything that can be pressed, in the page's order.
 TEST_F(EndlessPage, IsReachedByKeysAndByLinks)
 {
