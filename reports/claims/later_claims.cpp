@@ -292,10 +292,11 @@ std::vector<Paper> later_papers()
         {"zhang-2013",
          "Zhang and Torquato, <cite>Precise Algorithm to Generate Random Sequential Addition of Hard Hyperspheres at "
          "Saturation</cite> (2013)",
-         {{"zhang-2013-2d", "", "The power of saturated dart throwing goes to 0.0587 towards frequency 0 in 2D,",
+         {{"zhang-2013-2d", "", "The power of saturated dart throwing goes to 0.0587 towards frequency 0 in 2D.",
            "within three standard errors of the fitted parabola",
            [](const ClaimSeries& report) { return saturated_power_is(report, 2, 0.0587); }},
-          {"zhang-2013-3d", "", "and to 0.0558 in 3D.", "the same",
+          {"zhang-2013-3d", "", "The power of saturated dart throwing goes to 0.0558 towards frequency 0 in 3D.",
+           "within three standard errors of the fitted parabola",
            [](const ClaimSeries& report) { return saturated_power_is(report, 3, 0.0558); }}}},
         {"yuksel-2015",
          "Yuksel, <cite>Sample Elimination for Generating Poisson Disk Sample Sets</cite> (2015)",

@@ -187,10 +187,11 @@ std::vector<PaperClaim> recommendations()
         {"6.16-penrose", "6.16", "The spectral properties of the method of Ostromoukhov et al. are below average.",
          "more anisotropy above chance than the middle one of the other methods",
          [](const ClaimSeries& report) { return below_average(report, "penrose"); }},
-        {"6.16-recursive", "6.16", "Those of the method of Kopf et al. are below average, too,", "the same",
+        {"6.16-recursive", "6.16", "The spectral properties of the method of Kopf et al. are below average, too.",
+         "more anisotropy above chance than the middle one of the other methods",
          [](const ClaimSeries& report) { return below_average(report, "recursive-wang-tiles"); }},
-        {"6.16-recursive-radius", "6.16", "and its radius is surprisingly low.", "below 0.5 in the worst realization",
-         low_radius},
+        {"6.16-recursive-radius", "6.16", "The radius of the method of Kopf et al. is surprisingly low.",
+         "below 0.5 in the worst realization", low_radius},
     };
 }
 

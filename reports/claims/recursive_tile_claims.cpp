@@ -69,8 +69,7 @@ std::vector<PaperClaim> claims_about_recursive_tiles()
         {"6.14-radius", "6.14",
          "The relative radius over a constant density is surprisingly low: 0.44 to less than 0.001, mostly the latter.",
          "the smallest one of all realizations is below 0.001. The dissertation used the original tile set, these "
-         "tiles "
-         "are our own",
+         "tiles are our own",
          radius_is_low},
         {"6.14-spectrum", "6.14", "The power spectrum is rather bad.",
          std::string("these features are not all there: ") + blue_noise_criterion, has_a_bad_spectrum},

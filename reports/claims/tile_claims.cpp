@@ -436,7 +436,7 @@ std::vector<PaperClaim> corner_claims()
              return judged_spectra(tiling_spectra(report, "corner-tiles"), true, is_good_corner_set);
          }},
         {"6.11-better", "6.11",
-         "They are significantly better than those of edge tiles, even with smaller sets of tiles.",
+         "Spectra of corner tiles are significantly better than those of edge tiles, even with smaller sets of tiles.",
          "mean peak below that of 4,096 edge tiles with as many points a tile, for 81 to 2,401 corner tiles",
          [](const ClaimSeries& report) { return better_than_edges(report, 3, 2401, 1); }},
         {"6.11-peaks", "6.11", "The peaks are much smaller than those of edge tiles (4, 6 and 8 colours).",
@@ -444,8 +444,7 @@ std::vector<PaperClaim> corner_claims()
          [](const ClaimSeries& report) { return better_than_edges(report, 4, 1e9, 0.5); }},
         {"6.11-radial", "6.11", "The radially averaged power is almost that of sets without tiles (4 colours or more).",
          "mean absolute difference from Lloyd relaxation with repulsion to the same relative radius below 0.1, at "
-         "equal "
-         "frequencies over √N, 32 points a tile or more",
+         "equal frequencies over √N, 32 points a tile or more",
          radial_like_untiled},
         {"6.11-anisotropy", "6.11",
          "The anisotropy still has peaks, but is much smaller than that of other tiles (4 colours or more).",

@@ -110,8 +110,7 @@ std::vector<PaperClaim> claims_about_patterns()
         {"6.11-corner-points", "6.11",
          "The number of points near corners is constant, and much smaller than that near edges.",
          "points of a tile near corners within half a point of each other, and those near edges 1.5 times as many, at "
-         "a "
-         "relative radius of 0.75; counting areas predicts it",
+         "a relative radius of 0.75; counting areas predicts it",
          few_points_near_corners},
     };
 }

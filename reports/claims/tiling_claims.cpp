@@ -194,21 +194,19 @@ std::vector<PaperClaim> claims_about_tilings()
     const std::vector<PaperClaim> hashes{
         {"3.4-parts", "3.4",
          "With a small and a large table, and the size of the large one as range, the period has almost identical "
-         "parts; "
-         "with the small one as range it has not.",
+         "parts; with the small one as range it has not.",
          "below a tenth and above half of what independent values differ by", almost_identical_parts},
         {"3.4-time", "3.4",
          "The time of a combined hash function is roughly proportional to the number of tables; a program is not as "
-         "many "
-         "times slower.",
+         "many times slower.",
          "shown", cost_of_tables},
         {"3.4-period", "3.4", "The hash function for tilings has the period 5,930,659,848.", "the exact period is that",
          [](const ClaimSeries& report) { return equals(report, cost_kind, "period", 5'930'659'848.0); }},
-        {"3.4-entries", "3.4", "Its tables have 180 entries.", "counted",
+        {"3.4-entries", "3.4", "The tables of the hash function for tilings have 180 entries.", "counted",
          [](const ClaimSeries& report) { return equals(report, cost_kind, "entries", 180); }},
         {"3.4-noise-period", "3.4", "The hash function for noise has the period 739,024.", "the exact period is that",
          [](const ClaimSeries& report) { return equals(report, noise_kind, "long_period", 739'024); }},
-        {"3.4-noise-entries", "3.4", "Its tables have 76 entries.", "counted",
+        {"3.4-noise-entries", "3.4", "The tables of the hash function for noise have 76 entries.", "counted",
          [](const ClaimSeries& report) { return equals(report, noise_kind, "long_entries", 76); }},
         {"3.4-noise-look", "3.4", "Noise with either hash function has the same appearance.",
          "standard deviations of the pictures differ by less than a tenth", same_appearance},

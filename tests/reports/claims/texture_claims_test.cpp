@@ -93,6 +93,20 @@ TEST(TextureClaims, CountBordersThatDoNotFit)
     EXPECT_EQ(textures.outcome("5.3-corners")->agreement, Agreement::agrees);
 }
 
+/// A number that is not there is none, not 0.
+TEST(TextureClaims, AreNotJudgedWithoutTheirNumbers)
+{
+    MadeUpTextures textures;
+    textures.add("omega", "1", "4", {});
+    textures.add("corner", "0", "2", {});
+    textures.add("wang", "3", "2", {});
+    textures.add("wang", "3", "2", {}, "compact");
+    textures.add("wang", "3", "3", {}, "compact");
+    for (const char* id : {"5.3-fit", "5.3-corners", "5.3-more-tiles", "5.3-new-patch", "5.3-similar", "5.3-large",
+                           "5.3-junctions", "5.3-straight"})
+        EXPECT_FALSE(textures.outcome(id)) << id;
+}
+
 TEST(TextureClaims, CompareEightTilesWithEighteen)
 {
     MadeUpTextures textures;

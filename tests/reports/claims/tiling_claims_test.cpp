@@ -85,6 +85,64 @@ TEST(TilingClaims, JudgeTimesByTheirRatios)
     EXPECT_EQ(outcome(12, 12), "disagrees");
 }
 
+TEST(TilingClaims, JudgeCornerTilesAgainstEachAlgorithmForWangTiles)
+{
+    const auto outcome = [](double corner, double slow_corner) {
+        Numbers numbers;
+        for (const char* where : {"_streamed_ns", "_anywhere_ns", "_long_streamed_ns", "_long_anywhere_ns"}) {
+            for (const char* wang : {"two_hashes", "one_hash", "edge_hash"})
+                numbers.emplace_back(std::string(wang) + where, 10);
+            numbers.emplace_back(std::string("corner") + where, numbers.size() < 4 ? slow_corner : corner);
+        }
+        return agreement_of("3.5-corner", scheme_of("tiling-costs", numbers));
+    };
+    EXPECT_EQ(outcome(10, 10), "agrees");
+    EXPECT_EQ(outcome(10, 12), "partly");
+    EXPECT_EQ(outcome(12, 12), "disagrees");
+}
+
+TEST(TilingClaims, JudgeChoicesOfCompactSetsAlone)
+{
+    const auto outcome = [](double fewest, const std::string& set) {
+        DistributionResult scheme = scheme_of("scanline", {{"tiles", 8}, {"fewest_choices", fewest}});
+        scheme.facts = {"8 tiles in the " + set + " set"};
+        return agreement_of("3.2-choices", scheme);
+    };
+    EXPECT_EQ(outcome(2, "compact"), "agrees");
+    EXPECT_EQ(outcome(1, "compact"), "disagrees");
+    EXPECT_EQ(outcome(4, "complete"), "");
+}
+
+TEST(TilingClaims, JudgeNoiseAndPartsOfPeriods)
+{
+    const auto parts = [](double large, double small) {
+        return agreement_of("3.4-parts", scheme_of("noise", {{"parts_of_large", large}, {"parts_of_small", small}}));
+    };
+    EXPECT_EQ(parts(0.02, 0.9), "agrees");
+    EXPECT_EQ(parts(0.2, 0.9), "disagrees");
+    EXPECT_EQ(parts(0.02, 0.4), "disagrees");
+    const auto look = [](double deviation) {
+        return agreement_of("3.4-noise-look", scheme_of("noise", {{"plain_deviation", 0.25},
+                                                                  {"long_deviation", deviation},
+                                                                  {"plain_repeat", 1},
+                                                                  {"long_repeat", 0}}));
+    };
+    EXPECT_EQ(look(0.26), "agrees");
+    EXPECT_EQ(look(0.22), "disagrees");
+}
+
+TEST(TilingClaims, JudgeStructureOfAperiodicTilings)
+{
+    const auto outcome = [](double ammann, double kari) {
+        return agreement_of("3.1-structured", scheme_of("diffraction", {{"strongest_ammann", ammann},
+                                                                        {"strongest_kari", kari},
+                                                                        {"strongest_scanline-compact", 0.0079}}));
+    };
+    EXPECT_EQ(outcome(0.5, 0.1), "agrees");
+    EXPECT_EQ(outcome(0.5, 0.02), "partly");
+    EXPECT_EQ(outcome(0.02, 0.02), "disagrees");
+}
+
 TEST(TilingClaims, JudgeTheSmallestAperiodicSet)
 {
     const auto outcome = [](double width, double height) {
