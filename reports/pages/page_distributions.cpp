@@ -5,6 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdint>
+
 namespace poissonlab {
 
 namespace {
@@ -23,11 +26,19 @@ PageData picture_data(const ReportDistribution& distribution, const Distribution
     return data;
 }
 
+/// Counts have all of their digits.
+std::string number_words(double value)
+{
+    constexpr double most_counted = 1e15;
+    const bool is_count = value >= 0 && value < most_counted && value == std::floor(value);
+    return is_count ? format_count(static_cast<std::uint64_t>(value)) : format_significant(value, distribution_digits);
+}
+
 PageData number_data(const DistributionNumber& number)
 {
     PageData data;
     data.set("name", number.title);
-    std::string value = format_significant(number.value, distribution_digits);
+    std::string value = number_words(number.value);
     if (number.standard_error) value += " ± " + format_significant(*number.standard_error, 2);
     data.set("value", value);
     data.set("meaning", number.meaning);

@@ -140,8 +140,6 @@ std::string verdict_of_the_paper(const std::string& sampler)
         {"lloyd", "not for interactive use, nor for many points"},
         {"shade-tiles", "major shortcomings: should not be used"},
         {"averaged-tiles", "not recommended: a small radius, a rather bad spectrum"},
-        {"voronoi-darts", "interactive, but slow beside tiles"},
-        {"sector-darts", "interactive, but slow beside tiles"},
         {"penrose", "not for a constant density: a spectrum below average"},
         {"recursive-wang-tiles", "not for a constant density: a low radius, a spectrum below average"},
         {"edge-tiles", "better than earlier tiles in radius and spectrum"},

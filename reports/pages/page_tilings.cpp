@@ -42,10 +42,11 @@ std::string picture_caption(const TilingResult& stored)
                        stored.kind == TileKind::cube ? "spheres" : "disks", format_significant(stored.regions, 3));
 }
 
-std::string period_text(const std::vector<std::size_t>& period, const char* never)
+std::string period_text(const TilingResult& stored, const std::vector<std::size_t>& period, const char* never)
 {
     std::vector<std::string> texts;
-    for (const std::size_t p : period) texts.push_back(p > 0 ? format_count(p) : std::string(never));
+    for (const std::size_t p : period)
+        if (texts.size() < axes_of(stored.kind)) texts.push_back(p > 0 ? format_count(p) : std::string(never));
     return fmt::format("{}", fmt::join(texts, " × "));
 }
 
@@ -60,9 +61,9 @@ PageData facts_of(const TilingResult& stored)
     if (!stored.algorithm.empty()) facts << PageData("algorithm " + stored.algorithm);
     if (!stored.hash.empty())
         facts << PageData(fmt::format("hash {}, repeats after {} tiles", stored.hash,
-                                      period_text(stored.hash_period, "infinitely many")));
+                                      period_text(stored, stored.hash_period, "infinitely many")));
     if (std::ranges::any_of(stored.period, [](std::size_t p) { return p > 0; }))
-        facts << PageData("closes after " + period_text(stored.period, "–") + " tiles");
+        facts << PageData("closes after " + period_text(stored, stored.period, "–") + " tiles");
     return facts;
 }
 

@@ -70,6 +70,14 @@ std::string distributions_summary(const std::vector<const ReportRun*>& runs)
     return parts.empty() ? std::string() : fmt::format("{}.", fmt::join(parts, ", "));
 }
 
+/// The places of the points: sets that are windows have borders.
+std::string domain_words(const std::vector<const ReportSeries*>& series)
+{
+    const auto windows = std::ranges::count_if(series, [](const auto* entry) { return entry->stored->is_window; });
+    if (windows == 0) return "on the unit torus";
+    return static_cast<std::size_t>(windows) == series.size() ? "in windows" : "on the unit torus or in windows";
+}
+
 std::string series_summary(const std::vector<const ReportRun*>& runs)
 {
     std::vector<const ReportSeries*> series;
@@ -79,9 +87,10 @@ std::string series_summary(const std::vector<const ReportRun*>& runs)
     const auto realizations = range_of(series, &Series::realizations);
     const bool mixed = has_dimension(runs, 2) && has_dimension(runs, 3);
     const auto dimension = mixed ? "2D and 3D" : fmt::format("{}D", series.front()->run->dimension);
-    auto text = fmt::format("{} series of {} points on the unit torus in {}, {} realization{}{}",
+    auto text = fmt::format("{} series of {} points {} in {}, {} realization{}{}",
                             series.size() == 1 ? "One" : format_count(series.size()), range_of(series, &Series::points),
-                            dimension, realizations, realizations == "1" ? "" : "s", series.size() == 1 ? "" : " each");
+                            domain_words(series), dimension, realizations, realizations == "1" ? "" : "s",
+                            series.size() == 1 ? "" : " each");
     const auto& engine = series.front()->run->engine;
     const bool one_engine =
         std::ranges::all_of(series, [&](const auto* entry) { return entry->run->engine == engine; });

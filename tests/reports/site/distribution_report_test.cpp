@@ -1,0 +1,81 @@
+// The overview's sections on distributions and schemes, and the words on where points are.
+#include "results/pictures/mark_picture.hpp"
+#include "tests/reports/support/report_fixture.hpp"
+#include "tests/support/picture.hpp"
+
+#include <gmock/gmock.h>
+
+namespace poissonlab {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class DistributionReport : public test::ReportFixture
+{
+protected:
+    /// A result with a picture of a red square and a blue disk, a table, and numbers.
+    nlohmann::json result(const std::string& name, const std::string& kind)
+    {
+        MarkPicture picture;
+        picture.pixels = 100;
+        picture.groups = {{"#ff0000", {}, {}, {{{0.1, 0.1}, {0.4, 0.1}, {0.4, 0.4}, {0.1, 0.4}}}},
+                          {"#0000ff", {{0.7, 0.7, 0.2}}, {}, {}}};
+        fs::create_directories(path() / name);
+        write_whole_file(path() / name / "marks.json", mark_picture_json(picture));
+        write_whole_file(path() / name / "numbers.csv", "key,value\n");
+        const auto number = [](const char* key, double value) {
+            return nlohmann::json{{"key", key}, {"title", key}, {"value", value}, {"meaning", "points"}};
+        };
+        return {
+            {"name", name},
+            {"label", name + " <of> two"},
+            {"kind", kind},
+            {"facts", {"a fact"}},
+            {"numbers", {number("count", 44'212), number("part", 0.251234), number("below", -2.5)}},
+            {"pictures", {{{"file", name + "/marks.json"}, {"caption", "A square & a disk."}}}},
+            {"files", {name + "/numbers.csv"}},
+            {"tables", {{{"title", "A table"}, {"columns", {"one", "two"}}, {"rows", {{{"cells", {"1 <", "2"}}}}}}}}};
+    }
+};
+
+TEST_F(DistributionReport, ShowsNumbersPicturesAndTables)
+{
+    json_["distributions"] = {result("distribution-ranks", "ranks")};
+    json_["schemes"] = {result("scheme-noise", "noise")};
+    const std::string text = page();
+    for (const char* name : {"distribution-ranks", "scheme-noise"}) {
+        EXPECT_THAT(text, HasSubstr(std::string(name) + " &lt;of&gt; two"));
+        const auto picture = test::decode_png(read_whole_file(path() / name / "marks.png"));
+        EXPECT_GT(picture.variance(), 100) << name;
+    }
+    EXPECT_THAT(text, HasSubstr("1 distribution, 1 scheme."));
+    EXPECT_THAT(text, HasSubstr("44,212")); // counts have all digits
+    EXPECT_THAT(text, HasSubstr("0.2512"));
+    EXPECT_THAT(text, HasSubstr("−2.500"));
+    EXPECT_THAT(text, HasSubstr("A square &amp; a disk."));
+    EXPECT_THAT(text, HasSubstr("<td>1 &lt;</td>"));
+}
+
+TEST_F(DistributionReport, RefusesTablesWithCellsMissing)
+{
+    json_["schemes"] = {result("scheme-noise", "noise")};
+    json_["schemes"][0]["tables"][0]["rows"][0]["cells"] = {"1"};
+    EXPECT_THAT(message_of([&] { page(); }), HasSubstr("schemes[0].tables[0].rows: must have as many cells each"));
+}
+
+/// A window of the plane is no torus.
+TEST_F(DistributionReport, SaysWhereSetsLie)
+{
+    EXPECT_THAT(page(), HasSubstr(" points on the unit torus in 2D"));
+    json_["series"][0]["window"] = true;
+    EXPECT_THAT(page(), HasSubstr(" points on the unit torus or in windows in 2D"));
+    for (auto& series : json_["series"]) series["window"] = true;
+    const std::string text = page();
+    EXPECT_THAT(text, HasSubstr(" points in windows in 2D"));
+    EXPECT_THAT(text, Not(HasSubstr("on the unit torus in")));
+}
+
+}
+}
