@@ -123,15 +123,22 @@ public:
         return array_of(without_lock([&] { return make(realization); }));
     }
 
-    bool sizes_vary() const { return sampler_ && sampler_->sizes_vary(); }
-    bool is_window() const { return sampler_ && sampler_->is_window(); }
-    std::uint32_t tiles_along_axis() const { return sampler_ ? sampler_->tiles_along_axis() : 0; }
+    bool sizes_vary() const { return said(false, &Sampler::sizes_vary); }
+    bool is_window() const { return said(false, &Sampler::is_window); }
+    std::uint32_t tiles_along_axis() const { return said(std::uint32_t{0}, &Sampler::tiles_along_axis); }
     std::optional<double> proven_relative_radius() const
     {
-        return sampler_ ? sampler_->proven_relative_radius() : std::nullopt;
+        return said(std::optional<double>(), &Sampler::proven_relative_radius);
     }
 
 private:
+    /// The sampler's word, or `otherwise` before the first set. Another thread may be making one: it takes its turn.
+    template <typename Word>
+    Word said(Word otherwise, Word (Sampler::*word)() const) const
+    {
+        return without_lock([&] { return sampler_ ? (sampler_.get()->*word)() : otherwise; });
+    }
+
     const SeriesTask& task() const { return experiment_.series.front(); }
 
     PointSet make(std::int64_t realization)

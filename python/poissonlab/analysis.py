@@ -191,7 +191,7 @@ def sets_of(points, domain):
         return [each for file in items for each in _poissonlab.read_points(file, domain)]
     arrays = [numpy.asarray(item, dtype=float) for item in items]
     if arrays and arrays[0].ndim < 2:  # its items are points
-        arrays = [numpy.asarray(points, dtype=float)]
+        arrays = [numpy.asarray(items, dtype=float)]
     return arrays if domain is None else [to_unit(array, domain) for array in arrays]
 
 

@@ -130,6 +130,14 @@ class Analyses(FolderTest):
         self.assertEqual(pl.analyze(points.tolist()).realizations, 2)
         self.assertEqual(pl.analyze(points[0].astype(numpy.float32)).points, 50)
         self.assert_same_bytes(pl.analyze(numpy.asfortranarray(points[0])).sets[0], points[0])
+        self.assert_same_bytes(pl.analyze(tuple(point) for point in points[0]).sets[0], points[0])
+
+    def test_map_what_is_below_the_end_of_a_domain_below_1(self):
+        points = numpy.array([[-1e9, -1e-10], [-5e8, -1e9]])  # (-1e-10 + 1e9) / 1e9 is rounded to 1
+        expected = numpy.array([[0, 1 - 2**-53], [0.5, 0]])
+        self.assert_same_bytes(pl.analyze(points, domain=(-1e9, 0)).sets[0], expected)
+        numpy.save(self.folder / "set.npy", points)
+        self.assert_same_bytes(pl.read_points(self.folder / "set.npy", (-1e9, 0))[0], expected)
 
     def test_leave_out_what_is_not_asked_for(self):
         analysis = pl.analyze(sets_of(1, 50), spectrum="none", measures="distances")

@@ -96,7 +96,8 @@ class TileSets(FolderTest):
                               ((numpy.nan, 0, 1, 1), "must be a number from")):
             with self.assertRaisesRegex(pl.InputError, words):
                 tiles.window(*window)
-        for options, words in (({"seed": -1}, "seed = -1"), ({"density": 0}, "density = 0"), ({"density": 2}, "= 2")):
+        for options, words in (({"seed": -1}, "seed = -1"), ({"seed": 2**32}, "to 4294967295"),
+                               ({"density": 0}, "density = 0"), ({"density": 2}, "= 2")):
             with self.assertRaisesRegex(pl.InputError, words):
                 tiles.window(0, 0, 1, 1, **options)
         with self.assertRaisesRegex(pl.InputError, r"shape \(positions, 2\)"):
