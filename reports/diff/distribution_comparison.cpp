@@ -25,7 +25,7 @@ Better better_of(const DistributionResult& result, const std::string& key)
 /// Times of a machine, and what is computed from them, differ from run to run. They are known by their keys.
 bool is_of_times(const std::string& key)
 {
-    return key.ends_with("_ns") || key.ends_with("_time_ratio") || key.starts_with("lookups_") ||
+    return key == "frames" || key.ends_with("_ns") || key.ends_with("_time_ratio") || key.starts_with("lookups_") ||
            key.starts_with("noise_calls_");
 }
 
