@@ -76,7 +76,7 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
         added->expected(1, option.most_values)->check(integer<std::int64_t>(option.allowed));
     // Numbers apart by commas in one word are a list as well.
     if constexpr (std::is_same_v<Value, std::vector<double>>)
-        added->expected(1, option.most_values)->delimiter(',')->check(number(true));
+        added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',')->check(number(true));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
     if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(has_place);

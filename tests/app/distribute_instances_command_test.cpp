@@ -78,6 +78,7 @@ TEST_F(DistributeInstances, AreWrittenAsTablesAndPictures)
     const Outcome outcome = place({"sunflowers", "--out", "a.usda", "--out", "a.png", "--pixels", "200"}, "a.ply");
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     EXPECT_THAT(outcome.out, HasSubstr("instances of 11 models; 500.0 are expected"));
+    EXPECT_EQ(run("instances", test::words_of("--window 0 0 1 1 forest --tiles " + tiles_ + " --out b.csv")).status, 0);
     EXPECT_THAT(content_of(folder_.path() / "a.ply"), HasSubstr("property double tilt"));
     EXPECT_THAT(content_of(folder_.path() / "a.usda"), HasSubstr("quath[] orientations"));
     EXPECT_EQ(read_png(folder_.path() / "a.png").width, 200);

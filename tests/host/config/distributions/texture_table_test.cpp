@@ -70,7 +70,7 @@ TEST(TextureTable, RefusesWhatCannotBe)
 {
     expect_texture_refusal("kind = \"corner\"", "c.toml:2: [[texture]]: needs exemplar, a picture's file, or pattern");
     expect_texture_refusal("pattern = \"noise\"\nmarks = \"x.png\"",
-                           "c.toml:4: marks = \"x.png\": must be a picture's file");
+                           "c.toml:4: marks = \"x.png\": no such file: must be a picture's file");
     expect_texture_refusal("exemplar = \"none.png\"",
                            "c.toml:3: exemplar = \"none.png\": no such file: must be a picture's file");
     expect_texture_refusal("exemplar = \"/dev/null\"", "exemplar = \"/dev/null\": is a device, no file: must be");
