@@ -1,10 +1,11 @@
-// Views of endless textures of corner tiles, as light: a work-item a pixel.
+// Views of endless textures of corner or Wang tiles, as light: a work-item a pixel.
 //
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. Hashes of lattice points make tiles, and a tile's
-// place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is host/texture/texture_map_reference.cpp:
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. Hashes of lattice points or edges make tiles, and a
+// tile's place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is host/texture/texture_map_reference.cpp:
 // no library function but square root and floor, which are exact, and the same order of sums, so the same bits.
 //
-// Needs LOOKUP (one of those of the contract) and CHANNELS (1 or 3).
+// Needs LOOKUP (one of those of the contract), CHANNELS (1 or 3), WANG (0 or 1: tiles are Wang tiles) and
+// COLORS, by which so much is divided that it is known when the kernel is built.
 
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
@@ -29,14 +30,16 @@ typedef struct
 
 PackedTile packed_tile(const struct TextureView* view, const struct TextureLevels* levels, int x, int y)
 {
-    const int side = levels->colors * levels->colors;
+    const int side = COLORS * COLORS;
     PackedTile tile;
     if (LOOKUP == LOOKUP_REPEATED) {
         tile.x = ((x + (int)view->tile_x) % side + side) % side;
         tile.y = ((y + (int)view->tile_y) % side + side) % side;
         return tile;
     }
-    const uint place = ttiles_place(levels->seed, levels->colors, view->tile_x + (uint)x, view->tile_y + (uint)y);
+    const uint tile_x = view->tile_x + (uint)x, tile_y = view->tile_y + (uint)y;
+    const uint place = WANG ? ttiles_wang_place(levels->seed, COLORS, tile_x, tile_y)
+                            : ttiles_place(levels->seed, COLORS, tile_x, tile_y);
     tile.x = (int)(place % (uint)side);
     tile.y = (int)(place / (uint)side);
     return tile;
@@ -59,7 +62,7 @@ void move_place(const struct TextureView* view, const struct TextureLevels* leve
 void add_texel(const struct TextureLevels* levels, global const float* light, int level, int x, int y, float weight,
                float* sum)
 {
-    const int width = levels->colors * levels->colors * (levels->size >> level);
+    const int width = COLORS * COLORS * (levels->size >> level);
     global const float* texel = light + levels->offsets[level] + (y * width + x) * CHANNELS;
     for (int c = 0; c < CHANNELS; ++c) sum[c] += weight * texel[c];
 }
@@ -68,7 +71,7 @@ void add_texel(const struct TextureLevels* levels, global const float* light, in
 void add_tile_texel(const struct TextureLevels* levels, global const float* light, int level, PackedTile tile,
                     int column, int row, float weight, float* sum)
 {
-    const int size = levels->size >> level, width = levels->colors * levels->colors * size;
+    const int size = levels->size >> level, width = COLORS * COLORS * size;
     if (LOOKUP == LOOKUP_CLAMPED) {
         column = clamp(column, 0, size - 1);
         row = clamp(row, 0, size - 1);
@@ -102,17 +105,28 @@ void find_tiles(const struct TextureView* view, const struct TextureLevels* leve
     }
 }
 
-/// Adds the mean of a block of tiles.
+/// Adds the mean of a block of tiles. Neighbours share lattice points, whose colours are found once.
 void add_block(const struct TextureView* view, const struct TextureLevels* levels, global const float* light, int x,
                int y, int block, float weight, float* sum)
 {
+    const uint west = view->tile_x + (uint)x, seed = levels->seed;
+    uint south = view->tile_y + (uint)y;
+    uint below[(1 << WHOLE_LEVELS) + 1], above[(1 << WHOLE_LEVELS) + 1]; // of lattice points, or of edges east of them
     float mean[CHANNELS];
     for (int c = 0; c < CHANNELS; ++c) mean[c] = 0;
-    for (int row = 0; row < block; ++row)
-        for (int column = 0; column < block; ++column) {
-            const PackedTile tile = packed_tile(view, levels, x + column, y + row);
-            add_texel(levels, light, levels->top, tile.x, tile.y, 1, mean);
+    for (int i = 0; i <= block; ++i) below[i] = ttiles_color(seed, COLORS, west + (uint)i, south);
+    for (int row = 0; row < block; ++row, ++south) {
+        for (int i = 0; i <= block; ++i) above[i] = ttiles_color(seed, COLORS, west + (uint)i, south + 1u);
+        for (int i = 0; i < block; ++i) {
+            const uint place =
+                WANG ? ttiles_wang_place_of(COLORS, above[i], ttiles_edge_color(seed, COLORS, west + (uint)i + 1u, south, 1u),
+                                            below[i], ttiles_edge_color(seed, COLORS, west + (uint)i, south, 1u))
+                     : ttiles_corner_place(COLORS, above[i + 1], below[i + 1], below[i], above[i]);
+            // A tile is one texel at this level: its number is the place.
+            add_texel(levels, light, levels->top, (int)place, 0, 1, mean);
         }
+        for (int i = 0; i <= block; ++i) below[i] = above[i];
+    }
     for (int c = 0; c < CHANNELS; ++c) sum[c] += weight * (float)(1.0 / (block * block)) * mean[c];
 }
 

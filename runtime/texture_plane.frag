@@ -15,16 +15,24 @@ uniform sampler2D atlas;
 uniform uint seed;
 uniform uint colors;      // C of the set
 uniform uint tile_size;   // T
+uniform bool wang_tiles;  // whether the set is of Wang tiles
 uniform bool exact_lookup;
 in vec2 place;            // in tiles, east and north
 out vec4 color;
+
+// Where a tile lies in the atlas.
+uint tile_place(uint x, uint y)
+{
+    return wang_tiles ? ttiles_wang_place(seed, colors, x, y) : ttiles_place(seed, colors, x, y);
+}
 
 // The texel i, j of the endless texture, counted from the lower left of the tile (0, 0).
 vec4 endless_texel(ivec2 texel)
 {
     ivec2 tile = ivec2(floor(vec2(texel) / float(tile_size)));
     ivec2 inside = texel - tile * int(tile_size);
-    uint number = ttiles_texel(seed, colors, tile_size, uint(tile.x), uint(tile.y), uint(inside.x), uint(inside.y));
+    uint number =
+        ttiles_texel_at(tile_place(uint(tile.x), uint(tile.y)), colors, tile_size, uint(inside.x), uint(inside.y));
     uint width = colors * colors * tile_size;
     return texelFetch(atlas, ivec2(number % width, number / width), 0);
 }
@@ -41,7 +49,7 @@ void main()
     }
     float side = float(colors * colors);
     vec2 tile = floor(place);
-    uint packed_place = ttiles_place(seed, colors, uint(int(tile.x)), uint(int(tile.y)));
+    uint packed_place = tile_place(uint(int(tile.x)), uint(int(tile.y)));
     vec2 shown = (vec2(packed_place % (colors * colors), packed_place / (colors * colors)) + place - tile) / side;
     // Derivatives of the endless texture: those in the atlas jump at borders. Rows of the atlas go from north to south.
     vec2 dx = dFdx(place) / side, dy = dFdy(place) / side;

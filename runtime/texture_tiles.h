@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT-0
 //
-// Endless textures of corner tiles: which texel of the atlas is shown where. For C99, C++, OpenCL C 1.2 and GLSL 4.3; it
-// needs nothing else.
+// Endless textures of corner tiles and of complete sets of Wang tiles: which texel of the atlas is shown where. For C99,
+// C++, OpenCL C 1.2 and GLSL 4.3; it needs nothing else.
 //
-// `poissonlab texture build corner` writes the atlas, docs/texture-set.md: C^2 x C^2 tiles of T x T texels, packed so
-// that what lies beside a tile in the atlas has the colours of what lies beside it in the texture. A hash function gives
-// lattice points their colours, these make a tile, and the tile's place in the atlas follows without a table:
-// Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4; the packing is the laboratory's,
-// tiles/packing/closed_packing.hpp.
+// `poissonlab texture build corner` and `wang` write the atlas, docs/texture-set.md: C^2 x C^2 tiles of T x T texels,
+// packed so that what lies beside a tile in the atlas has the colours of what lies beside it in the texture. A hash
+// function gives lattice points, or edges, their colours, these make a tile, and the tile's place in the atlas follows
+// without a table: Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4; the packing of corner tiles is the
+// laboratory's, tiles/packing/closed_packing.hpp, that of Wang tiles Wei's (Tile-Based Texture Mapping on Graphics
+// Hardware, 2004).
 //
 // Filtering. Texels near a border are those of the ring, which the neighbour in the atlas has as well: a bilinear look-up
-// in the atlas is right at every level with 2^level <= ring. Take the level from derivatives of the coordinates of the
-// endless texture, never from those in the atlas, which jump at borders (GLSL: textureGrad). Beyond that level, fetch
-// each texel of the footprint by ttiles_texel().
+// in the atlas is right at every level with 2^level <= ring; with Wang tiles not within 1.5 texels of a corner of tiles,
+// where neighbours in the atlas and in the texture share no colour. Take the level from derivatives of the coordinates of
+// the endless texture, never from those in the atlas, which jump at borders (GLSL: textureGrad). Beyond that level, fetch
+// each texel of the footprint by ttiles_texel() or ttiles_wang_texel().
 #ifndef TEXTURE_TILES_H
 #define TEXTURE_TILES_H
 
@@ -91,26 +93,74 @@ TTILES_FUNCTION ttiles_uint ttiles_even_place(ttiles_uint colors, ttiles_uint ne
     return (4u * a + y) * colors * colors + 4u * (b_digit + base * (b_high / 2u)) + x;
 }
 
-/// The place in the atlas, y C^2 + x from the lower left, of the tile whose lower left corner is the lattice point (x, y).
-TTILES_FUNCTION ttiles_uint ttiles_place(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y)
+/// The place in the atlas, y C^2 + x from the lower left, of the tile with these corners.
+TTILES_FUNCTION ttiles_uint ttiles_corner_place(ttiles_uint colors, ttiles_uint ne, ttiles_uint se, ttiles_uint sw,
+                                                ttiles_uint nw)
 {
-    ttiles_uint ne = ttiles_color(seed, colors, x + 1u, y + 1u);
-    ttiles_uint se = ttiles_color(seed, colors, x + 1u, y);
-    ttiles_uint sw = ttiles_color(seed, colors, x, y);
-    ttiles_uint nw = ttiles_color(seed, colors, x, y + 1u);
     if (colors % 2u == 1u) return ttiles_odd_place(colors, ne, se, sw, nw);
     return ttiles_even_place(colors, ne, se, sw, nw);
 }
 
-/// The texel of the endless texture `column` texels east and `row` texels north of the lower left of the tile (x, y), both
+/// The same of the tile whose lower left corner is the lattice point (x, y).
+TTILES_FUNCTION ttiles_uint ttiles_place(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y)
+{
+    return ttiles_corner_place(colors, ttiles_color(seed, colors, x + 1u, y + 1u), ttiles_color(seed, colors, x + 1u, y),
+                               ttiles_color(seed, colors, x, y), ttiles_color(seed, colors, x, y + 1u));
+}
+
+/// The colour of the edge that goes east (is_vertical = 0) or north (1) from a lattice point, coordinates modulo 2^32.
+/// The same as that of edge tiles of poisson_tiles.h.
+TTILES_FUNCTION ttiles_uint ttiles_edge_color(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y,
+                                              ttiles_uint is_vertical)
+{
+    return ttiles_mix(ttiles_mix(ttiles_mix(ttiles_mix(seed) + x) + y) + is_vertical) % colors;
+}
+
+/// The place in a row of C^2 tiles of the one with these colours in the west and the east, or south and north.
+TTILES_FUNCTION ttiles_uint ttiles_domino_place(ttiles_uint first, ttiles_uint second)
+{
+    if (first == second) return first == 0u ? 0u : (first + 1u) * (first + 1u) - 2u;
+    if (first < second) return second * second + 2u * first;
+    return second == 0u ? (first + 1u) * (first + 1u) - 1u : first * first + 2u * second - 1u;
+}
+
+/// The place in the atlas, y C^2 + x from the lower left, of the Wang tile with these edges.
+TTILES_FUNCTION ttiles_uint ttiles_wang_place_of(ttiles_uint colors, ttiles_uint n, ttiles_uint e, ttiles_uint s,
+                                                 ttiles_uint w)
+{
+    return ttiles_domino_place(s, n) * colors * colors + ttiles_domino_place(w, e);
+}
+
+/// The same of the Wang tile whose lower left corner is the lattice point (x, y).
+TTILES_FUNCTION ttiles_uint ttiles_wang_place(ttiles_uint seed, ttiles_uint colors, ttiles_uint x, ttiles_uint y)
+{
+    return ttiles_wang_place_of(
+        colors, ttiles_edge_color(seed, colors, x, y + 1u, 0u), ttiles_edge_color(seed, colors, x + 1u, y, 1u),
+        ttiles_edge_color(seed, colors, x, y, 0u), ttiles_edge_color(seed, colors, x, y, 1u));
+}
+
+/// The texel `column` texels east and `row` texels north of the lower left of the tile at a place in the atlas, both
 /// below T: its number in the atlas, whose rows go from north to south and have C^2 T texels.
+TTILES_FUNCTION ttiles_uint ttiles_texel_at(ttiles_uint place, ttiles_uint colors, ttiles_uint size, ttiles_uint column,
+                                            ttiles_uint row)
+{
+    ttiles_uint side = colors * colors;
+    ttiles_uint from_south = place / side * size + row;
+    return (side * size - 1u - from_south) * (side * size) + place % side * size + column;
+}
+
+/// The texel of the endless texture of corner tiles so far from the lower left of the tile (x, y).
 TTILES_FUNCTION ttiles_uint ttiles_texel(ttiles_uint seed, ttiles_uint colors, ttiles_uint size, ttiles_uint x,
                                          ttiles_uint y, ttiles_uint column, ttiles_uint row)
 {
-    ttiles_uint side = colors * colors;
-    ttiles_uint place = ttiles_place(seed, colors, x, y);
-    ttiles_uint from_south = place / side * size + row;
-    return (side * size - 1u - from_south) * (side * size) + place % side * size + column;
+    return ttiles_texel_at(ttiles_place(seed, colors, x, y), colors, size, column, row);
+}
+
+/// The same of Wang tiles.
+TTILES_FUNCTION ttiles_uint ttiles_wang_texel(ttiles_uint seed, ttiles_uint colors, ttiles_uint size, ttiles_uint x,
+                                              ttiles_uint y, ttiles_uint column, ttiles_uint row)
+{
+    return ttiles_texel_at(ttiles_wang_place(seed, colors, x, y), colors, size, column, row);
 }
 
 #endif

@@ -59,24 +59,37 @@ double rounded(double value) { return std::round(value * 0x1p40) * 0x1p-40; }
 /// A direction in tiles: east, north, up.
 using Direction = std::array<double, 3>;
 
-/// Pixels that are enqueued at a time: Ctrl-C waits for these.
+/// Samples that are enqueued at a time: Ctrl-C waits for these.
 constexpr std::size_t samples_at_once = std::size_t{1} << 20;
 
+/// Pixels with so many samples.
+std::size_t pixels_at_once(const TextureView& view)
+{
+    const std::size_t count = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
+                      samples = static_cast<std::size_t>(view.samples) * static_cast<std::size_t>(view.samples);
+    return std::max<std::size_t>(1, std::min(count, samples_at_once / samples));
+}
+
+}
+
+bool has_places(const TextureSet& set)
+{
+    return set.kind != TextureKind::omega && set.colors.horizontal == set.colors.vertical && set.is_complete();
 }
 
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed)
 {
-    if (set.kind != TextureKind::corner || !set.is_complete())
-        throw InputError(
-            fmt::format("{} tiles: must be a complete set of corner tiles, whose places in the atlas follow "
-                        "from their colours",
-                        texture_kinds[set.kind]));
+    if (!has_places(set))
+        throw InputError(fmt::format("{} {} tiles: must be a complete set of corner or Wang tiles, whose places in the "
+                                     "atlas follow from their colours; others are laid in scanlines, one by one",
+                                     set.tiles.size(), texture_kinds[set.kind]));
     if (!std::has_single_bit(static_cast<unsigned>(set.size)))
         throw InputError(fmt::format("tile_size = {}: must be a power of two, so that texels of all levels are within "
                                      "tiles",
                                      set.size));
     TexturePyramid pyramid;
     pyramid.channels = set.exemplar.channels;
+    pyramid.is_wang = set.kind == TextureKind::wang;
     auto& levels = pyramid.levels;
     levels.seed = static_cast<std::uint32_t>(seed);
     levels.colors = static_cast<int>(set.colors.horizontal);
@@ -133,19 +146,26 @@ TextureView view_of(const TextureCamera& camera)
     return view;
 }
 
+DeviceMemory texture_map_memory(const TexturePyramid& pyramid, const TextureView& view)
+{
+    DeviceMemory memory;
+    memory.add(pyramid.light.size() * sizeof(float));
+    return memory.add(pixels_at_once(view) * static_cast<std::size_t>(pyramid.channels) * sizeof(float));
+}
+
 std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,
                                const TextureView& view, std::size_t work_group_size)
 {
     const std::size_t count = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height),
-                      channels = static_cast<std::size_t>(pyramid.channels),
-                      samples = static_cast<std::size_t>(view.samples) * static_cast<std::size_t>(view.samples),
-                      at_once = std::max<std::size_t>(1, std::min(count, samples_at_once / samples));
+                      channels = static_cast<std::size_t>(pyramid.channels), at_once = pixels_at_once(view);
     Buffer<float> light = device.buffer<float>(pyramid.light.size());
     const Buffer<float> shown = device.buffer<float>(at_once * channels);
     light.write(pyramid.light);
     Kernel kernel =
         device.kernel(kernel_program("texture_map.cl", {{"LOOKUP", std::to_string(static_cast<int>(lookup))},
-                                                        {"CHANNELS", std::to_string(channels)}}),
+                                                        {"CHANNELS", std::to_string(channels)},
+                                                        {"WANG", pyramid.is_wang ? "1" : "0"},
+                                                        {"COLORS", std::to_string(pyramid.levels.colors)}}),
                       "map_texture");
     std::vector<float> pixels(count * channels);
     for (std::size_t first = 0; first < count; first += at_once) {

@@ -1,13 +1,15 @@
-// Tile-based texture mapping: views of the endless plane that a complete set of corner tiles covers.
+// Tile-based texture mapping: views of the endless plane that a complete set of corner or Wang tiles covers.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4; Lagae, Dutre, An Alternative for Wang Tiles, 2006,
 // section 6.3. Averages are of light, not of encoded bytes. With a ring of w texels, bilinear look-ups in the packed
-// atlas are those in the endless texture at every level with 2^level <= w; exact look-ups are at all levels, where
-// texels beyond a tile's own levels are means of 2 x 2 and 4 x 4 whole tiles, and then that of all tiles. The papers
-// leave levels and rings open.
+// atlas are those in the endless texture at every level with 2^level <= w, with Wang tiles but within 1.5 texels of
+// corners of tiles: neighbours there share no colour (Wei adds a second atlas of all corners). Exact look-ups are at
+// all levels, where texels beyond a tile's own levels are means of 2 x 2 and 4 x 4 whole tiles, and then that of all
+// tiles. The papers leave levels and rings open.
 #pragma once
 
 #include "base/word_table.hpp"
+#include "host/device/device_memory.hpp"
 #include "kernels/common/texture_map.h"
 #include "tiles/texture/texture_set.hpp"
 
@@ -49,14 +51,18 @@ struct TexturePyramid
 {
     contract::texture_map::TextureLevels levels{};
     int channels = 1;
+    bool is_wang = false;     ///< whether tiles are Wang tiles
     std::vector<float> light; ///< levels one after the other, rows from south to north
 
     /// Texels along a side of the atlas at a level.
     int width(int level) const { return levels.colors * levels.colors * (levels.size >> level); }
 };
 
-/// The pyramid of a set whose tiles a seed lays. Throws InputError for sets that are not complete sets of corner tiles,
-/// and for tiles whose size is no power of two.
+/// True for complete sets of corner tiles, and of Wang tiles with the same number of colours along both axes.
+bool has_places(const TextureSet& set);
+
+/// The pyramid of a set whose tiles a seed lays. Throws InputError for sets without places in the sense of
+/// has_places(), and for tiles whose size is no power of two.
 TexturePyramid texture_pyramid(const TextureSet& set, std::uint64_t seed);
 
 /// The atlas at a level as it is stored: north first, encoded.
@@ -78,6 +84,9 @@ struct TextureCamera
 
 /// The camera's view. Its numbers are rounded to 2^-40, far coarser than what machines disagree on.
 TextureView view_of(const TextureCamera& camera);
+
+/// The device memory that map_texture() takes.
+DeviceMemory texture_map_memory(const TexturePyramid& pyramid, const TextureView& view);
 
 /// The picture of a view: light by pixels, rows from the top, `channels` a pixel. Throws Interrupted.
 std::vector<float> map_texture(Device& device, const TexturePyramid& pyramid, TextureLookup lookup,

@@ -119,8 +119,8 @@ private:
 
     std::uint32_t place_of(std::int32_t x, std::int32_t y) const
     {
-        return endless_place(levels_.seed, static_cast<Color>(levels_.colors),
-                             view_.tile_x + static_cast<std::uint32_t>(x),
+        return endless_place(pyramid_.is_wang ? TileKind::wang : TileKind::corner, levels_.seed,
+                             static_cast<Color>(levels_.colors), view_.tile_x + static_cast<std::uint32_t>(x),
                              view_.tile_y + static_cast<std::uint32_t>(y));
     }
 

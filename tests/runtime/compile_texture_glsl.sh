@@ -20,5 +20,6 @@ else
     echo 'no glslangValidator: preprocessed only'
     cpp -undef -P "$shader" "$shader.out"
     grep -q 'uint ttiles_place(uint seed, uint colors, uint x, uint y)' "$shader.out"
+    grep -q 'uint ttiles_wang_place(uint seed, uint colors, uint x, uint y)' "$shader.out"
     ! grep -E '\bstatic\b|\binline\b|uint32_t|TTILES_|ttiles_uint' "$shader.out"
 fi

@@ -27,6 +27,22 @@ TEST(TextureTilesHeader, KnowsThePlaceOfEveryTile)
         }
 }
 
+TEST(TextureTilesHeader, KnowsThePlaceOfEveryWangTile)
+{
+    for (Color colors = 2; colors <= 12; ++colors)
+        for (Color first = 0; first < colors; ++first)
+            for (Color second = 0; second < colors; ++second)
+                ASSERT_EQ(ttiles_domino_place(first, second), wei_place(first, second)) << first << " " << second;
+    // A tile has the edges of the lattice points around it.
+    for (std::uint32_t x = 0; x < 50; ++x) {
+        const std::uint32_t y = 3 * x, colors = 2 + x % 5;
+        const WangTile tile{ttiles_edge_color(9, colors, x, y + 1, 0), ttiles_edge_color(9, colors, x + 1, y, 1),
+                            ttiles_edge_color(9, colors, x, y, 0), ttiles_edge_color(9, colors, x, y, 1)};
+        const PackingPlace expected = place_of_tile(TileKind::wang, wang_index(tile, {colors, colors}), colors);
+        EXPECT_EQ(ttiles_wang_place(9, colors, x, y), expected.y * colors * colors + expected.x);
+    }
+}
+
 /// A point set and a texture with the same seed are over the same tiling.
 TEST(TextureTilesHeader, HasTheColorsOfPoissonDiskTiles)
 {
@@ -35,6 +51,8 @@ TEST(TextureTilesHeader, HasTheColorsOfPoissonDiskTiles)
     for (int i = 0; i < 1000; ++i) {
         const std::uint32_t seed = word(), x = word(), y = word();
         EXPECT_EQ(ttiles_color(seed, 5, x, y), ptiles_hash(seed, x, y, 0) % 5);
+        for (const std::uint32_t is_vertical : {0u, 1u})
+            EXPECT_EQ(ttiles_edge_color(seed, 5, x, y, is_vertical), ptiles_hash(seed, x, y, is_vertical) % 5);
     }
 }
 
@@ -74,7 +92,9 @@ TEST(TextureTilesHeader, IsTheSameInOpenCl)
         {
             const uint i = get_global_id(0);
             if (i < count)
-                texels[i] = ttiles_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u);
+                texels[i] = i % 2u == 0u
+                    ? ttiles_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u)
+                    : ttiles_wang_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u);
         }
     )";
     constexpr std::uint32_t count = 5000;
@@ -83,7 +103,8 @@ TEST(TextureTilesHeader, IsTheSameInOpenCl)
     device.kernel_from_text(text, "texture_tiles.h", "look_up").run(count, 64, count, texels);
     const std::vector<std::uint32_t> found = texels.read(0, count);
     for (std::uint32_t i = 0; i < count; ++i)
-        ASSERT_EQ(found[i], ttiles_texel(i, 2u + i % 9u, 64u, i * 2654435761u, i * 40503u, i % 64u, i / 7u % 64u));
+        ASSERT_EQ(found[i], (i % 2u == 0u ? ttiles_texel : ttiles_wang_texel)(i, 2u + i % 9u, 64u, i * 2654435761u,
+                                                                              i * 40503u, i % 64u, i / 7u % 64u));
 }
 
 }

@@ -8,7 +8,7 @@
 namespace poissonlab {
 
 /// The place in the atlas, y C^2 + x from the lower left, of the tile whose lower left corner is the lattice point (x,
-/// y), modulo 2^32.
-std::uint32_t endless_place(std::uint32_t seed, Color colors, std::uint32_t x, std::uint32_t y);
+/// y), modulo 2^32. Tiles are corner or Wang tiles.
+std::uint32_t endless_place(TileKind kind, std::uint32_t seed, Color colors, std::uint32_t x, std::uint32_t y);
 
 }

@@ -17,7 +17,7 @@ namespace poissonlab {
 namespace {
 
 constexpr auto texture_map_notes =
-    R"(DIR has a complete set of corner tiles. The camera is above the middle of a tile and looks to the north; a --pitch of
+    R"(DIR has a complete set of corner or Wang tiles. The camera is above the middle of a tile and looks to the north; a --pitch of
 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
@@ -25,7 +25,8 @@ constexpr auto texture_map_notes =
   anisotropic  up to 16 such look-ups along it (the default)
 Look-ups:
   exact        each texel through its own tile, at all levels (the default)
-  packed       neighbours in the atlas, as graphics cards read them: the same up to the level that the ring allows
+  packed       neighbours in the atlas, as graphics cards read them: the same up to the level that the ring allows, of
+               Wang tiles but at their corners
   clamped      no neighbours: tiles become visible
   repeated     the atlas itself, side by side, for comparison
 Averages are of light. The same tiles lie where the program of runtime/texture_tiles.h, C, OpenCL C or GLSL, sees them.
@@ -136,6 +137,8 @@ void map_texture_plane(const TextureMapOptions& o)
             light = reference_map_texture(pyramid, lookup, view);
         } else {
             Device device = Device::open(o.device);
+            check_fits(fmt::format("texture map: {}", o.folder.string()), texture_map_memory(pyramid, view),
+                       device.info());
             light = map_texture(device, pyramid, lookup, view, default_work_group_size);
         }
         const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
@@ -154,7 +157,7 @@ Command texture_map_command()
     return {
         "map",
         "Draw the endless plane that texture tiles cover, in perspective",
-        {{"DIR", &o->folder, "What texture build made: a complete set of corner tiles"},
+        {{"DIR", &o->folder, "What texture build made: a complete set of corner or Wang tiles"},
          allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
                   integers(1, most_map_pixels)),
          {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},

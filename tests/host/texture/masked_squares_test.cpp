@@ -35,6 +35,8 @@ TEST_P(MaskedSquaresCase, AreTheSameThreeTimes)
     EXPECT_EQ(masked_squares_on(device, exemplar, mask, piece).sums, expected.sums);
 }
 
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, MaskedSquaresCase, testing::Values(std::tuple(9, 11, 4, 1), std::tuple(7, 9, 5, 3)));
 INSTANTIATE_TEST_SUITE_P(Sizes, MaskedSquaresCase,
                          testing::Values(std::tuple(31, 37, 8, 1), std::tuple(40, 24, 9, 3), std::tuple(16, 17, 16, 3),
                                          std::tuple(97, 50, 24, 1)));

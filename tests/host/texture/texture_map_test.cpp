@@ -3,10 +3,9 @@
 #include "host/texture/texture_map.hpp"
 
 #include "host/device/device.hpp"
-#include "host/texture/texture_build.hpp"
 #include "host/texture/texture_light.hpp"
 #include "runtime/texture_tiles.h"
-#include "tests/host/texture/random_picture.hpp"
+#include "tests/host/texture/mapped_noise.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>
@@ -18,21 +17,14 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr std::uint32_t tiling_seed = 5;
-constexpr int tile_pixels = 16;
+using test::plan_view;
+
+constexpr std::uint32_t tiling_seed = test::mapped_seed;
+constexpr int tile_pixels = test::mapped_tile_pixels;
 
 TextureSet noise_tiles(Color colors, int channels, int ring, int stages = 3)
 {
-    TextureRequest request;
-    request.colors = {colors, colors};
-    request.size = tile_pixels;
-    request.ring = ring;
-    request.stages = stages;
-    request.attempts = 2;
-    request.candidates = 1;
-    return build_texture(request, test::random_picture(90, 80, channels, 3),
-                         [](const std::string&, std::size_t, std::size_t) {})
-        .set;
+    return test::mapped_noise(TextureKind::corner, colors, channels, ring, stages);
 }
 
 const TextureSet& ringed_tiles()
@@ -41,28 +33,18 @@ const TextureSet& ringed_tiles()
     return set;
 }
 
-/// Looks straight down: pixels are `texels` apart along both axes, the first one's middle `start` texels into the tile.
-TextureView plan(double texels, double start, int size, TextureFilter filter)
+const TextureSet& wang_tiles()
 {
-    TextureView view{};
-    const double step = texels / tile_pixels;
-    view.u[0] = start / tile_pixels - step / 2;
-    view.u[1] = step;
-    view.v[0] = start / tile_pixels + step / 2 + size * step;
-    view.v[2] = -step;
-    view.w[0] = 1;
-    view.width = view.height = size;
-    view.samples = 1;
-    view.filter = static_cast<int>(filter);
-    return view;
+    static const TextureSet set = test::mapped_noise(TextureKind::wang, 3, 1, 2);
+    return set;
 }
 
 /// A view to the horizon.
-TextureView perspective(TextureFilter filter)
+TextureView perspective(TextureFilter filter, int width = 60, int height = 44)
 {
     TextureCamera camera;
-    camera.width = 60;
-    camera.height = 44;
+    camera.width = width;
+    camera.height = height;
     camera.tile_x = -3;
     camera.tile_y = std::int64_t{1} << 40;
     camera.pitch = 12;
@@ -72,21 +54,58 @@ TextureView perspective(TextureFilter filter)
     return view_of(camera);
 }
 
-TEST(TextureMap, IsTheSameOnADevice)
+void expect_same_on_device(const TextureSet& set, const std::vector<std::string>& lookups, const TextureView& plain)
 {
     Device device = Device::open();
-    for (const int channels : {1, 3}) {
-        const TexturePyramid pyramid =
-            texture_pyramid(channels == 1 ? ringed_tiles() : noise_tiles(3, 3, 1), tiling_seed);
-        for (const std::string& lookup : channels == 1 ? texture_lookups.all() : std::vector<std::string>{"exact"})
-            for (const std::string& filter : texture_filters.all()) {
-                const TextureView view = perspective(*texture_filters.find(filter));
-                const auto expected = reference_map_texture(pyramid, *texture_lookups.find(lookup), view);
-                for (const std::size_t group : {1u, 64u})
-                    EXPECT_EQ(map_texture(device, pyramid, *texture_lookups.find(lookup), view, group), expected)
-                        << lookup << " " << filter;
-            }
-    }
+    const TexturePyramid pyramid = texture_pyramid(set, tiling_seed);
+    for (const std::string& lookup : lookups)
+        for (const std::string& filter : texture_filters.all()) {
+            TextureView view = plain;
+            view.filter = static_cast<int>(*texture_filters.find(filter));
+            const auto expected = reference_map_texture(pyramid, *texture_lookups.find(lookup), view);
+            for (const std::size_t group : {1u, 64u})
+                EXPECT_EQ(map_texture(device, pyramid, *texture_lookups.find(lookup), view, group), expected)
+                    << lookup << " " << filter;
+        }
+}
+
+TEST(TextureMap, IsTheSameOnADevice)
+{
+    const TextureView view = perspective(TextureFilter::nearest);
+    expect_same_on_device(ringed_tiles(), texture_lookups.all(), view);
+    expect_same_on_device(wang_tiles(), {"packed", "exact"}, view);
+    expect_same_on_device(noise_tiles(3, 3, 1), {"exact"}, view);
+}
+
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+class MappedKinds : public testing::TestWithParam<TextureKind>
+{
+};
+
+/// A few pixels near the horizon, where every level is looked up.
+TEST_P(MappedKinds, AreTheSameOnADevice)
+{
+    expect_same_on_device(GetParam() == TextureKind::wang ? wang_tiles() : ringed_tiles(), {"packed", "exact"},
+                          perspective(TextureFilter::nearest, 3, 8));
+}
+
+INSTANTIATE_TEST_SUITE_P(Small, MappedKinds, testing::Values(TextureKind::corner, TextureKind::wang));
+
+/// Device memory is foretold before it is taken.
+TEST(TextureMap, TakesTheMemoryThatItSays)
+{
+    Device device = Device::open();
+    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
+    const TextureView view = perspective(TextureFilter::bilinear);
+    const std::uint64_t before = device.memory().total;
+    device.watch_memory();
+    map_texture(device, pyramid, TextureLookup::exact, view, 64);
+    EXPECT_EQ(texture_map_memory(pyramid, view),
+              (DeviceMemory{device.peak_memory().largest, device.peak_memory().total - before}));
+    // 2^20 samples at a time, of four a pixel, and three channels.
+    TextureView large = view;
+    large.width = large.height = 16'384;
+    EXPECT_EQ(texture_map_memory(pyramid, large).largest, (std::uint64_t{1} << 18) * sizeof(float));
 }
 
 /// A window of the endless texture, put together pixel by pixel: light, rows from south to north.
@@ -99,8 +118,8 @@ struct ExplicitTexture
         const auto size = static_cast<std::uint32_t>(set.size);
         for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(side); ++y)
             for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(side); ++x)
-                light[y * static_cast<std::uint32_t>(side) + x] =
-                    static_cast<double>(light_of_bytes()[atlas.values[ttiles_texel(
+                light[y * static_cast<std::uint32_t>(side) + x] = static_cast<double>(
+                    light_of_bytes()[atlas.values[(set.kind == TextureKind::wang ? ttiles_wang_texel : ttiles_texel)(
                         tiling_seed, set.colors.horizontal, size, x / size, y / size, x % size, y % size)]]);
     }
 
@@ -130,16 +149,16 @@ struct ExplicitTexture
 };
 
 /// Twenty-three pixels along each axis, at each level: they lie at all fractions of texels, on both sides of borders.
-TEST(TextureMap, IsThatOfAnExplicitTextureAtAllLevels)
+void expect_explicit_texture(const TextureSet& set)
 {
-    const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
-    const ExplicitTexture texture(ringed_tiles());
+    const TexturePyramid pyramid = texture_pyramid(set, tiling_seed);
+    const ExplicitTexture texture(set);
     const int top = pyramid.levels.top;
     for (int level = 0; level <= top + contract::texture_map::WHOLE_LEVELS; ++level) {
         const double texels = 1 << level;
         const int size = level > top ? 3 : 23 >> std::max(0, level - 3);
         const double start = 4 * tile_pixels + 0.37 * texels;
-        TextureView view = plan(texels, start, size, TextureFilter::mipmap);
+        TextureView view = plan_view(texels, start, size, TextureFilter::mipmap);
         const auto found = reference_map_texture(pyramid, TextureLookup::exact, view);
         for (int row = 0; row < size; ++row)
             for (int column = 0; column < size; ++column) {
@@ -152,12 +171,19 @@ TEST(TextureMap, IsThatOfAnExplicitTextureAtAllLevels)
     }
 }
 
+TEST(TextureMap, IsThatOfAnExplicitTextureAtAllLevels)
+{
+    expect_explicit_texture(ringed_tiles());
+    expect_explicit_texture(wang_tiles());
+}
+
 /// Between two powers of two the levels are mixed in proportion.
 TEST(TextureMap, MixesTwoLevels)
 {
     const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
     const ExplicitTexture texture(ringed_tiles());
-    const auto found = reference_map_texture(pyramid, TextureLookup::exact, plan(2.5, 70, 40, TextureFilter::mipmap));
+    const auto found =
+        reference_map_texture(pyramid, TextureLookup::exact, plan_view(2.5, 70, 40, TextureFilter::mipmap));
     for (int i = 0; i < 1600; ++i) {
         const double x = 70 + i % 40 * 2.5, y = 70 + (40 - i / 40) * 2.5;
         ASSERT_NEAR(static_cast<double>(found[static_cast<std::size_t>(i)]),
@@ -182,7 +208,7 @@ TEST(TextureMap, IsRightInThePackedAtlasUpToTheLevelOfTheRing)
         const TexturePyramid pyramid = texture_pyramid(noise_tiles(3, 1, ring, ring == 0 ? 1 : 3), tiling_seed);
         for (int level = 0; level < 3; ++level) {
             const std::size_t count =
-                differences(pyramid, plan(1 << level, 0.37 * (1 << level), 160 >> level, TextureFilter::mipmap));
+                differences(pyramid, plan_view(1 << level, 0.37 * (1 << level), 160 >> level, TextureFilter::mipmap));
             if (1 << level <= ring)
                 EXPECT_EQ(count, 0u) << ring << " " << level;
             else
@@ -191,12 +217,40 @@ TEST(TextureMap, IsRightInThePackedAtlasUpToTheLevelOfTheRing)
     }
 }
 
+/// The corner problem of Wang tiles: up to the level of the ring the packed atlas is wrong within a texel of tiles'
+/// corners, and nowhere else.
+TEST(TextureMap, IsRightInThePackedAtlasOfWangTilesButAtCorners)
+{
+    const TexturePyramid pyramid = texture_pyramid(wang_tiles(), tiling_seed);
+    for (const int level : {0, 1}) {
+        const int texels = 1 << level, size = 160 >> level;
+        const double start = 0.37 * texels;
+        const TextureView view = plan_view(texels, start, size, TextureFilter::mipmap);
+        const auto packed = reference_map_texture(pyramid, TextureLookup::packed, view);
+        const auto exact = reference_map_texture(pyramid, TextureLookup::exact, view);
+        std::size_t at_corners = 0;
+        for (int i = 0; i < size * size; ++i) {
+            const auto from_line = [&](double place) { // of texels of the level
+                const double in_tile = std::remainder(place, tile_pixels);
+                return std::abs(in_tile) / texels;
+            };
+            const double x = start + i % size * texels, y = start + (size - i / size) * texels;
+            const bool is_corner = from_line(x) < 1.5 && from_line(y) < 1.5;
+            if (!is_corner) {
+                ASSERT_EQ(packed[static_cast<std::size_t>(i)], exact[static_cast<std::size_t>(i)]) << x << " " << y;
+            }
+            at_corners += packed[static_cast<std::size_t>(i)] != exact[static_cast<std::size_t>(i)];
+        }
+        EXPECT_GT(at_corners, 0u);
+    }
+}
+
 TEST(TextureMap, ShowsTheBytesOfTheAtlasWhereNothingIsFiltered)
 {
     const TextureSet set = noise_tiles(2, 3, 1);
     const PngPixels atlas = atlas_of(set);
     const auto light = reference_map_texture(texture_pyramid(set, tiling_seed), TextureLookup::exact,
-                                             plan(1, 0.5, 4 * tile_pixels, TextureFilter::nearest));
+                                             plan_view(1, 0.5, 4 * tile_pixels, TextureFilter::nearest));
     const PngPixels seen = encoded_pixels(light, 4 * tile_pixels, 4 * tile_pixels, 3);
     for (std::uint32_t y = 0; y < 4 * tile_pixels; ++y)
         for (std::uint32_t x = 0; x < 4 * tile_pixels; ++x)
@@ -215,9 +269,9 @@ TEST(TextureMap, ShowsTheBytesOfTheAtlasWhereNothingIsFiltered)
 TEST(TextureMap, CountsTilesWithoutEnd)
 {
     const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
-    const TextureView near = plan(0.5, 3.25 * tile_pixels, 96, TextureFilter::bilinear);
+    const TextureView near = plan_view(0.5, 3.25 * tile_pixels, 96, TextureFilter::bilinear);
     for (const int shift : {-7, 4}) {
-        TextureView far = plan(0.5, (3.25 + shift) * tile_pixels, 96, TextureFilter::bilinear);
+        TextureView far = plan_view(0.5, (3.25 + shift) * tile_pixels, 96, TextureFilter::bilinear);
         far.tile_x = far.tile_y = static_cast<std::uint32_t>(-shift);
         EXPECT_EQ(reference_map_texture(pyramid, TextureLookup::exact, far),
                   reference_map_texture(pyramid, TextureLookup::exact, near));
@@ -254,7 +308,8 @@ TEST(TextureMap, IsNearerToManySamplesTheBetterItIsFiltered)
 TEST(TextureMap, HasTheMeanOfAllTilesFarAway)
 {
     const TexturePyramid pyramid = texture_pyramid(ringed_tiles(), tiling_seed);
-    const auto light = reference_map_texture(pyramid, TextureLookup::exact, plan(1e6, 0, 3, TextureFilter::mipmap));
+    const auto light =
+        reference_map_texture(pyramid, TextureLookup::exact, plan_view(1e6, 0, 3, TextureFilter::mipmap));
     double sum = 0;
     for (const std::uint8_t value : ringed_tiles().values) sum += static_cast<double>(light_of_bytes()[value]);
     const double mean = sum / static_cast<double>(ringed_tiles().values.size());
@@ -265,7 +320,8 @@ TEST(TextureMap, RefusesOtherSets)
 {
     TextureSet some = ringed_tiles();
     some.tiles.pop_back();
-    EXPECT_THAT(message_of([&] { texture_pyramid(some, 1); }), HasSubstr("must be a complete set of corner tiles"));
+    EXPECT_THAT(message_of([&] { texture_pyramid(some, 1); }),
+                HasSubstr("15 corner tiles: must be a complete set of corner or Wang tiles"));
     TextureSet odd = ringed_tiles();
     odd.size = 12;
     EXPECT_THAT(message_of([&] { texture_pyramid(odd, 1); }), HasSubstr("tile_size = 12: must be a power of two"));
