@@ -162,13 +162,6 @@ private:
     std::vector<double> means_;
 };
 
-/// The columns of the exemplar for marked colours, and for others.
-ColumnRange columns_of(const PngPixels& exemplar, const TextureRequest& request, bool is_marked)
-{
-    if (request.classes() == 1) return {0, exemplar.width};
-    return is_marked ? ColumnRange{request.split, exemplar.width} : ColumnRange{0, request.split};
-}
-
 bool is_marked_color(const TextureRequest& request, Color color)
 {
     return request.classes() == 2 && color >= request.colors.horizontal / 2;
@@ -182,8 +175,8 @@ std::vector<ColumnRange> ranges_for(const PngPixels& exemplar, const TextureRequ
     const auto marked = std::ranges::count_if(colors, [&](Color color) { return is_marked_color(request, color); });
     const auto others = std::ssize(colors) - marked;
     std::vector<ColumnRange> ranges;
-    if (others >= marked) ranges.push_back(columns_of(exemplar, request, false));
-    if (marked >= others) ranges.push_back(columns_of(exemplar, request, true));
+    if (others >= marked) ranges.push_back(columns_of(exemplar, request.split, false));
+    if (marked >= others) ranges.push_back(columns_of(exemplar, request.split, true));
     return ranges;
 }
 
@@ -198,8 +191,8 @@ Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request,
                           0);
         UsedWindows used(distance);
         for (Color color = 0; color < request.colors.horizontal; ++color)
-            used.add(used.draw(exemplar, columns_of(exemplar, request, is_marked_color(request, color)), request.size,
-                               words));
+            used.add(used.draw(exemplar, columns_of(exemplar, request.split, is_marked_color(request, color)),
+                               request.size, words));
         const double its_score = score(used.windows());
         if (attempt > 0 && its_score >= best_score) continue;
         best = used.windows();
@@ -254,13 +247,7 @@ public:
         const bool has_edges = request_.stages == 3;
         const std::size_t windows =
             request_.colors.horizontal + tiles_.size() + (has_edges ? vertical.size() + horizontal.size() : 0);
-        // The narrower one of two exemplars side by side has to have room for all windows.
-        const PngPixels room{std::min(columns_of(exemplar_, request_, false).end,
-                                      exemplar_.width - columns_of(exemplar_, request_, true).first),
-                             exemplar_.height,
-                             exemplar_.channels,
-                             {}};
-        const int distance = window_distance(room, request_.size, windows, request_.diversity);
+        const int distance = window_distance(exemplar_, request_.size, windows, request_.diversity, request_.split);
         used_ = UsedWindows(distance);
         patches_ = chosen_patches(exemplar_, request_, distance);
         for (const ExemplarWindow& patch : patches_) used_.add(patch);

@@ -37,16 +37,18 @@ BuiltTexture build_texture(const TextureRequest& request, const PngPixels& exemp
                            const HarmonicSolver& solve)
 {
     check(request);
-    if (exemplar.width < request.size || exemplar.height < request.size)
-        throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", request.size,
-                                     exemplar.width, exemplar.height));
+    const int width = narrowest_columns(exemplar, request.split);
+    if (width < request.size || exemplar.height < request.size)
+        throw InputError(fmt::format("size = {}: must be at most the exemplar's, {} x {} pixels", request.size, width,
+                                     exemplar.height));
     BuiltTexture built;
     TextureSet& set = built.set;
     set.kind = request.kind;
-    set.colors = request.colors;
+    set.colors = request.set_colors();
     set.size = request.size;
     set.ring = request.ring_pixels();
     set.classes = request.classes();
+    set.marked_column = request.split;
     set.is_smoothed = request.smooth;
     if (request.smooth && !request.has_corners()) set.ring = 1; // which is all that smoothing leaves alone there
     set.exemplar = exemplar;

@@ -13,6 +13,9 @@
 namespace poissonlab {
 namespace {
 
+/// The name of the half of marked compact Wang tiles that suffices for marks at random.
+constexpr auto random_marks = "random-marks";
+
 // Ng and others 2005, figures 8a and 8b: corners top-left, bottom-left, top-right, bottom-right.
 constexpr std::array<std::string_view, 16> figure_8a{"BRYG", "BYRG", "BRRB", "BYYR", "RBGY", "RGBY", "RBBR", "RGGB",
                                                      "YGRB", "YRGB", "YGGY", "YRRG", "GYBR", "GBYR", "GYYG", "GBBY"};
@@ -63,6 +66,14 @@ std::vector<TextureTile> compact_tiles(WangColors colors)
     return tiles;
 }
 
+std::vector<TextureTile> complete_tiles(const TextureRequest& r)
+{
+    const TileSet all = TileSet::complete(r.kind == TextureKind::corner ? TileKind::corner : TileKind::wang, r.colors);
+    std::vector<TextureTile> tiles;
+    for (std::uint64_t i = 0; i < all.size(); ++i) tiles.push_back({all.index(i), 0});
+    return tiles;
+}
+
 void refuse(const std::string& key, const std::string& value, const std::string& allowed)
 {
     throw invalid_value({}, key, value, allowed);
@@ -74,16 +85,34 @@ void check_range(const std::string& key, int value, int lowest, int highest)
         refuse(key, std::to_string(value), fmt::format("must be an integer from {} to {}", lowest, highest));
 }
 
+bool is_compact(const TextureRequest& r)
+{
+    return r.kind == TextureKind::wang && (r.tiles == "compact" || r.tiles == random_marks);
+}
+
+void check_marks(const TextureRequest& r)
+{
+    if (r.tiles == random_marks && r.split == 0) refuse("tiles", r.tiles, "needs an exemplar for marked corners");
+    if (r.split == 0) return;
+    if (r.kind == TextureKind::omega)
+        refuse("kind", texture_kinds[r.kind], "has no marked corners: must be corner or wang");
+    if (r.kind == TextureKind::corner && (r.stages == 0 || r.colors.horizontal % 2 != 0))
+        refuse("colors", std::to_string(r.colors.horizontal),
+               "with marked corners there are corner tiles over an even number, made with stages 1 or 3");
+    if (r.kind == TextureKind::wang && r.smooth) refuse("smooth", "true", "is for Wang tiles without marked corners");
+}
+
 void check_colors_of(const TextureRequest& r)
 {
     const bool is_square = r.colors.horizontal == r.colors.vertical;
-    const Color most = r.kind == TextureKind::wang && r.tiles == "compact" ? most_texture_colors : 8;
+    const bool is_marked_wang = r.kind == TextureKind::wang && r.classes() == 2;
+    const Color most = is_compact(r) && !is_marked_wang ? most_texture_colors : 8;
     for (const Color colors : {r.colors.horizontal, r.colors.vertical})
         if (colors < 2 || colors > most)
             refuse("colors", std::to_string(colors), fmt::format("must be an integer from 2 to {}", most));
     if (r.kind == TextureKind::omega && (r.colors.horizontal != 4 || !is_square))
         refuse("colors", std::to_string(r.colors.horizontal), "must be 4 for omega tiles");
-    if (!is_square && (r.kind != TextureKind::wang || r.tiles != "compact"))
+    if (!is_square && !is_compact(r))
         refuse("vertical_colors", std::to_string(r.colors.vertical), "is for compact Wang tiles");
 }
 
@@ -91,7 +120,7 @@ void check_colors_of(const TextureRequest& r)
 
 const std::vector<std::string>& texture_tile_names(TextureKind kind)
 {
-    static const std::vector<std::string> corner{"complete"}, wang{"complete", "compact"},
+    static const std::vector<std::string> corner{"complete"}, wang{"complete", "compact", random_marks},
         omega{"16", "4", "8", "16b", "32"};
     return kind == TextureKind::corner ? corner : kind == TextureKind::wang ? wang : omega;
 }
@@ -116,9 +145,7 @@ void check(const TextureRequest& r)
     check_range("attempts", r.attempts, 1, most_texture_attempts);
     if (!(r.core_radius() >= 0 && r.core_radius() <= 0.4))
         refuse("core", fmt::format("{}", r.core_radius()), "must be a number from 0 to 0.4");
-    if (r.split > 0 && (r.kind != TextureKind::corner || r.stages == 0 || r.colors.horizontal % 2 != 0))
-        refuse("colors", std::to_string(r.colors.horizontal),
-               "with marked corners there are corner tiles over an even number, made with stages 1 or 3");
+    check_marks(r);
     if (r.smooth && r.stages == 0) refuse("smooth", "true", "needs new pieces: stages 1 or 3");
     if (r.smooth && r.ring_pixels() == 0) refuse("smooth", "true", "needs a ring of at least 1 pixel");
     const std::size_t pixels =
@@ -131,11 +158,9 @@ void check(const TextureRequest& r)
 std::vector<TextureTile> requested_tiles(const TextureRequest& r)
 {
     if (r.kind == TextureKind::omega) return omega_tiles(r.tiles.empty() ? "16" : r.tiles);
-    if (r.tiles == "compact") return compact_tiles(r.colors);
-    const TileSet all = TileSet::complete(r.kind == TextureKind::corner ? TileKind::corner : TileKind::wang, r.colors);
-    std::vector<TextureTile> tiles;
-    for (std::uint64_t i = 0; i < all.size(); ++i) tiles.push_back({all.index(i), 0});
-    return tiles;
+    const std::vector<TextureTile> tiles = is_compact(r) ? compact_tiles(r.colors) : complete_tiles(r);
+    if (r.classes() == 1 || r.kind != TextureKind::wang) return tiles;
+    return r.tiles == random_marks ? randomly_marked_wang_tiles(tiles, r.colors) : marked_wang_tiles(tiles, r.colors);
 }
 
 std::map<std::string, std::string> parameters_of(const TextureRequest& r)

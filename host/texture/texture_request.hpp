@@ -3,7 +3,7 @@
 
 #include "base/word_table.hpp"
 #include "host/texture/seam_cut.hpp"
-#include "tiles/texture/texture_set.hpp"
+#include "tiles/texture/marked_tiles.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,7 +31,7 @@ struct TextureRequest
 {
     TextureKind kind = TextureKind::corner;
     WangColors colors;
-    std::string tiles;            ///< complete, compact (wang), 4, 8, 16, 32, 16b (omega); empty: the kind's first
+    std::string tiles;            ///< one of texture_tile_names(); empty: the kind's first
     int size = 64;                ///< T
     std::optional<int> ring;      ///< w; T / 16 unless given
     int stages = 3;               ///< corner and omega: 3, 1 as Ng and others have it, or 0: no new piece in a tile
@@ -47,22 +47,25 @@ struct TextureRequest
     /// that a piece around the middle of an edge does. A minimum cut likes to be short, and would leave of a piece no
     /// more than what hides the joint. Unless given 0.3 with three stages, 0 with one.
     std::optional<double> core;
-    /// Corner: the exemplar's column where that of marked corners begins. The second half of the colours is theirs, and
-    /// their patches come from there; a new piece comes from the exemplar of most of its corners, and where there are
-    /// as many of both, from either. 0: no corners are marked.
+    /// The exemplar's column where that of marked corners begins; 0: no corners are marked. Corner: the second half of
+    /// the colours is theirs, and their patches come from there; a new piece comes from the exemplar of most of its
+    /// corners, and where there are as many of both, from either. Wang: tiles are multiplied by the marks of their
+    /// corners (marked_tiles.hpp).
     int split = 0;
     bool smooth = false; ///< corner and omega: the middles of tiles take on the colours around them
     std::uint64_t seed = 1;
 
     /// Classes of colours: marked or not.
     int classes() const { return split > 0 ? 2 : 1; }
+    /// The colours as the set counts them: those of edges with marks, if there are marks.
+    WangColors set_colors() const { return classes() == 2 && !has_corners() ? marked_colors(colors) : colors; }
     double core_radius() const { return core.value_or(stages == 3 ? 0.3 : 0); }
     int ring_pixels() const { return ring.value_or(std::max(1, size / 16)); }
     int band() const { return std::max(2, static_cast<int>(overlap * size)); }
     bool has_corners() const { return kind != TextureKind::wang; }
 };
 
-/// The names of the tile sets of a kind, the default first.
+/// The names of the tile sets of a kind, the default first; "random-marks" is for Wang tiles with marked corners.
 const std::vector<std::string>& texture_tile_names(TextureKind kind);
 
 /// Checks everything that does not depend on the exemplar. Throws InputError that begins with the parameter's name.

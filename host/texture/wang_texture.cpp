@@ -1,6 +1,6 @@
 #include "host/texture/wang_texture.hpp"
 
-#include "base/random/random.hpp"
+#include "host/texture/wang_samples.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -23,16 +23,15 @@ struct Quarter
 constexpr std::array<Quarter, 4> quarters{{{true, true}, {true, false}, {false, true}, {false, false}}};
 
 /// The pixel of a sample that a pixel of a quarter would show: samples are centred on the middle of their edge.
-SourcePixel source_in_quarter(const ExemplarWindow& sample, bool is_horizontal_edge, Quarter quarter, int x, int y)
+SourcePixel source_in_quarter(const SourceCanvas& sample, bool is_horizontal_edge, Quarter quarter, int x, int y)
 {
     const int size = sample.size, half = size / 2;
     const int tile_x = quarter.is_west ? x : size - 1 - x, tile_y = quarter.is_north ? y : size - 1 - y;
-    const int shown_x = is_horizontal_edge ? tile_x : tile_x + (quarter.is_west ? half : -half);
-    const int shown_y = is_horizontal_edge ? tile_y + (quarter.is_north ? half : -half) : tile_y;
-    return {static_cast<std::uint16_t>(sample.x + shown_x), static_cast<std::uint16_t>(sample.y + shown_y)};
+    return is_horizontal_edge ? sample.at(tile_x, tile_y + (quarter.is_north ? half : -half))
+                              : sample.at(tile_x + (quarter.is_west ? half : -half), tile_y);
 }
 
-PngPixels quarter_pixels(const PngPixels& exemplar, const ExemplarWindow& sample, bool is_horizontal_edge,
+PngPixels quarter_pixels(const PngPixels& exemplar, const SourceCanvas& sample, bool is_horizontal_edge,
                          Quarter quarter)
 {
     SourceCanvas canvas{sample.size / 2, {}};
@@ -66,13 +65,7 @@ SeamCut quarter_path(const PngPixels& horizontal, const PngPixels& vertical, con
     const auto error = [&](int row, int offset) -> std::int64_t {
         const int column = row + offset;
         if (column < std::min(row, ring) || column >= half) return -1;
-        std::int64_t sum = 0;
-        for (int c = 0; c < horizontal.channels; ++c) {
-            const int difference =
-                horizontal.values[horizontal.at(column, row, c)] - vertical.values[vertical.at(column, row, c)];
-            sum += difference * difference;
-        }
-        return sum;
+        return squared_difference(horizontal, vertical, column, row);
     };
     const DiagonalPath path = minimum_error_path(half, request.band(), ring, error);
     SeamCut cut;
@@ -82,8 +75,15 @@ SeamCut quarter_path(const PngPixels& horizontal, const PngPixels& vertical, con
     return cut;
 }
 
-/// Samples of all colours: those of horizontal edges, then those of vertical ones.
-using Samples = std::vector<ExemplarWindow>;
+/// True if the edges agree on the mark of the corner of a quarter; without marks they always do.
+bool meet_in(const TextureRequest& request, std::size_t horizontal, std::size_t vertical, Quarter quarter)
+{
+    if (request.classes() == 1) return true;
+    // Western and southern ends come first in a colour.
+    const std::size_t of_horizontal = quarter.is_west ? horizontal / 2 % 2 : horizontal % 2;
+    const std::size_t of_vertical = quarter.is_north ? vertical % 2 : vertical / 2 % 2;
+    return of_horizontal == of_vertical;
+}
 
 class WangTexture
 {
@@ -91,28 +91,18 @@ public:
     WangTexture(const PngPixels& exemplar, const TextureRequest& request, const std::vector<TextureTile>& tiles,
                 const PieceProgress& progress)
         : exemplar_(exemplar), request_(request), tiles_(tiles), progress_(progress), roles_(quarter_roles(request)),
-          horizontal_(request.colors.horizontal),
-          distance_(window_distance(exemplar, request.size, horizontal_ + request.colors.vertical, request.diversity))
+          choice_(exemplar, request)
     {}
 
     TextureSources make()
     {
-        Samples samples = best_random_samples();
-        improve(samples);
-        return finished(samples);
+        SampleWindows windows = best_random_windows();
+        improve(windows);
+        return finished(windows);
     }
 
 private:
-    Samples random_samples(std::uint32_t attempt) const
-    {
-        RandomWords words(stream_key(request_.seed, Purpose::texture_windows, 1, attempt), 0);
-        UsedWindows used(distance_);
-        for (Color color = 0; color < horizontal_ + request_.colors.vertical; ++color)
-            used.add(used.draw(exemplar_, request_.size, words));
-        return used.windows();
-    }
-
-    Samples best_random_samples() const
+    SampleWindows best_random_windows() const
     {
         const auto attempts = static_cast<std::size_t>(request_.attempts);
         std::vector<std::int64_t> errors(attempts);
@@ -120,37 +110,29 @@ private:
         constexpr std::size_t at_once = 16;
         for (std::size_t first = 0; first < attempts; first += at_once) {
             const std::size_t end = std::min(first + at_once, attempts);
-            tbb::parallel_for(first, end, [&](std::size_t i) {
-                errors[i] = error_of(random_samples(static_cast<std::uint32_t>(i)));
-            });
+            tbb::parallel_for(
+                first, end, [&](std::size_t i) { errors[i] = error_of(choice_.draw(static_cast<std::uint32_t>(i))); });
             done = end;
             progress_("sets of samples", done, attempts);
         }
-        return random_samples(static_cast<std::uint32_t>(std::ranges::min_element(errors) - errors.begin()));
+        return choice_.draw(static_cast<std::uint32_t>(std::ranges::min_element(errors) - errors.begin()));
     }
 
     /// Coordinate descent: each sample in turn is replaced by the best of some others, all else being fixed.
-    void improve(Samples& samples) const
+    void improve(SampleWindows& windows) const
     {
         constexpr std::uint32_t tries = 16;
-        for (std::size_t which = 0; which < samples.size(); ++which) {
-            std::vector<Samples> choices(tries + 1, samples);
-            for (std::uint32_t i = 0; i < tries; ++i) {
-                RandomWords words(stream_key(request_.seed, Purpose::texture_windows, 2, i),
-                                  static_cast<std::uint32_t>(which));
-                UsedWindows used(distance_);
-                for (std::size_t other = 0; other < samples.size(); ++other)
-                    if (other != which) used.add(samples[other]);
-                choices[i + 1][which] = used.draw(exemplar_, request_.size, words);
-            }
+        for (std::size_t which = 0; which < windows.size(); ++which) {
+            std::vector<SampleWindows> choices{windows};
+            for (std::uint32_t i = 0; i < tries; ++i) choices.push_back(choice_.replaced(windows, which, i));
             std::vector<std::int64_t> errors(choices.size());
             tbb::parallel_for(std::size_t{0}, choices.size(), [&](std::size_t i) { errors[i] = error_of(choices[i]); });
-            samples = choices[static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin())];
-            progress_("better samples", which + 1, samples.size());
+            windows = choices[static_cast<std::size_t>(std::ranges::min_element(errors) - errors.begin())];
+            progress_("better samples", which + 1, windows.size());
         }
     }
 
-    SeamCut cut_of(const ExemplarWindow& horizontal, const ExemplarWindow& vertical, Quarter quarter) const
+    SeamCut cut_of(const SourceCanvas& horizontal, const SourceCanvas& vertical, Quarter quarter) const
     {
         const PngPixels kept = quarter_pixels(exemplar_, horizontal, true, quarter);
         const PngPixels taken = quarter_pixels(exemplar_, vertical, false, quarter);
@@ -159,31 +141,37 @@ private:
     }
 
     /// The cuts of all quarters of a complete set; a colour pair's quarter is the same in all tiles that have it.
-    std::int64_t error_of(const Samples& samples) const
+    std::int64_t error_of(const SampleWindows& windows) const
     {
-        std::int64_t error = 0;
-        for (std::size_t h = 0; h < horizontal_; ++h)
-            for (std::size_t v = horizontal_; v < samples.size(); ++v)
-                for (const Quarter quarter : quarters) error += cut_of(samples[h], samples[v], quarter).cost;
+        const EdgeSamples samples = edge_samples(exemplar_, request_, windows);
+        std::int64_t error = samples.cost;
+        for (std::size_t h = 0; h < samples.horizontal.size(); ++h)
+            for (std::size_t v = 0; v < samples.vertical.size(); ++v)
+                for (const Quarter quarter : quarters)
+                    if (meet_in(request_, h, v, quarter))
+                        error += cut_of(samples.horizontal[h], samples.vertical[v], quarter).cost;
         return error;
     }
 
-    TextureSources finished(const Samples& samples) const
+    TextureSources finished(const SampleWindows& windows) const
     {
+        const EdgeSamples samples = edge_samples(exemplar_, request_, windows);
         // By horizontal colour, vertical colour, quarter.
-        std::vector<SeamCut> cuts(horizontal_ * request_.colors.vertical * 4);
+        const std::size_t verticals = samples.vertical.size();
+        std::vector<SeamCut> cuts(samples.horizontal.size() * verticals * 4);
         tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t i) {
-            cuts[i] = cut_of(samples[i / 4 / request_.colors.vertical],
-                             samples[horizontal_ + i / 4 % request_.colors.vertical], quarters[i % 4]);
+            const std::size_t h = i / 4 / verticals, v = i / 4 % verticals;
+            if (meet_in(request_, h, v, quarters[i % 4]))
+                cuts[i] = cut_of(samples.horizontal[h], samples.vertical[v], quarters[i % 4]);
         });
-        TextureSources result{{}, 0, samples, {}, {}};
+        TextureSources result{{}, samples.cost, windows, {}, {}};
         for (const SeamCut& cut : cuts) result.cost += cut.cost;
         for (const TextureTile& tile : tiles_)
-            append_tile(result, samples, cuts, wang_tile(tile.index, request_.colors));
+            append_tile(result, samples, cuts, wang_tile(tile.index, request_.set_colors()));
         return result;
     }
 
-    void append_tile(TextureSources& result, const Samples& samples, const std::vector<SeamCut>& cuts,
+    void append_tile(TextureSources& result, const EdgeSamples& samples, const std::vector<SeamCut>& cuts,
                      const WangTile& tile) const
     {
         const int size = request_.size, half = size / 2;
@@ -193,11 +181,11 @@ private:
                 const Quarter quarter = quarters[number];
                 const Color h = quarter.is_north ? tile.north : tile.south, v = quarter.is_west ? tile.west : tile.east;
                 const int x = quarter.is_west ? column : size - 1 - column, y = quarter.is_north ? row : size - 1 - row;
-                const SeamCut& cut = cuts[(std::size_t{h} * request_.colors.vertical + v) * 4 + number];
+                const SeamCut& cut = cuts[(std::size_t{h} * samples.vertical.size() + v) * 4 + number];
                 const bool is_vertical = cut.taken[static_cast<std::size_t>(y * half + x)];
                 result.bow_ties.shown.push_back(is_vertical);
-                result.bow_ties.vertical.push_back(source_in_quarter(samples[horizontal_ + v], false, quarter, x, y));
-                result.bow_ties.horizontal.push_back(source_in_quarter(samples[h], true, quarter, x, y));
+                result.bow_ties.vertical.push_back(source_in_quarter(samples.vertical[v], false, quarter, x, y));
+                result.bow_ties.horizontal.push_back(source_in_quarter(samples.horizontal[h], true, quarter, x, y));
                 result.sources.push_back(is_vertical ? result.bow_ties.vertical.back()
                                                      : result.bow_ties.horizontal.back());
             }
@@ -208,10 +196,19 @@ private:
     const std::vector<TextureTile>& tiles_;
     const PieceProgress& progress_;
     std::vector<PixelRole> roles_;
-    std::size_t horizontal_; ///< how many colours horizontal edges have
-    int distance_;
+    SampleChoice choice_;
 };
 
+}
+
+std::int64_t squared_difference(const PngPixels& a, const PngPixels& b, int x, int y)
+{
+    std::int64_t sum = 0;
+    for (int c = 0; c < a.channels; ++c) {
+        const int difference = a.values[a.at(x, y, c)] - b.values[b.at(x, y, c)];
+        sum += difference * difference;
+    }
+    return sum;
 }
 
 DiagonalPath minimum_error_path(int rows, int band, int pinned,

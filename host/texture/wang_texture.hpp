@@ -6,12 +6,18 @@
 // diagonal unless another overlap is asked for), how samples are drawn, and when to stop: the best of some random sets,
 // whose samples are then replaced one by one where that is better.
 //
+// With marked corners (section 3.5) two exemplars are shown, and an edge's sample follows from its marks as well:
+// wang_samples.hpp.
+//
 // The ring: pixels near the border belong to the nearest edge, those on the diagonal to north and south.
 #pragma once
 
 #include "host/texture/corner_texture.hpp"
 
 namespace poissonlab {
+
+/// The sum over channels of squared differences between the pixels of two pictures at a place.
+std::int64_t squared_difference(const PngPixels& a, const PngPixels& b, int x, int y);
 
 /// A path through a band around the diagonal of a square: in row k, pixels before column k + offset belong to one
 /// picture, those from there on to the other. Offsets begin and end with 0 and change by at most 1 a row.

@@ -144,10 +144,22 @@ std::vector<ExemplarWindow> UsedWindows::best(const SquareSums& sums, int size, 
     return windows;
 }
 
-int window_distance(const PngPixels& exemplar, int size, std::size_t windows, std::optional<int> asked)
+ColumnRange columns_of(const PngPixels& exemplar, int split, bool is_marked)
 {
+    if (split == 0) return {0, exemplar.width};
+    return is_marked ? ColumnRange{split, exemplar.width} : ColumnRange{0, split};
+}
+
+int narrowest_columns(const PngPixels& exemplar, int split)
+{
+    return split == 0 ? exemplar.width : std::min(split, exemplar.width - split);
+}
+
+int window_distance(const PngPixels& exemplar, int size, std::size_t windows, std::optional<int> asked, int split)
+{
+    const int width = narrowest_columns(exemplar, split);
     // Each window forbids at most (2 d - 1)^2 corners of others, a pixel more along each axis where sizes differ.
-    const double corners = static_cast<double>(exemplar.width - size + 1) * (exemplar.height - size + 1);
+    const double corners = static_cast<double>(width - size + 1) * (exemplar.height - size + 1);
     const auto fitting = [&](int distance) {
         return distance == 0 ? std::numeric_limits<double>::infinity() : corners / (4.0 * distance * distance);
     };
@@ -156,7 +168,7 @@ int window_distance(const PngPixels& exemplar, int size, std::size_t windows, st
             throw InputError(
                 fmt::format("diversity = {}: {} windows are needed, of which {:.0f} are sure to fit into an "
                             "exemplar of {} x {} pixels",
-                            *asked, windows, std::floor(fitting(*asked)), exemplar.width, exemplar.height));
+                            *asked, windows, std::floor(fitting(*asked)), width, exemplar.height));
         return *asked;
     }
     int distance = size / 4;

@@ -33,6 +33,13 @@ struct ColumnRange
     int end = 0;
 };
 
+/// Of two exemplars side by side, the columns of the one for marked corners, which begins at `split`, or those of the
+/// other; all columns where `split` is 0.
+ColumnRange columns_of(const PngPixels& exemplar, int split, bool is_marked);
+
+/// How many columns the narrower one has.
+int narrowest_columns(const PngPixels& exemplar, int split);
+
 /// The windows of a set, and what is free beside them: middles of any two differ by the distance along an axis at
 /// least.
 class UsedWindows
@@ -62,7 +69,8 @@ private:
 };
 
 /// The distance that so many windows of T x T pixels can have at least, whatever their order; at most T / 4. Given one
-/// that is asked for, that; throws InputError where it is too large, with the number of windows that fit.
-int window_distance(const PngPixels& exemplar, int size, std::size_t windows, std::optional<int> asked);
+/// that is asked for, that; throws InputError where it is too large, with the number of windows that fit. Of two
+/// exemplars side by side, `split` as above, the narrower one has to have room for all.
+int window_distance(const PngPixels& exemplar, int size, std::size_t windows, std::optional<int> asked, int split = 0);
 
 }

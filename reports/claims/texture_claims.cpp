@@ -16,8 +16,11 @@ namespace {
 using Texture = DistributionResult;
 using TextureOutcome = std::optional<ClaimOutcome>;
 
-/// Smoothing changes what measures of seams cannot tell.
-bool is_plain_texture(const Texture& t) { return t.parameter("smooth") == "false"; }
+/// Smoothing changes what measures of seams cannot tell, and marked corners show a second exemplar.
+bool is_plain_texture(const Texture& t)
+{
+    return t.parameter("smooth") == "false" && t.parameter("marked_exemplar").empty();
+}
 
 bool is_wang_texture(const Texture& t) { return is_plain_texture(t) && t.parameter("kind") == "wang"; }
 
@@ -93,6 +96,37 @@ TextureOutcome corners_fit(const ClaimSeries& report)
     return ClaimOutcome{tally.agreement(), joined_words({"no pixel at a border that does not fit", tally.words()})};
 }
 
+bool is_marked_wang(const Texture& t)
+{
+    return t.parameter("kind") == "wang" && !t.parameter("marked_exemplar").empty() && t.parameter("colors") == "2";
+}
+
+/// 16 x 8 tiles for maps of marks, half of them for marks at random.
+TextureOutcome marked_tile_counts(const ClaimSeries& report)
+{
+    Tally tally;
+    std::vector<double> of_maps, of_random;
+    for (const Texture* texture : report.distributions("texture")) {
+        if (!is_marked_wang(*texture)) continue;
+        const std::optional<double> tiles = number_of(*texture, "tiles");
+        if (!tiles) continue;
+        if (texture->parameter("tiles") == "compact") {
+            of_maps.push_back(*tiles);
+            tally.add(tiles == 128);
+        }
+        if (texture->parameter("tiles") == "random-marks") {
+            of_random.push_back(*tiles);
+            tally.add(tiles == 64);
+        }
+    }
+    if (tally.empty()) return std::nullopt;
+    std::vector<std::string> words;
+    if (!of_maps.empty()) words.push_back(range_words(of_maps, 3) + " tiles with all marks");
+    if (!of_random.empty()) words.push_back(range_words(of_random, 3) + " for marks at random");
+    words.push_back(tally.words());
+    return ClaimOutcome{tally.agreement(), joined_words(words)};
+}
+
 bool is_wang_of(const Texture& t, const char* colors)
 {
     return is_wang_texture(t) && t.parameter("tiles") == "compact" && t.parameter("colors") == colors;
@@ -165,6 +199,12 @@ std::vector<PaperClaim> claims_about_textures()
          "no pixel at any border of two corner or omega tiles that does not go on or have a joint that the colours "
          "predict",
          corners_fit},
+        {"5.3-marked", "5.3",
+         "With marked corners eight Wang tiles become 128, or 64 that still leave a random choice (Cohen and others "
+         "2003, section 3.4).",
+         "as many tiles fit by edges and marks; 64 serve marks at random only, since a map, which gives the fourth "
+         "mark as well, leaves one tile",
+         marked_tile_counts},
         {"5.3-more-tiles", "5.3",
          "Artefacts that come from few samples are overcome by more tiles (Cohen and others 2003, section 3.2).",
          "18 tiles have less power at multiples of 1/T than 8", more_tiles_repeat_less},

@@ -65,9 +65,30 @@ TEST_F(TextureCommand, MapsThePlane)
                  "texture map: --filter \"trilinear\": unknown; did you mean \"bilinear\"? (known: nearest, bilinear, "
                  "mipmap, anisotropic)");
     printed("build wang --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out wang");
-    expect_error("map wang --out c.png",
-                 "wang: wang tiles: must be a complete set of corner tiles, whose places in the "
-                 "atlas follow from their colours");
+    printed("map wang --size 40 30 --out c.png");
+    printed("map wang --size 40 30 --out d.png --engine reference");
+    EXPECT_EQ(read_png(folder_.path() / "c.png").values, read_png(folder_.path() / "d.png").values);
+    printed("build wang --colors 2 --tiles compact --exemplar noise.png --size 16 --attempts 3 --quiet --out eight");
+    expect_error(
+        "map eight --out e.png",
+        "eight: 8 wang tiles: must be a complete set of corner or Wang tiles, whose places in the atlas follow "
+        "from their colours; others are laid in scanlines, one by one");
+}
+
+TEST_F(TextureCommand, MakesTilesWithMarkedCorners)
+{
+    const std::string build = "build wang --colors 2 --exemplar noise.png --marked-exemplar noise.png --size 16 "
+                              "--attempts 2 --quiet ";
+    printed(build + "--tiles compact --out mapped");
+    printed(build + "--tiles random-marks --out random");
+    EXPECT_THAT(printed("verify mapped"), HasSubstr("mapped: 128 wang tiles"));
+    EXPECT_THAT(printed("verify random"), HasSubstr("random: 64 wang tiles"));
+    printed("tile mapped --window 0 0 5 3 --marks noise.png --out a.png");
+    printed("tile random --window 0 0 5 3 --out b.png");
+    expect_error("tile random --window 0 0 5 3 --marks noise.png --out c.png",
+                 "texture tile: a map of marks leaves no choice of these tiles, which are for marks at random");
+    expect_error("build wang --colors 2 --exemplar noise.png --size 16 --tiles random-marks --out o",
+                 "texture build: tiles = random-marks: needs an exemplar for marked corners");
 }
 
 TEST_F(TextureCommand, MakesTheSameFilesAgain)

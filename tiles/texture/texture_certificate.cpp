@@ -1,6 +1,7 @@
 #include "tiles/texture/texture_certificate.hpp"
 
 #include "base/errors/errors.hpp"
+#include "tiles/texture/marked_tiles.hpp"
 
 #include <fmt/format.h>
 
@@ -73,6 +74,7 @@ public:
     TextureCertificate run()
     {
         check_values();
+        if (set_.marked_column > 0) check_marks();
         for (const Side side : {north, east, south, west}) check_rings(side);
         check_borders(east, west, {1, 0});
         check_borders(south, north, {0, 1});
@@ -110,6 +112,25 @@ private:
                                                  tile_name(set_, tile), pixel % static_cast<std::size_t>(set_.size),
                                                  pixel / static_cast<std::size_t>(set_.size)));
             }
+    }
+
+    /// Corners show the exemplar of their mark.
+    void check_marks() const
+    {
+        const int last = set_.size - 1;
+        for (std::size_t tile = 0; tile < set_.tiles.size(); ++tile) {
+            const CornerTile marks = marks_of(set_, set_.tiles[tile].index);
+            const auto check_corner = [&](Color mark, int x, int y, const char* name) {
+                const SourcePixel source = set_.sources_of(tile)[static_cast<std::size_t>(y * set_.size + x)];
+                if ((source.x >= set_.marked_column) != (mark == 1))
+                    throw InputError(fmt::format("{}: its {} corner does not show the exemplar of {} corners",
+                                                 tile_name(set_, tile), name, mark == 1 ? "marked" : "unmarked"));
+            };
+            check_corner(marks.north_east, last, 0, "north-eastern");
+            check_corner(marks.south_east, last, last, "south-eastern");
+            check_corner(marks.south_west, 0, last, "south-western");
+            check_corner(marks.north_west, 0, 0, "north-western");
+        }
     }
 
     void check_rings(Side side) const

@@ -54,7 +54,8 @@ struct TextureSet
     WangColors colors;
     int size = 64;            ///< T, even
     int ring = 4;             ///< w: so many pixels at its sides depend on the shared colours alone
-    int classes = 1;          ///< of corner colours, as many in each; 2: unmarked corners, then marked ones
+    int classes = 1;          ///< of corners: 2, unmarked and marked ones, see marked_tiles.hpp
+    int marked_column = 0;    ///< of two classes: where the exemplar of marked corners begins; 0: not known
     bool is_smoothed = false; ///< whether pixels differ from their sources
     PngPixels exemplar;       ///< of one or three channels
     std::vector<TextureTile> tiles;

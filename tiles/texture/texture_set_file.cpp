@@ -4,6 +4,7 @@
 #include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "tiles/texture/marked_tiles.hpp"
 #include "tiles/texture/texture_set.hpp"
 
 #include <fmt/format.h>
@@ -62,6 +63,7 @@ void members(JsonMembers& m, Set& stored)
     m.member("tile_size", stored.set.size, 2);
     m.member("ring", stored.set.ring);
     if (m.is_there("color_classes", stored.set.classes != 1)) m.member("color_classes", stored.set.classes, 1);
+    m.if_any("marked_column", stored.set.marked_column);
     m.member("smoothed", stored.set.is_smoothed);
     m.member("channels", stored.channels, 1);
     m.member("atlas_columns", stored.columns, 1);
@@ -142,8 +144,11 @@ void check_texture_numbers(const fs::path& file, const StoredTextureSet& stored)
         refuse(fmt::format("more than {} colours", max_colors));
     if (set.has_corners() && set.colors.horizontal != set.colors.vertical)
         refuse("horizontal_colors and vertical_colors differ, for corners");
-    if (set.classes > 2 || (set.classes == 2 && (!set.has_corners() || set.colors.horizontal % 2 != 0)))
-        refuse(fmt::format("color_classes = {}: must be 1 or, for corners over an even number of colours, 2",
+    const Color colors_a_class = set.has_corners() ? 2 : 4;
+    if (set.classes > 2 || (set.classes == 2 &&
+                            (set.colors.horizontal % colors_a_class != 0 || set.colors.vertical % colors_a_class != 0)))
+        refuse(fmt::format("color_classes = {}: must be 1 or, for corners over an even number of colours and for edges "
+                           "over a multiple of 4, 2",
                            set.classes));
     if (set.size % 2 != 0 || set.size > most_tile_pixels)
         refuse(fmt::format("tile_size = {}: must be even and at most {}", set.size, most_tile_pixels));
@@ -153,6 +158,10 @@ void check_texture_numbers(const fs::path& file, const StoredTextureSet& stored)
     const std::uint64_t pairs = std::uint64_t{set.colors.horizontal} * set.colors.vertical;
     for (const StoredTextureTile& tile : stored.tiles)
         if (tile.tile.index >= pairs * pairs) refuse(fmt::format("tile {}: has other colours", tile.tile.index));
+    if (set.classes == 2 && !set.has_corners())
+        for (const StoredTextureTile& tile : stored.tiles)
+            if (!agrees_on_marks(wang_tile(tile.tile.index, set.colors)))
+                refuse(fmt::format("tile {}: its edges do not agree on the marks of its corners", tile.tile.index));
 }
 
 /// The layout follows from the tiles; the file repeats it for other programs.
@@ -215,8 +224,14 @@ void write_texture_files(const std::function<fs::path(const std::string& name)>&
                             hash_text(atlas.values),
                             hash_text(sources.values),
                             {}};
-    stored.set = {set.kind, set.colors, set.size, set.ring, set.classes,   set.is_smoothed,
-                  {},       {},         {},       {},       set.parameters};
+    stored.set.kind = set.kind;
+    stored.set.colors = set.colors;
+    stored.set.size = set.size;
+    stored.set.ring = set.ring;
+    stored.set.classes = set.classes;
+    stored.set.marked_column = set.marked_column;
+    stored.set.is_smoothed = set.is_smoothed;
+    stored.set.parameters = set.parameters;
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         stored.tiles.push_back({set.tiles[i], layout.places[i].first, layout.places[i].second});
     write_pixels(place(exemplar_name), set.exemplar);

@@ -3,11 +3,14 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
+#include "tiles/texture/marked_tiles.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 namespace poissonlab {
 namespace {
@@ -38,17 +41,26 @@ private:
     std::vector<std::vector<std::size_t>> numbers_;
 };
 
+/// True if a tile may lie in a column and row of a window, rows from north to south.
+using MayLie = std::function<bool(TileIndex index, std::uint64_t column, std::uint64_t row)>;
+
 /// Lays tiles by scanlines, also of sets that leave no choice somewhere, which ScanlineTiling refuses.
-std::vector<TileIndex> laid_indices(const TextureSet& set, const TileWindow& window, std::uint64_t seed)
+std::vector<TileIndex> laid_indices(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
+                                    const MayLie& may_lie = {})
 {
     const FittingTiles fitting(set.index_set());
     RandomWords words(stream_key(seed, Purpose::texture_scanlines, 0), 0);
-    std::vector<TileIndex> laid;
+    std::vector<TileIndex> laid, allowed;
     for (std::uint64_t row = 0; row < window.height; ++row)
         for (std::uint64_t column = 0; column < window.width; ++column) {
             const TileIndex* const here = laid.data() + laid.size();
-            const auto choices =
-                fitting.choices(row == 0 ? nullptr : here - window.width, column == 0 ? nullptr : here - 1);
+            auto choices = fitting.choices(row == 0 ? nullptr : here - window.width, column == 0 ? nullptr : here - 1);
+            if (may_lie) {
+                allowed.clear();
+                std::ranges::copy_if(choices, std::back_inserter(allowed),
+                                     [&](TileIndex index) { return may_lie(index, column, row); });
+                choices = allowed;
+            }
             if (choices.empty()) throw InputError(fmt::format("no tile fits at column {}, row {}", column, row));
             laid.push_back(choices[words.below(static_cast<std::uint32_t>(choices.size()))]);
         }
@@ -87,6 +99,40 @@ void check_window(const TileWindow& window)
                                      most_window_tiles));
 }
 
+void check_scanlines(const TileWindow& window)
+{
+    if (window.x != 0 || window.y != 0)
+        throw InputError(fmt::format("a window at {} {}: must be at 0 0, since these tiles are laid in scanlines",
+                                     window.x, window.y));
+}
+
+/// Throws InputError where a map of marks leaves no choice of tiles, so that they repeat: it gives the fourth mark of a
+/// place as well, which otherwise is at random.
+void check_choices(const TextureSet& set)
+{
+    std::map<std::array<Color, 6>, int> tiles; // by what is given at a place
+    for (const TextureTile& tile : set.tiles) {
+        const WangTile t = wang_tile(tile.index, set.colors);
+        const CornerTile m = marks_of(set, tile.index);
+        ++tiles[{t.north / 4, t.west / 4, m.north_east, m.south_east, m.south_west, m.north_west}];
+    }
+    const bool is_all = tiles.size() == std::size_t{16} * (set.colors.horizontal / 4) * (set.colors.vertical / 4);
+    if (!is_all || std::ranges::any_of(tiles, [](const auto& one) { return one.second < 2; }))
+        throw InputError("a map of marks leaves no choice of these tiles, which are for marks at random");
+}
+
+/// The tiles whose corners have the marks of the lattice points around them.
+MayLie tiles_by_marks(const TextureSet& set, const TileWindow& window, const CornerMarks& is_marked)
+{
+    return [&set, &window, &is_marked](TileIndex index, std::uint64_t column, std::uint64_t row) {
+        const std::uint64_t south = window.height - 1 - row;
+        const auto mark = [&](std::uint64_t east, std::uint64_t north) {
+            return static_cast<Color>(is_marked(column + east, south + north));
+        };
+        return marks_of(set, index) == CornerTile{mark(1, 1), mark(1, 0), mark(0, 0), mark(0, 1)};
+    };
+}
+
 /// The tiles with these indices, one of several where there are some.
 TextureWindow window_of(const TextureSet& set, const TileWindow& window, std::uint64_t seed,
                         const std::vector<TileIndex>& indices)
@@ -108,9 +154,7 @@ TextureWindow texture_window(const TextureSet& set, const TileWindow& window, st
 {
     check_window(window);
     const bool is_hashed = set.index_set().is_complete();
-    if (!is_hashed && (window.x != 0 || window.y != 0))
-        throw InputError(fmt::format("a window at {} {}: must be at 0 0, since these tiles are laid in scanlines",
-                                     window.x, window.y));
+    if (!is_hashed) check_scanlines(window);
     return window_of(set, window, seed,
                      is_hashed ? hashed_indices(set.has_corners(), set.colors, window, seed)
                                : laid_indices(set, window, seed));
@@ -131,8 +175,13 @@ TextureWindow marked_texture_window(const TextureSet& set, const TileWindow& win
                                     const CornerMarks& is_marked)
 {
     check_window(window);
+    if (set.classes == 2 && set.kind == TextureKind::wang) {
+        check_scanlines(window);
+        check_choices(set);
+        return window_of(set, window, seed, laid_indices(set, window, seed, tiles_by_marks(set, window, is_marked)));
+    }
     if (set.classes != 2 || set.kind != TextureKind::corner || !set.is_complete())
-        throw InputError("marks need a complete set of corner tiles that are marked or not");
+        throw InputError("marks need Wang tiles or a complete set of corner tiles with corners that are marked or not");
     const Color colors = set.colors.horizontal, in_class = colors / 2;
     std::vector<TileIndex> indices = hashed_indices(true, {in_class, in_class}, window, seed);
     for (std::size_t i = 0; i < indices.size(); ++i) {

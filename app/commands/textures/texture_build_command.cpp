@@ -25,6 +25,8 @@ constexpr auto texture_build_notes =
 edges and in the middles of tiles cover their joints (--stages 1: in the middles of tiles only, as Ng and others do).
 wang: C^4 tiles by the colours of their edges, or --tiles compact (8 tiles for two colours, 18 for three, 12 for two and
 --vertical-colors 3), by quilting after Cohen and others; their corners do not always fit.
+with --marked-exemplar: each tile with all sixteen marks of its corners (--tiles compact: 128 for two colours), for maps;
+--tiles random-marks: the half of the compact ones that is enough where marks are at random (64).
 omega: --tiles 16 (the default), 16b, 4, 8 or 32 of Ng and others, over 4 colours, for scanlines.
 The outermost pixels of a tile, its ring, depend on the colours that it shares alone. DIR gets atlas.png, sources.png,
 exemplar.png and texture.json: see docs/texture-set.md.
@@ -170,7 +172,7 @@ Command texture_build_command()
                   integers(2, most_texture_colors)),
          {"--exemplar", &o->exemplar, "The picture, of any kind that OpenImageIO reads", "FILE", required},
          {"--marked-exemplar", &o->marked_exemplar,
-          "Corner tiles: the picture around marked corners, whose colours are the second half", "FILE"},
+          "The picture around marked corners; those of corner tiles have the second half of the colours", "FILE"},
          allowing({"--size", &o->size, "The side of a tile in pixels, at least twice that of what the picture shows",
                    "T", required},
                   integers(least_tile_pixels, most_tile_pixels)),

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto texture_tile_notes =
     R"(The window is in tiles, its lower left one first. Windows of complete sets may lie anywhere, and those with the
-same seed fit together; compact and omega tiles are laid in scanlines, and X and Y must be 0.
+same seed fit together; compact, omega and marked Wang tiles are laid in scanlines, and X and Y must be 0.
   poissonlab texture tile gravel --window -4 -4 12 8 --out plain.png)";
 
 struct TextureTileOptions

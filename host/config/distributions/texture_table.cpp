@@ -103,18 +103,25 @@ std::vector<std::string> read_shows(const ConfigTable& table)
     return shows;
 }
 
-/// Levels and views are of complete sets whose tiles have whole levels.
+/// Levels and views are of complete sets whose tiles have whole levels, marks of marked ones.
 void check_shows(const ConfigTable& table, const TextureSettings& settings)
 {
-    const bool is_mapped =
-        settings.request.kind == TextureKind::corner && (settings.request.size & (settings.request.size - 1)) == 0;
+    const TextureRequest& request = settings.request;
+    const bool has_places =
+        request.kind == TextureKind::corner ||
+        (request.kind == TextureKind::wang && request.tiles == "complete" && request.classes() == 1);
+    const bool is_mapped = has_places && (request.size & (request.size - 1)) == 0;
     if (!is_mapped && settings.has_timing)
-        throw invalid_node("timing", *find(table, "timing"), "is for corner tiles whose size is a power of two");
+        throw invalid_node("timing", *find(table, "timing"),
+                           "is for complete sets of tiles whose size is a power of two");
     if (!find(table, "show")) return;
+    for (const char* word : {"marks", "tiling-marks"})
+        if (settings.marked_exemplar.empty() && std::ranges::find(settings.show, word) != settings.show.end())
+            throw invalid_node("show", *find(table, "show"), fmt::format("\"{}\" needs marked_exemplar", word));
     for (const char* word : {"levels", "plane"})
         if (!is_mapped && std::ranges::find(settings.show, word) != settings.show.end())
             throw invalid_node("show", *find(table, "show"),
-                               fmt::format("\"{}\" is for corner tiles whose size is a power of two", word));
+                               fmt::format("\"{}\" is for complete sets of tiles whose size is a power of two", word));
 }
 
 std::string texture_label(const TextureSettings& settings)
@@ -184,8 +191,9 @@ DistributionConfig read_texture_table(const ConfigNode& node, std::uint64_t seed
 
 const std::vector<std::string>& texture_shows()
 {
-    static const std::vector<std::string> words{"exemplar", "windows",       "steps",  "set",   "seams",    "pieces",
-                                                "tiling",   "tiling-pieces", "levels", "plane", "gradients"};
+    static const std::vector<std::string> words{"exemplar", "windows", "steps",    "set",          "marks",
+                                                "seams",    "pieces",  "tiling",   "tiling-marks", "tiling-pieces",
+                                                "levels",   "plane",   "gradients"};
     return words;
 }
 

@@ -1,5 +1,7 @@
 #include "host/distribution/textures/texture_pictures.hpp"
 
+#include "tiles/texture/marked_tiles.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,7 +155,43 @@ PngPixels patch_picture(const BuiltTexture& built, std::size_t tile, const std::
     return picture;
 }
 
-constexpr int step_zoom = 2, step_gap = 16;
+constexpr int step_zoom = 2, step_gap = 16, mark_columns = 4;
+
+/// A red dot with a white rim.
+void put_dot(PngPixels& picture, int x, int y, int radius)
+{
+    for (int dy = -radius; dy < radius; ++dy)
+        for (int dx = -radius; dx < radius; ++dx) {
+            const int square = (2 * dx + 1) * (2 * dx + 1) + (2 * dy + 1) * (2 * dy + 1);
+            if (square > 4 * radius * radius) continue;
+            put(picture, x + dx, y + dy, square > 4 * (radius - 1) * (radius - 1) ? Rgb{255, 255, 255} : tints[0]);
+        }
+}
+
+/// Dots at the marked corners of a tile whose north-western pixel is at (left, top).
+void put_mark_dots(PngPixels& picture, const TextureSet& set, std::size_t tile, int left, int top)
+{
+    const CornerTile marks = marks_of(set, set.tiles[tile].index);
+    const int size = set.size, radius = std::max(2, size / 10);
+    if (marks.north_west == 1) put_dot(picture, left, top, radius);
+    if (marks.north_east == 1) put_dot(picture, left + size, top, radius);
+    if (marks.south_west == 1) put_dot(picture, left, top + size, radius);
+    if (marks.south_east == 1) put_dot(picture, left + size, top + size, radius);
+}
+
+/// True if tiles differ in their marks at most.
+bool are_alike(const TextureSet& set, TileIndex a, TileIndex b)
+{
+    if (!set.has_corners()) {
+        const WangTile t = wang_tile(a, set.colors), u = wang_tile(b, set.colors);
+        return t.north / 4 == u.north / 4 && t.east / 4 == u.east / 4 && t.south / 4 == u.south / 4 &&
+               t.west / 4 == u.west / 4;
+    }
+    const Color half = set.colors.horizontal / 2;
+    const CornerTile t = corner_tile(a, 2 * half), u = corner_tile(b, 2 * half);
+    return t.north_east % half == u.north_east % half && t.south_east % half == u.south_east % half &&
+           t.south_west % half == u.south_west % half && t.north_west % half == u.north_west % half;
+}
 
 }
 
@@ -249,6 +287,32 @@ PngPixels level_picture(const TexturePyramid& pyramid)
         put_picture(picture, level_pixels(pyramid, level), width, top);
         top += pyramid.width(level);
     }
+    return picture;
+}
+
+PngPixels marks_picture(const TextureSet& set)
+{
+    std::vector<std::size_t> tiles;
+    for (std::size_t tile = 0; tile < set.tiles.size(); ++tile)
+        if (are_alike(set, set.tiles[tile].index, set.tiles[0].index)) tiles.push_back(tile);
+    const int count = static_cast<int>(tiles.size()), step = set.size + step_gap;
+    PngPixels picture =
+        blank(mark_columns * step + step_gap, (count + mark_columns - 1) / mark_columns * step + step_gap);
+    for (int i = 0; i < count; ++i) {
+        const std::size_t tile = tiles[static_cast<std::size_t>(i)];
+        const int left = i % mark_columns * step + step_gap, top = i / mark_columns * step + step_gap;
+        put_picture(picture, tile_picture(set, tile), left, top);
+        put_mark_dots(picture, set, tile, left, top);
+    }
+    return enlarged(picture, step_zoom);
+}
+
+PngPixels marked_window_picture(const TextureSet& set, const TextureWindow& window)
+{
+    PngPixels picture = colored(texture_window_pixels(set, window, set.values, set.exemplar.channels));
+    for (std::size_t i = 0; i < window.tiles.size(); ++i)
+        put_mark_dots(picture, set, window.tiles[i], static_cast<int>(i % window.columns) * set.size,
+                      static_cast<int>(i / window.columns) * set.size);
     return picture;
 }
 

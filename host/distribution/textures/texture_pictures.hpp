@@ -33,6 +33,12 @@ PngPixels step_picture(const BuiltTexture& built);
 /// All levels of an atlas side by side.
 PngPixels level_picture(const TexturePyramid& pyramid);
 
+/// The same tile with all marks that its corners have in the set, and dots at marked corners.
+PngPixels marks_picture(const TextureSet& set);
+
+/// The picture of a window with dots at marked corners.
+PngPixels marked_window_picture(const TextureSet& set, const TextureWindow& window);
+
 /// A step map as grey: the exemplar's mean in the middle, white twice as much.
 PngPixels step_map_picture(const StepMap& map);
 

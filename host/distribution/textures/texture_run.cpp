@@ -112,22 +112,24 @@ public:
         if (word == "pieces")
             write("pieces.png", atlas_of_pieces(), "The source map: colours tell windows of the exemplar apart.");
         if (word == "tiling") write("tiling.png", window_of(set_.values, set_.exemplar.channels), "A tiling.");
+        if (word == "marks" && set_.classes == 2)
+            write("marks.png", marks_picture(set_), "A tile with all marks of its corners: marked ones have dots.");
+        if (word == "tiling-marks" && set_.classes == 2)
+            write("tiling-marks.png", marked_window_picture(set_, shown_window()),
+                  "Its corners: marked ones have dots.");
         if (word == "tiling-pieces")
             write("tiling-pieces.png", window_of(piece_values(set_), 3), "Its windows of the exemplar.");
         if (word == "gradients") add_gradients();
         if (word == "levels" && is_mapped())
-            write(
-                "levels.png", level_picture(texture_pyramid(set_, settings_.request.seed)),
-                fmt::format("Levels of the atlas, in light. Look-ups in it are exact up to level {}.", exact_level()));
+            write("levels.png", level_picture(texture_pyramid(set_, settings_.request.seed)),
+                  fmt::format("Levels of the atlas, in light. Look-ups in it are exact up to level {}{}.",
+                              exact_level(), set_.has_corners() ? "" : ", but at corners of tiles"));
         if (word == "plane" && is_mapped()) add_plane();
     }
 
 private:
     /// True if graphics cards can map it: see texture_pyramid().
-    bool is_mapped() const
-    {
-        return set_.kind == TextureKind::corner && set_.is_complete() && (set_.size & (set_.size - 1)) == 0;
-    }
+    bool is_mapped() const { return has_places(set_) && (set_.size & (set_.size - 1)) == 0; }
 
     int exact_level() const
     {
@@ -189,6 +191,8 @@ private:
         const TexturePyramid pyramid = texture_pyramid(set_, settings_.request.seed);
         const TextureView view = view_of(camera);
         std::vector<float> light;
+        if (place_.engine == Engine::opencl)
+            check_fits("the view of the plane", texture_map_memory(pyramid, view), place_.device().info());
         if (place_.engine == Engine::reference)
             light = reference_map_texture(pyramid, TextureLookup::exact, view);
         else
@@ -227,6 +231,8 @@ std::vector<DistributionParameter> parameters_for_claims(const TextureSettings& 
         {"smooth", settings.request.smooth ? "true" : "false"},
         {"overlap", fmt::format("{}", settings.request.overlap)},
     };
+    if (!settings.marked_exemplar.empty())
+        parameters.push_back({"marked_exemplar", settings.marked_exemplar.stem().string()});
     for (const auto& [key, value] : parameters_of(settings.request)) {
         const auto is_there = [&](const DistributionParameter& parameter) { return parameter.key == key; };
         if (std::ranges::none_of(parameters, is_there)) parameters.push_back({key, value});

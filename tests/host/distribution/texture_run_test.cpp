@@ -3,6 +3,7 @@
 #include "host/config/distributions/texture_table.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "results/texture_measures.hpp"
+#include "tests/host/texture/random_picture.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/packing/tile_packing.hpp"
 #include "tiles/texture/texture_certificate.hpp"
@@ -69,11 +70,38 @@ TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
     const DistributionResult result = make(config_of(settings, "texture"));
     for (const DistributionPicture& picture : result.pictures)
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;
-    EXPECT_EQ(result.pictures.size(), texture_shows().size());
+    EXPECT_EQ(result.pictures.size(), texture_shows().size() - 2); // no marks
     EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).exceptions, 0u);
     EXPECT_EQ(result.numbers.size(), texture_measures().size() - 1) << "all but frames, which are timed on a device";
     const PngPixels seams = read_png(folder_.path() / "seams.png");
     EXPECT_EQ(seams.width, 2 * 4 * 32);
+}
+
+/// Marks are shown, and laid by a picture.
+TEST_F(TextureRun, MakesMarkedTiles)
+{
+    TextureSettings settings = noise_settings();
+    for (const unsigned seed : {1u, 2u}) {
+        const PngPixels picture = test::random_picture(80, 80, 1, seed);
+        write_png(folder_.path() / (seed == 1 ? "plain.png" : "marked.png"), {80, 80, 1},
+                  [&](int row, int) { return &picture.values[picture.at(0, row, 0)]; });
+    }
+    settings.pattern.clear();
+    settings.exemplar = folder_.path() / "plain.png";
+    settings.marked_exemplar = settings.marks = folder_.path() / "marked.png";
+    settings.request.kind = TextureKind::wang;
+    settings.request.tiles = "compact";
+    settings.request.split = 1;
+    settings.show = {"marks", "tiling-marks"};
+    const DistributionResult result = make(config_of(settings, "texture"));
+    EXPECT_EQ(number(result, "tiles"), 128);
+    EXPECT_EQ(result.parameter("marked_exemplar"), "marked");
+    // Four rows of four tiles, 16 pixels apart, twice as large.
+    const PngPixels marks = read_png(folder_.path() / "marks.png");
+    EXPECT_EQ(marks.width, 2 * (4 * (32 + 16) + 16));
+    EXPECT_EQ(marks.height, marks.width);
+    EXPECT_EQ(read_png(folder_.path() / "tiling-marks.png").width, 8 * 32);
+    EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).joints, 0u);
 }
 
 /// On white noise no seam can be told: steps over seams are as conspicuous as those of the exemplar.

@@ -175,7 +175,7 @@ TEST(TextureBuild, LaysMarkedCornersByAMap)
     EXPECT_THAT(message_of([&] {
                     marked_texture_window(plain, {0, 0, 1, 1}, 1, is_marked);
                 }),
-                HasSubstr("marks need a complete set"));
+                HasSubstr("marks need Wang tiles or a complete set"));
     EXPECT_EQ(message_of([&] { side_by_side(noise(), test::random_picture(9, 9, 3, 1)); }),
               "the exemplar of marked corners must have colours as the other one has, or none");
 }

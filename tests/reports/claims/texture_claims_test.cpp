@@ -107,6 +107,24 @@ TEST(TextureClaims, AreNotJudgedWithoutTheirNumbers)
         EXPECT_FALSE(textures.outcome(id)) << id;
 }
 
+TEST(TextureClaims, CountMarkedTiles)
+{
+    MadeUpTextures textures;
+    EXPECT_FALSE(textures.outcome("5.3-marked"));
+    for (const std::string tiles : {"compact", "random-marks"}) {
+        DistributionResult& marked = textures.add("wang", "3", "2", {{"border_exceptions", 1}}, tiles);
+        marked.parameters.push_back({"marked_exemplar", "snow"});
+        marked.numbers[0].value = tiles == "compact" ? 128 : 64;
+        EXPECT_EQ(textures.outcome("5.3-marked")->agreement, Agreement::agrees);
+    }
+    EXPECT_THAT(textures.outcome("5.3-marked")->measured,
+                testing::AllOf(HasSubstr("128 tiles with all marks"), HasSubstr("64 for marks at random")));
+    // They are no placement that others are compared with.
+    EXPECT_FALSE(textures.outcome("5.3-fit"));
+    textures.add("wang", "3", "2", {}, "compact").parameters.push_back({"marked_exemplar", "snow"});
+    EXPECT_NE(textures.outcome("5.3-marked")->agreement, Agreement::agrees);
+}
+
 TEST(TextureClaims, CompareEightTilesWithEighteen)
 {
     MadeUpTextures textures;

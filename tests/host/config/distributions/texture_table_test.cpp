@@ -75,14 +75,18 @@ TEST(TextureTable, RefusesWhatCannotBe)
                            "c.toml:3: exemplar = \"none.png\": no such file: must be a picture's file");
     expect_texture_refusal("exemplar = \"/dev/null\"", "exemplar = \"/dev/null\": is a device, no file: must be");
     expect_texture_refusal("pattern = \"noise\"\nsize = 24\ntiming = true",
-                           "c.toml:5: timing = true: is for corner tiles whose size is a power of two");
+                           "c.toml:5: timing = true: is for complete sets of tiles whose size is a power of two");
     expect_texture_refusal("pattern = \"nois\"", "c.toml:3: pattern = \"nois\": must be \"noise\" or");
     expect_texture_refusal("pattern = \"noise\"\nkind = \"wangs\"", "c.toml:4: kind = \"wangs\": must be");
     expect_texture_refusal("pattern = \"noise\"\nsize = 17", "c.toml:2: size = 17: must be even");
     expect_texture_refusal("pattern = \"noise\"\nstages = 2", "c.toml:2: stages = 2: must be 0, 1 or 3");
     expect_texture_refusal("pattern = \"noise\"\nshow = [\"all\"]", "c.toml:4: show = ");
-    expect_texture_refusal("pattern = \"noise\"\nshow = [\"plane\"]\nkind = \"wang\"",
-                           "\"plane\" is for corner tiles whose size is a power of two");
+    for (const std::string tiles : {"kind = \"wang\"\ntiles = \"compact\"", "kind = \"omega\"", "size = 48"})
+        expect_texture_refusal("pattern = \"noise\"\nshow = [\"plane\"]\n" + tiles,
+                               "\"plane\" is for complete sets of tiles whose size is a power of two");
+    expect_texture_refusal("pattern = \"noise\"\nshow = [\"marks\"]", "\"marks\" needs marked_exemplar");
+    expect_texture_refusal("pattern = \"noise\"\nkind = \"wang\"\ntiles = \"random-marks\"",
+                           "c.toml:2: tiles = random-marks: needs an exemplar for marked corners");
     expect_texture_refusal("pattern = \"noise\"\nwindow = [65, 1]", "must have at most 64 tiles along each side");
     expect_texture_refusal("pattern = \"noise\"\nsets = 0", "c.toml:4: sets = 0: must be an integer from 1 to 1000");
     expect_texture_refusal("pattern = \"noise\"\ncolour = 3", "c.toml:4: colour");
