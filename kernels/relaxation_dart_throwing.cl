@@ -90,11 +90,11 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     const uint bits = grid_bits + COVER_BITS;
     const ushort8 low = (ushort)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const ulong8 block = state[NEXT_DART] / DARTS_A_BLOCK + 8 * (ulong)id + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
-    EightBlocks counters;
-    counters.word[0] = block;
-    counters.word[1] = block >> 32;
-    counters.word[2] = counters.word[3] = 0;
-    const EightBlocks words = philox8(counters, (uint2)(key_x, key_y));
+    EightBlocks words;
+    words.word[0] = block;
+    words.word[1] = block >> 32;
+    words.word[2] = words.word[3] = 0;
+    philox8(&words, (uint2)(key_x, key_y));
 
     // Parts as vectors, then looks into the table that do not wait for each other.
     ulong8 parts[DARTS_A_BLOCK];
@@ -236,11 +236,11 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
     bool goes_on = count < settling.target && level < end_level;
     for (uint i = 0; i < settling.words && goes_on; ++i, block += 8) {
         const ulong8 numbers = block + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
-        EightBlocks counters;
-        counters.word[0] = numbers;
-        counters.word[1] = numbers >> 32;
-        counters.word[2] = counters.word[3] = 0;
-        const EightBlocks random = philox8(counters, (uint2)(settling.key_x, settling.key_y));
+        EightBlocks random;
+        random.word[0] = numbers;
+        random.word[1] = numbers >> 32;
+        random.word[2] = random.word[3] = 0;
+        philox8(&random, (uint2)(settling.key_x, settling.key_y));
         ulong words[4][8];
         for (uint w = 0; w < 4; ++w) vstore8(random.word[w], 0, words[w]);
         for (; dart < (block + 8) * DARTS_A_BLOCK && goes_on; ++dart) {

@@ -17,12 +17,12 @@
 /// Draws darts `dart` to dart + DARTS_AT_ONCE - 1 of a stream: coordinates axis after axis, BATCH apart.
 void draw_darts(uint dart, uint stream, const struct Darts* darts, local int* positions)
 {
-    EightBlocks counters;
-    counters.word[0] = dart + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
-    counters.word[1] = stream;
-    counters.word[2] = darts->attempt;
-    counters.word[3] = darts->zone;
-    const EightBlocks random = philox8(counters, (uint2)(darts->key_x, darts->key_y));
+    EightBlocks random;
+    random.word[0] = dart + (ulong8)(0, 1, 2, 3, 4, 5, 6, 7);
+    random.word[1] = stream;
+    random.word[2] = darts->attempt;
+    random.word[3] = darts->zone;
+    philox8(&random, (uint2)(darts->key_x, darts->key_y));
     for (int k = 0; k < DIMENSION; ++k) {
         const ulong8 offset = (random.word[k] & 0xffffffffu) * (ulong)darts->extent >> 32;
         vstore8((darts->low + convert_int8(offset)) & TORUS_MASK, 0, positions + k * BATCH);

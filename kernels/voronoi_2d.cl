@@ -53,20 +53,18 @@ ALWAYS_INLINE bool find_in_window(const Window* window, Margins margins, uint si
 }
 
 /// A cell of the batch, and its vertices in one piece.
-ALWAYS_INLINE Vertices vertices_of(const BatchCells* cells, uint slot, uint edges)
+ALWAYS_INLINE void copy_vertices(const BatchCells* cells, uint slot, uint edges, Vertices* vertices)
 {
-    Vertices vertices;
-    vertices.count = edges;
+    vertices->count = edges;
     for (uint k = 0; k < (edges <= LANES ? LANES : MAX_EDGES); ++k) {
-        vertices.x[k] = ((const float*)&cells->x[k])[slot];
-        vertices.y[k] = ((const float*)&cells->y[k])[slot];
+        vertices->x[k] = ((const float*)&cells->x[k])[slot];
+        vertices->y[k] = ((const float*)&cells->y[k])[slot];
     }
-    vertices.radius = ((const float*)&cells->radius)[slot];
-    vertices.left = ((const float*)&cells->left)[slot];
-    vertices.right = ((const float*)&cells->right)[slot];
-    vertices.below = ((const float*)&cells->below)[slot];
-    vertices.above = ((const float*)&cells->above)[slot];
-    return vertices;
+    vertices->radius = ((const float*)&cells->radius)[slot];
+    vertices->left = ((const float*)&cells->left)[slot];
+    vertices->right = ((const float*)&cells->right)[slot];
+    vertices->below = ((const float*)&cells->below)[slot];
+    vertices->above = ((const float*)&cells->above)[slot];
 }
 
 ALWAYS_INLINE void store_of_batch(const BatchCells* cells, uint slot, uint site, Results results)
@@ -88,7 +86,8 @@ void finish_batch(Batch* batch, const Grid* grid, Results results, Window* large
     for (uint slot = 0; slot < batch->count; ++slot) {
         const uint site = batch->site[slot];
         const bool is_known = batch->is_known[slot] && ((const double*)&cells.smallest_turn)[slot] > 0;
-        Vertices vertices = vertices_of(&cells, slot, (uint)batch->edges[slot]);
+        Vertices vertices;
+        copy_vertices(&cells, slot, (uint)batch->edges[slot], &vertices);
         if (is_known && is_complete(&vertices, batch->margins[slot])) {
             if (is_certain(&batch->differences[slot], batch->vectors[slot], &vertices)) {
                 store_of_batch(&cells, slot, site, results);
@@ -103,10 +102,12 @@ void finish_batch(Batch* batch, const Grid* grid, Results results, Window* large
                           grid->starts, grid->fixed_point, grid->stride);
             *large_cell = grid_cell;
         }
+        Margins margins;
+        margins_around(site, grid_cell, 2, grid, &margins);
         VoronoiCell cell;
         bool is_proven = false;
         const bool is_found = grid->grid_size >= 6 && large->count <= MAX_POINTS &&
-                              find_in_window(large, margins_around(site, grid_cell, 2, grid), site, is_known, grid,
+                              find_in_window(large, margins, site, is_known, grid,
                                              &cell, &vertices, &is_proven);
         if (is_proven) {
             store_of_batch(&cells, slot, site, results);
@@ -126,7 +127,7 @@ ALWAYS_INLINE void add_site(Batch* batch, const Window* window, uint site, uint 
     batch->window[slot] = window;
     batch->site[slot] = site;
     batch->grid_cell[slot] = grid_cell;
-    batch->margins[slot] = margins_around(site, grid_cell, 1, grid);
+    margins_around(site, grid_cell, 1, grid, &batch->margins[slot]);
     batch->vectors[slot] = subtract_site(window, site, grid->fixed_point[site],
                                          grid->fixed_point[grid->stride + site], &batch->differences[slot]);
     if (slot % 2 == 1) walk_pair(batch, slot - 1);

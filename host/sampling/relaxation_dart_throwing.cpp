@@ -30,8 +30,9 @@ constexpr double candidates_a_batch = 300;
 /// then batches of so few candidates take more time to launch than to throw.
 constexpr std::uint64_t darts_a_point_in_order = 40;
 
-/// Darts of such a launch; a multiple of what kernels draw at once.
-constexpr std::uint64_t darts_in_order = std::uint64_t{1} << 14;
+/// Darts of the first such launch and, as they grow, at most: multiples of what kernels draw at once.
+constexpr std::uint64_t first_darts_in_order = 1024;
+constexpr std::uint64_t most_darts_in_order = std::uint64_t{1} << 14;
 
 /// A batch is looked at for a radius that is smaller by this factor at most, or by as many levels at least:
 /// the smaller, the more candidates fail.
@@ -194,8 +195,9 @@ private:
         std::size_t end = state_[LEVEL] - window_.level() + 1;
         const std::size_t last = window_thresholds_.size() - levels_in_reach(request_);
         while (end < last && grid_bits_for(window_thresholds_[end]) == grid_bits_) ++end;
-        throw_in_order_.run(1, 1, settling(darts_in_order / darts_a_throwing_item), window_.level() + end,
+        throw_in_order_.run(1, 1, settling(darts_in_order_ / darts_a_throwing_item), window_.level() + end,
                             buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points);
+        darts_in_order_ = std::min(most_darts_in_order, 4 * darts_in_order_);
     }
 
     /// Throws in order while many darts become points; the table, which is not needed until then, is made up for.
@@ -295,7 +297,7 @@ private:
     bool may_throw_in_order_, is_in_order_;
     Kernel throw_, find_, settle_, cover_, clear_, link_, throw_in_order_;
     StateWords state_{}; ///< as the host saw it last
-    std::uint64_t batch_ = first_batch;
+    std::uint64_t batch_ = first_batch, darts_in_order_ = first_darts_in_order;
     std::uint64_t levels_ahead_ = 1;
     bool grids_exist_ = false;
     std::uint32_t grid_bits_ = 0;

@@ -52,7 +52,9 @@ TEST_P(RelaxationDartThrowing, KernelGivesTheReferencesBytesAndKeepsTheDistance)
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, RelaxationDartThrowing,
                          ::testing::Values(Case{2, 40, 0.15, 0.9, 30, 5}, Case{2, 100, 0.5, 0.5, 1, 7},
-                                           Case{3, 40, 0.15, 0.9, 30, 19}));
+                                           Case{3, 40, 0.15, 0.9, 30, 19},
+                                           // Few darts become points: they are thrown in batches.
+                                           Case{2, 40, 0.15, 0.95, 300, 25}, Case{3, 20, 0.3, 0.95, 300, 26}));
 
 INSTANTIATE_TEST_SUITE_P(Sizes, RelaxationDartThrowing,
                          ::testing::Values(Case{2, 1, 0.15, 0.9, 100, 1}, Case{2, 2, 0.15, 0.99, 1000, 2},
