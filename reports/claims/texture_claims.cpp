@@ -122,7 +122,7 @@ TextureOutcome marked_tile_counts(const ClaimSeries& report)
     if (tally.empty()) return std::nullopt;
     std::vector<std::string> words;
     if (!of_maps.empty()) words.push_back(range_words(of_maps, 3) + " tiles with all marks");
-    if (!of_random.empty()) words.push_back(range_words(of_random, 3) + " for marks at random");
+    if (!of_random.empty()) words.push_back(range_words(of_random, 2) + " for marks at random");
     words.push_back(tally.words());
     return ClaimOutcome{tally.agreement(), joined_words(words)};
 }
