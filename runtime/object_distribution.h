@@ -29,12 +29,16 @@ typedef struct pobjects
     double radius;          /* of the disks, in tiles: half of the minimum distance that the tile set promises */
 } pobjects;
 
-/* The tiles around the last place, so that places next to each other look them up once. Begin with all zeros. */
+/* The tiles around the last place, so that places next to each other look them up once, and its object, which is often
+ * that of the next place, and never much farther. Begin with all zeros. */
 typedef struct pobjects_cursor
 {
     int32_t home[3];
     uint32_t known; /* bits of those that were looked up */
     uint32_t tiles[27];
+    uint32_t tile;          /* the number of the object's tile */
+    const uint16_t* sorted; /* the object among the sorted points; 0: there is none yet */
+    ptiles_point point;
 } pobjects_cursor;
 
 /* The object at a place. */
@@ -116,6 +120,7 @@ typedef struct pobjects_best
     int32_t offset[3];
     uint32_t tile; /* its number */
     uint32_t index;
+    const uint16_t* sorted;
 } pobjects_best;
 
 /* Looks at a point of a tile. Of points of one tile at the same distance the first one in the set is taken, as by
@@ -136,6 +141,31 @@ static inline void pobjects_look(const uint16_t* point, uint32_t d, const double
     for (int a = 0; a < 3; ++a) best->offset[a] = offset[a];
     best->tile = tile;
     best->index = point[d];
+    best->sorted = point;
+}
+
+/* The place `f` of the home tile in the numbers of the tile that is so many tiles away. */
+static inline void pobjects_numbers(const ptiles_set* set, const double f[3], const int32_t offset[3], double at[3])
+{
+    for (uint32_t a = 0; a < 3; ++a) at[a] = (f[a] - offset[a] - set->low / 65536.0) / (set->step / 65536.0);
+}
+
+/* Looks at the object of the last place. Unless it is nearer than `enough`, only its distance counts, and a little
+ * more: the search finds it again, or one that is nearer. */
+static inline void pobjects_look_back(const pobjects* o, const pobjects_cursor* cursor, const int32_t home[3],
+                                      const double f[3], double enough, pobjects_best* best)
+{
+    int32_t offset[3];
+    double at[3];
+    if (!cursor || !cursor->sorted) return;
+    for (int a = 0; a < 3; ++a) {
+        const uint32_t away = (uint32_t)cursor->point.tile[a] - (uint32_t)home[a] + 2;
+        if (away > 4) return;
+        offset[a] = (int32_t)away - 2;
+    }
+    pobjects_numbers(&o->tiling.set, f, offset, at);
+    pobjects_look(cursor->sorted, o->tiling.set.dimension, at, cursor->tile, offset, best);
+    if (best->squared >= enough) best->squared *= 1 + 1e-9;
 }
 
 /* Looks at the points of a tile from the place outwards along x, as long as they can be nearer. */
@@ -146,7 +176,7 @@ static inline void pobjects_visit(const pobjects* o, uint32_t tile, const double
     const uint32_t n = set->points_per_tile, d = set->dimension, wide = d + 1;
     const uint16_t* sorted = o->sorted + tile * pobjects_stride(set);
     double at[3];
-    for (uint32_t a = 0; a < 3; ++a) at[a] = (f[a] - offset[a] - set->low / 65536.0) / (set->step / 65536.0);
+    pobjects_numbers(set, f, offset, at);
     const uint32_t part = at[0] <= 0       ? 0
                           : at[0] >= 65535 ? POBJECTS_STARTS - 1
                                            : (uint32_t)at[0] / (65536 / POBJECTS_STARTS);
@@ -172,7 +202,7 @@ static inline pobjects_object pobjects_at(const pobjects* o, const double* posit
     const double enough = o->radius * o->radius / (step * step) * (1 - 1e-9); /* nothing else can be nearer */
     int32_t home[3] = {0, 0, 0}, offset[3] = {0, 0, 0};
     double f[3] = {0, 0, 0}, border = 1;
-    pobjects_best best = {1e300, {0, 0, 0}, 0, 0};
+    pobjects_best best = {1e300, {0, 0, 0}, 0, 0, 0};
     for (int32_t a = 0; a < d; ++a) {
         home[a] = ptiles_floor(position[a]);
         f[a] = position[a] - home[a];
@@ -183,7 +213,8 @@ static inline pobjects_object pobjects_at(const pobjects* o, const double* posit
         for (int a = 0; a < 3; ++a) cursor->home[a] = home[a];
         cursor->known = 0;
     }
-    pobjects_visit(o, pobjects_tile(o, cursor, home, offset), f, offset, &best);
+    pobjects_look_back(o, cursor, home, f, enough, &best);
+    if (best.squared >= enough) pobjects_visit(o, pobjects_tile(o, cursor, home, offset), f, offset, &best);
     for (int32_t ring = 1; best.squared >= enough; ++ring) {
         const double away = border + ring - 1 - (below > above ? below : above);
         if (away > 0 && away * away >= best.squared * (step * step)) break;
@@ -204,7 +235,16 @@ static inline pobjects_object pobjects_at(const pobjects* o, const double* posit
     const int32_t place[3] = {home[0] + best.offset[0], home[1] + best.offset[1], home[2] + best.offset[2]};
     const uint16_t* numbers = ptiles_points(set, best.tile) + (uint64_t)best.index * set->dimension;
     pobjects_object object = {{{0, 0, 0}, {0, 0, 0}, 0, 0, 0}, {0, 0, 0}, 0, 0};
-    object.point = ptiles_point_at(&o->tiling, place, best.index, numbers);
+    if (cursor && cursor->sorted == best.sorted && cursor->point.tile[0] == place[0] &&
+        cursor->point.tile[1] == place[1] && cursor->point.tile[2] == place[2])
+        object.point = cursor->point;
+    else
+        object.point = ptiles_point_at(&o->tiling, place, best.index, numbers);
+    if (cursor) {
+        cursor->tile = best.tile;
+        cursor->sorted = best.sorted;
+        cursor->point = object.point;
+    }
     for (int32_t a = 0; a < d; ++a) object.offset[a] = f[a] - best.offset[a] - ptiles_coordinate(set, numbers[a]);
     object.squared = best.squared * (step * step);
     object.inside = object.squared < o->radius * o->radius;

@@ -33,7 +33,27 @@ double half_distance(const ptiles_tiling& tiling)
     return std::sqrt(least) / 2;
 }
 
-/// Everywhere, near points, at exact ties on the grid of stored numbers, and along rows, with the cursor and without.
+/// Expects the object at a place to be the nearest point, its distance to the last bit.
+void expect_nearest(const pobjects& objects, const double* at, pobjects_cursor* cursor)
+{
+    ptiles_point nearest;
+    const double squared = ptiles_nearest(&objects.tiling, at, &nearest);
+    const pobjects_object object = pobjects_at(&objects, at, cursor);
+    ASSERT_EQ(object.squared, squared);
+    ASSERT_EQ(object.point.index, nearest.index);
+    ASSERT_TRUE(std::equal(nearest.tile, nearest.tile + 3, object.point.tile));
+    ASSERT_EQ(object.point.id, nearest.id);
+    ASSERT_EQ(object.inside, squared < objects.radius * objects.radius);
+    double sum = 0;
+    for (std::size_t a = 0; a < objects.tiling.set.dimension; ++a) {
+        ASSERT_EQ(object.point.position[a], nearest.position[a]);
+        ASSERT_NEAR(object.offset[a], at[a] - nearest.position[a], 1e-9);
+        sum += object.offset[a] * object.offset[a];
+    }
+    ASSERT_NEAR(sum, squared, 1e-9);
+}
+
+/// Everywhere, near points, at exact ties on the grid of stored numbers, with the cursor and without.
 TEST(ObjectDistribution, FindsTheNearestPoint)
 {
     for (const PoissonTileSet& set : tile_sets_of_every_kind())
@@ -50,20 +70,30 @@ TEST(ObjectDistribution, FindsTheNearestPoint)
                 for (double& x : at)
                     x = i % 3 == 0 ? static_cast<double>(random() % 64) / 16 - 2
                                    : (static_cast<double>(random()) / 0x1p32 - 0.5) * (i % 3 == 1 ? 8 : 1e6);
-                ptiles_point nearest;
-                const double squared = ptiles_nearest(&tiling, at, &nearest);
-                const pobjects_object object = pobjects_at(&objects, at, i % 2 == 0 ? &cursor : nullptr);
-                ASSERT_EQ(object.squared, squared) << i;
-                ASSERT_EQ(object.point.index, nearest.index) << i;
-                ASSERT_TRUE(std::equal(nearest.tile, nearest.tile + 3, object.point.tile)) << i;
-                ASSERT_EQ(object.point.id, nearest.id);
-                double sum = 0;
-                for (std::size_t a = 0; a < tiling.set.dimension; ++a) {
-                    ASSERT_NEAR(object.offset[a], at[a] - nearest.position[a], 1e-9);
-                    sum += object.offset[a] * object.offset[a];
-                }
-                ASSERT_NEAR(sum, squared, 1e-9);
+                ASSERT_NO_FATAL_FAILURE(expect_nearest(objects, at, i % 2 == 0 ? &cursor : nullptr)) << i;
             }
+        }
+}
+
+/// The cursor remembers the last object: along rows over several tiles, on the grid of stored numbers and off it, and
+/// where a row ends far from the next one.
+TEST(ObjectDistribution, FindsTheNearestPointAlongRows)
+{
+    for (const PoissonTileSet& set : tile_sets_of_every_kind())
+        for (const PoissonTiling& choice : {PoissonTiling{1, 0}, PoissonTiling{3, 1}}) {
+            const ptiles_tiling tiling = runtime_tiling(set, choice);
+            std::vector<std::uint16_t> sorted(pobjects_size(&tiling.set));
+            pobjects_sort(&tiling.set, sorted.data());
+            // The radius is 0, or that within which there is no second point anywhere around.
+            const double apart = choice.period == 1 ? half_distance(tiling) : 0;
+            const pobjects objects = pobjects_open(&tiling, sorted.data(), apart);
+            pobjects_cursor cursor{};
+            for (const double step : {1.0 / 32, 0.013})
+                for (int row = 0; row < 12; ++row)
+                    for (int i = 0; i < 160; ++i) {
+                        const double at[3] = {(row % 3 == 0 ? 1000 : -1) + i * step, row * 0.125 - 1, row * 0.0625};
+                        ASSERT_NO_FATAL_FAILURE(expect_nearest(objects, at, &cursor)) << row << " " << i;
+                    }
         }
 }
 
