@@ -79,7 +79,7 @@ void fill_boundary(Growing* set, uint point)
     free.ranges[0] = (double2)(-HALF_TURN, HALF_TURN);
     uint others[MAX_NEIGHBOURS];
     const uint count = points_around(set, set->places[point], 2 * set->rules.reach, point, others);
-    for (uint i = 0; i < count; ++i) subtract_point(set, &free, point, others[i]);
+    for (uint i = 0; i < count && free.count > 0; ++i) subtract_point(set, &free, point, others[i]);
     while (free.count > 0 && set->state.state == GROWING) {
         const uint4 words = next_random(set, DART_USE);
         PolarPlace place;
