@@ -32,6 +32,10 @@ RecursiveDensity density_asked(const Parameters& given, const SampleRequest& req
     return {request.points, small_parameter(given, base_key), 0, given_density(given)};
 }
 
+/// On CPUs the host's threads are faster: kernels write down, and the host reads, all the ranks that a density leaves
+/// out, which are several times as many as its points.
+bool is_faster_on(const DeviceInfo& device) { return device.type != "CPU"; }
+
 class RecursiveSampler final : public DeviceSampler
 {
 public:
@@ -44,7 +48,7 @@ public:
     {
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin_;
         preparation_seconds_ = all.count() - cached_.waiting_seconds;
-        if (device_) generator_.emplace(*device_, cached_.tiles, density_);
+        if (device_ && is_faster_on(device_->info())) generator_.emplace(*device_, cached_.tiles, density_);
     }
 
     PointSet sample(std::uint32_t realization) override
@@ -133,7 +137,8 @@ SamplerSpec recursive_wang_tile_sampler()
     spec.most_points = most_recursive_points;
     // One tile can only lie beside itself.
     spec.is_deterministic = [](const Parameters& given) { return given.integer(base_key) == 1; };
-    spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
+    spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo& device) {
+        if (!is_faster_on(device)) return DeviceMemory{};
         return RecursiveGenerator::memory(small_parameter(given, recursive_size_key),
                                           density_asked(given, request).bounds().weights.size());
     };
