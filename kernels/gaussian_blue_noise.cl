@@ -6,7 +6,8 @@
 // device: each row of cells around a point, up to where the torus begins again, is dealt out to the lanes from the
 // first one on.
 //
-// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3).
+// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3) and ADAPTIVE (0 or 1): whether there is a
+// density, which points follow, see host/sampling/optimized/gaussian_field.hpp.
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -72,11 +73,70 @@ void add_points(const struct Gaussians* g, global const int* coordinates, uint i
     }
 }
 
+#if ADAPTIVE
+
+/// The cells of a density on the torus, `size` along each axis.
+typedef struct
+{
+    global const struct DensityCell* cells;
+    int size;
+} DensityField;
+
+/// The cell of a place.
+struct DensityCell cell_at(DensityField field, double x, double y)
+{
+    const int column = min((int)(x * field.size), field.size - 1);
+    const int row = min((int)(y * field.size), field.size - 1);
+    return field.cells[row * field.size + column];
+}
+
+/// A coordinate after a movement, on the torus.
+double moved_on_torus(double place, double movement)
+{
+    const double moved = place + movement;
+    return moved - floor(moved);
+}
+
+double between(double a, double b, double part)
+{
+    return a * (1 - part) + b * part;
+}
+
+/// Displacement and excess energy at a place, linear between the middles of cells.
+double3 density_at(DensityField field, double x, double y)
+{
+    const int n = field.size;
+    const double left = floor(x * n - 0.5);
+    const double low = floor(y * n - 0.5);
+    const double part_x = x * n - 0.5 - left;
+    const double part_y = y * n - 0.5 - low;
+    const int columns[2] = {((int)left + n) % n, ((int)left + 1) % n};
+    const int rows[2] = {((int)low + n) % n, ((int)low + 1) % n};
+    double3 values[2];
+    for (int i = 0; i < 2; ++i) {
+        const struct DensityCell a = field.cells[rows[i] * n + columns[0]];
+        const struct DensityCell b = field.cells[rows[i] * n + columns[1]];
+        values[i].x = between(a.x, b.x, part_x);
+        values[i].y = between(a.y, b.y, part_x);
+        values[i].z = between(a.excess, b.excess, part_x);
+    }
+    return (double3)(between(values[0].x, values[1].x, part_y), between(values[0].y, values[1].y, part_y),
+                     between(values[0].z, values[1].z, part_y));
+}
+
+#endif
+
 /// One work-item owns one point: its displacement, the Gaussians of all others there, and the squared distance of the
-/// nearest of them in units of the torus' side; too large where it is beyond the cells around.
+/// nearest of them in units of the torus' side; too large where it is beyond the cells around. With a density, the
+/// point's own width of Gaussians counts for all of its pairs.
 kernel void sum_gaussians(struct Gaussians g, global const double* positions, global const int* coordinates,
                           global const uint* starts, global double* displacements, global double* energies,
-                          global double* squared_near)
+                          global double* squared_near
+#if ADAPTIVE
+                          ,
+                          global const struct DensityCell* density_cells, uint density_size
+#endif
+)
 {
     const uint item = get_global_id(0);
     if (item >= g.points) return;
@@ -86,15 +146,26 @@ kernel void sum_gaussians(struct Gaussians g, global const double* positions, gl
     for (int k = 0; k < DIMENSION; ++k) sums.force[k] = 0;
 
     const int n = (int)g.grid_size;
+#if ADAPTIVE
+    const DensityField field = {density_cells, (int)density_size};
+    const double x = positions[item * DIMENSION];
+    const double y = positions[item * DIMENSION + 1];
+    const struct DensityCell own = cell_at(field, x, y);
+    g.exponent = own.exponent;
+    g.squared_cut = own.squared_cut;
+    const int reach = own.reach < 0 ? ~own.reach : own.reach;
+#else
     const int reach = n == 1 ? 0 : WINDOW_REACH;
+#endif
     int cell[3] = {0, 0, 0};
     for (int k = 0; k < DIMENSION; ++k) cell[k] = min((int)(positions[item * DIMENSION + k] * n), n - 1);
+    const int after = min(reach, n - 1 - reach); // no cell twice
     const int reach_z = DIMENSION == 3 ? reach : 0;
     for (int z = cell[2] - reach_z; z <= cell[2] + reach_z; ++z) {
-        for (int y = cell[1] - reach; y <= cell[1] + reach; ++y) {
+        for (int y = cell[1] - reach; y <= cell[1] + after; ++y) {
             const int row = DIMENSION == 3 ? ((z + n) % n * n + (y + n) % n) * n : (y + n) % n * n;
             const int low = cell[0] - reach;
-            const int high = cell[0] + reach + 1;
+            const int high = cell[0] + after + 1;
             if (low < 0) add_points(&g, coordinates, item, starts[row + n + low], starts[row + n], &sums);
             add_points(&g, coordinates, item, starts[row + max(low, 0)], starts[row + min(high, n)], &sums);
             if (high > n) add_points(&g, coordinates, item, starts[row], starts[row + high - n], &sums);
@@ -103,6 +174,16 @@ kernel void sum_gaussians(struct Gaussians g, global const double* positions, gl
     for (int k = 0; k < DIMENSION; ++k)
         displacements[item * DIMENSION + k] = (double)sum_of_lanes(sums.force[k]) * g.step;
     energies[item] = sum_of_lanes(sums.energy);
+#if ADAPTIVE
+    const double3 density = density_at(field, x, y);
+    const double movement_x = displacements[item * DIMENSION] + density.x;
+    const double movement_y = displacements[item * DIMENSION + 1] + density.y;
+    const bool enters_nothing =
+        cell_at(field, moved_on_torus(x, movement_x), moved_on_torus(y, movement_y)).reach < 0;
+    displacements[item * DIMENSION] = enters_nothing ? 0 : movement_x;
+    displacements[item * DIMENSION + 1] = enters_nothing ? 0 : movement_y;
+    energies[item] -= density.z;
+#endif
     const double unit = 0x1p-32 / (double)g.scale; // of lengths; of the torus' side
     squared_near[item] = (double)smallest_lane(sums.squared_near) * (unit * unit);
 }

@@ -2,7 +2,7 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 7.2 and 7.3. All sums are exact integers. Floating-point
 // numbers only guess a quotient, which integers then correct: results are those of the plain twin,
-// host/distribution/reference/warp.cpp, bit for bit.
+// host/sampling/warp/reference/warp.cpp, bit for bit.
 
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF

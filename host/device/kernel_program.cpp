@@ -13,7 +13,7 @@ const std::vector<KernelFile>& kernel_files()
         {"beatty_tiling.cl", {}},
         {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
         {"farthest_point.cl", {}},
-        {"gaussian_blue_noise.cl", {dimension}},
+        {"gaussian_blue_noise.cl", {dimension, {"ADAPTIVE", {"0", "1"}}}},
         {"gradient_domain.cl", {}},
         {"instances.cl", {}},
         {"joint_nulling.cl", {dimension}},

@@ -1,7 +1,7 @@
 // Measures of how well points follow a density, and how evenly.
 #pragma once
 
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 namespace poissonlab {
 

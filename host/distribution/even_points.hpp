@@ -5,7 +5,7 @@
 #pragma once
 
 #include "host/distribution/distribution_place.hpp"
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 #include "host/sampling/sampler.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 

@@ -1,7 +1,7 @@
 // Places in a density's rectangle as point files.
 #pragma once
 
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <filesystem>
 #include <string>

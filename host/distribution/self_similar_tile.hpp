@@ -5,7 +5,7 @@
 // on the unit torus: rotations of a word of N bits.
 #pragma once
 
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <array>
 #include <cstdint>

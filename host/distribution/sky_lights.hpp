@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/densities/density.hpp"
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <array>
 #include <span>

@@ -12,7 +12,7 @@
 #include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/distribution_place.hpp"
 #include "host/distribution/ink/coverage.hpp"
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <string>
 

@@ -23,4 +23,15 @@ struct Gaussians
     uint stride;    ///< of coordinates
 };
 
+/// What a density does at a place: see host/sampling/optimized/gaussian_field.hpp.
+struct DensityCell
+{
+    float x, y;        ///< displacement of a point that is there; of the torus' side
+    float excess;      ///< energy of the density there beyond that of a density that is the same everywhere
+    float exponent;    ///< as in Gaussians, which are as wide as there are few points
+    float squared_cut; ///< as in Gaussians
+    int reach;         ///< cells of the grid on either side of a point's own, half of all at most; ~reach where the
+                       ///< density is 0, which no point enters
+};
+
 END_CONTRACT

@@ -1,4 +1,4 @@
-// The contract of warp.cl and its host code, host/distribution/warp.cpp.
+// The contract of warp.cl and its host code, host/sampling/warp/warp.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

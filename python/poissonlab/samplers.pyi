@@ -154,6 +154,8 @@ class GaussianBlueNoise(Sampler):
                  step: float | None = None,
                  levels: int | None = None,
                  start: Sampler | str | dict[str, Any] | None = None,
+                 density: str | None = None,
+                 density_from: str | None = None,
                  d: int = 2,
                  rng: int | numpy.random.Generator | None = 1,
                  engine: str = "opencl",

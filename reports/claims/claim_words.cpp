@@ -40,11 +40,13 @@ std::string machine_words(const Run& run)
 
 }
 
+bool follows_density(const ReportSeries& series) { return !text_parameter(series, "density").empty(); }
+
 std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,
                                                  SeriesQuery::Needs needs)
 {
     auto found = report.all({.sampler = sampler, .needs = needs});
-    std::erase_if(found, [](const ReportSeries* series) { return !text_parameter(*series, "density").empty(); });
+    std::erase_if(found, [](const ReportSeries* series) { return follows_density(*series); });
     return found;
 }
 

@@ -24,6 +24,9 @@ std::string percent_words(double share);
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias);
 
+/// True where points follow a density that is not the same everywhere: spectra are then those of the density as well.
+bool follows_density(const ReportSeries& series);
+
 /// The series of a method that have the same density everywhere.
 std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,
                                                  SeriesQuery::Needs needs);

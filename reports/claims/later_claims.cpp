@@ -155,6 +155,7 @@ Later step_oscillates_least(const ClaimSeries& report)
         for (const char* sampler : optimised_methods)
             for (const ReportSeries* other : report.all({.sampler = sampler, .points = step->stored->points})) {
                 if (!other->stored->measures.oscillation || !has_estimated_spectrum(*other)) continue;
+                if (follows_density(*other)) continue;
                 const double value = other->stored->measures.oscillation->value;
                 tally.add(own < value);
                 words.push_back(
@@ -185,7 +186,7 @@ Later has_less_low_power(const ClaimSeries& report)
 {
     Tally tally;
     std::vector<std::string> words;
-    for (const ReportSeries* series : report.all({.sampler = "gaussian-blue-noise"}))
+    for (const ReportSeries* series : of_even_density(report, "gaussian-blue-noise", SeriesQuery::Needs::anything))
         for (const ReportSeries* other : report.all({.sampler = "equal-areas", .points = series->stored->points})) {
             const Estimate *own = estimate_of(*series, "low_frequency_mean"),
                            *theirs = estimate_of(*other, "low_frequency_mean");

@@ -153,6 +153,10 @@ TEST(Contract, OfGaussianBlueNoise)
     const std::size_t layout[] = {LAYOUT_OF(Gaussians, stride)};
     EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("Gaussians", "stride")),
                 ElementsAreArray(layout));
+    using contract::gaussian_blue_noise::DensityCell;
+    const std::size_t cell[] = {LAYOUT_OF(DensityCell, reach)};
+    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("DensityCell", "reach")),
+                ElementsAreArray(cell));
 }
 
 TEST(Contract, OfSampleElimination)

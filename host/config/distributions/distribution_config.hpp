@@ -31,7 +31,7 @@ struct EvenMethodChoice
     std::optional<SamplerChoice> sampler; ///< neither: the default
 };
 
-/// kind = "warp": see host/distribution/warp.hpp.
+/// kind = "warp": see host/sampling/warp/warp.hpp.
 struct WarpSettings
 {
     DensityChoice density;

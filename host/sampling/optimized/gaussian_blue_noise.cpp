@@ -13,10 +13,8 @@ namespace poissonlab {
 
 namespace {
 
+using contract::gaussian_blue_noise::DensityCell;
 using contract::gaussian_blue_noise::Gaussians;
-using contract::gaussian_blue_noise::WINDOW_REACH;
-
-constexpr double cut_off = 5.8; ///< sigma
 
 /// The side of the torus in mean distances.
 double side_of_torus(std::size_t points, int dimension)
@@ -24,22 +22,19 @@ double side_of_torus(std::size_t points, int dimension)
     return dimension == 2 ? std::sqrt(static_cast<double>(points)) : std::cbrt(static_cast<double>(points));
 }
 
-/// Cells of half the cut-off or wider, so that all within it lie in the window.
-std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension)
-{
-    const auto cells =
-        static_cast<std::uint32_t>(side_of_torus(points, dimension) * int{WINDOW_REACH} / (cut_off * sigma));
-    return cells > 2 * WINDOW_REACH ? cells : 1;
-}
-
 struct GaussianBuffers
 {
     Buffer<double> displacements, energies, squared_near;
+    Buffer<DensityCell> cells;
 
-    NeededBuffers needed(std::size_t points, int dimension)
+    /// `shape`: that of the field, if there is one.
+    NeededBuffers needed(std::size_t points, int dimension, const GaussianFieldShape* shape)
     {
-        return {
+        NeededBuffers all{
             {displacements, points * static_cast<std::size_t>(dimension)}, {energies, points}, {squared_near, points}};
+        if (shape == nullptr) return all;
+        all.push_back({cells, std::size_t{shape->size} * shape->size});
+        return all;
     }
 };
 
@@ -47,23 +42,30 @@ class GaussianState
 {
 public:
     GaussianState(Device& device, const PointSet& points, const GaussianRequest& request, std::size_t group_size)
-        : dimension_(points.dimension), sigma_(request.sigma), group_size_(group_size),
+        : dimension_(points.dimension), sigma_(request.sigma), group_size_(group_size), field_(request.field),
           gaussians_(gaussians_for(request, points.size(), points.dimension)),
           grid_(device, points.dimension, points.size(), gaussians_.grid_size, group_size),
           mover_(device, Domain{}, points.dimension, group_size), summary_(device, points.dimension, points.size()),
-          sum_(device.kernel(kernel_program("gaussian_blue_noise.cl", {{"DIMENSION", points.dimension}}),
-                             "sum_gaussians"))
+          sum_(device.kernel(
+              kernel_program("gaussian_blue_noise.cl", {{"DIMENSION", points.dimension}, {"ADAPTIVE", field_ ? 1 : 0}}),
+              "sum_gaussians"))
     {
         gaussians_.stride = grid_.stride();
-        reserve(device, buffers_.needed(points.size(), points.dimension));
+        reserve(device, buffers_.needed(points.size(), points.dimension, field_ ? &field_->shape : nullptr));
+        if (field_) buffers_.cells.write(field_->cells);
         grid_.load(points);
     }
 
     IterateMeasure measure()
     {
         grid_.sort();
-        sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
-                 buffers_.displacements, buffers_.energies, buffers_.squared_near);
+        if (field_)
+            sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
+                     buffers_.displacements, buffers_.energies, buffers_.squared_near, buffers_.cells,
+                     field_->shape.size);
+        else
+            sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
+                     buffers_.displacements, buffers_.energies, buffers_.squared_near);
         IterateMeasure measure = summary_.summarize(buffers_.energies, buffers_.squared_near);
         measure.energy = gaussian_energy(measure.energy, grid_.size(), sigma_, dimension_);
         return measure;
@@ -77,6 +79,7 @@ private:
     int dimension_;
     double sigma_;
     std::size_t group_size_;
+    std::shared_ptr<const GaussianField> field_;
     Gaussians gaussians_;
     PointGrid grid_;
     PointMover mover_;
@@ -90,7 +93,7 @@ private:
 
 std::size_t least_gaussian_points(double sigma, int dimension)
 {
-    return static_cast<std::size_t>(std::ceil(std::pow(2 * cut_off * sigma, dimension)));
+    return static_cast<std::size_t>(std::ceil(std::pow(2 * gaussian_cut_off * sigma, dimension)));
 }
 
 double usual_gaussian_step(double sigma, int dimension)
@@ -105,9 +108,10 @@ Gaussians gaussians_for(const GaussianRequest& request, std::size_t points, int 
     return {.step = request.step / squared_sigma / side,
             .scale = static_cast<float>(side * 0x1p-32),
             .exponent = static_cast<float>(-std::numbers::log2e / (2 * squared_sigma)),
-            .squared_cut = static_cast<float>(cut_off * cut_off * squared_sigma),
+            .squared_cut = static_cast<float>(gaussian_cut_off * gaussian_cut_off * squared_sigma),
             .points = static_cast<std::uint32_t>(points),
-            .grid_size = gaussian_grid(request.sigma, points, dimension),
+            .grid_size =
+                request.field ? request.field->shape.grid_size : gaussian_grid(request.sigma, points, dimension),
             .stride = 0};
 }
 
@@ -153,8 +157,14 @@ LloydResult GaussianBlueNoise::descend(const PointSet& points, const GaussianReq
 DeviceMemory GaussianBlueNoise::memory(double sigma, std::size_t points, int dimension)
 {
     return PointGrid::memory(dimension, points, gaussian_grid(sigma, points, dimension)) +
-           memory_of(GaussianBuffers{}.needed(points, dimension)) + DomainBuffers::memory_of_torus() +
+           memory_of(GaussianBuffers{}.needed(points, dimension, nullptr)) + DomainBuffers::memory_of_torus() +
            PointSummary::memory(points);
+}
+
+DeviceMemory GaussianBlueNoise::memory(const GaussianFieldShape& shape, std::size_t points)
+{
+    return PointGrid::memory(2, points, shape.grid_size) + memory_of(GaussianBuffers{}.needed(points, 2, &shape)) +
+           DomainBuffers::memory_of_torus() + PointSummary::memory(points);
 }
 
 }

@@ -5,14 +5,17 @@
 // N^(-1/dimension): the Gaussian of a pair is exp(-d^2 / (2 sigma^2)). Departures: pairs farther apart than 5.8 sigma
 // are left out, each of which has a Gaussian below 5e-8, so that a force errs by less than 2e-6 even where all of them
 // are on one side; and 2e-7 of each Gaussian is due to single precision and to a polynomial for the exponential. The
-// shortest of the vectors between two points counts, so that the torus must be as wide as two such distances.
+// shortest of the vectors between two points counts, so that the torus must be as wide as two such distances. Where
+// points follow a density, see host/sampling/optimized/gaussian_field.hpp.
 #pragma once
 
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "host/sampling/optimized/gaussian_field.hpp"
 #include "kernels/common/gaussian_blue_noise.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace poissonlab {
 
@@ -21,6 +24,8 @@ struct GaussianRequest
     std::size_t iterations = 0;
     double sigma = 1; ///< mean distances
     double step = 0;  ///< mean distances for a unit of force
+    /// The density that points follow, made for as many of them, in 2D; null: the same everywhere.
+    std::shared_ptr<const GaussianField> field = nullptr;
 };
 
 /// The fewest points whose torus is as wide as it must be.
@@ -36,7 +41,7 @@ contract::gaussian_blue_noise::Gaussians gaussians_for(const GaussianRequest& re
                                                        int dimension);
 
 /// The energy of records: the mean over points of the Gaussians of all points, themselves among them, less that of
-/// points spread evenly. Random points have 1 on average; it cannot be negative.
+/// points spread evenly. Random points have 1 on average; it cannot be negative where there is no density.
 double gaussian_energy(double sum_of_others, std::size_t points, double sigma, int dimension);
 
 /// `points` has at least least_gaussian_points().
@@ -56,6 +61,9 @@ public:
     /// The memory that descend() takes, and gives back.
     static DeviceMemory memory(double sigma, std::size_t points, int dimension);
 
+    /// The same with a field of this shape, in 2D.
+    static DeviceMemory memory(const GaussianFieldShape& shape, std::size_t points);
+
 private:
     Device device_;
     std::size_t work_group_size_;
@@ -69,7 +77,7 @@ std::size_t coarser_points(std::size_t points, int dimension);
 /// out of the last corner alone.
 PointSet split_points(const PointSet& coarse, std::size_t points);
 
-/// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, start.
+/// The sampler "gaussian-blue-noise": iterations, sigma, step, levels, density, start.
 SamplerSpec gaussian_blue_noise_sampler();
 
 }

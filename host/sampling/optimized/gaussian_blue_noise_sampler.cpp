@@ -1,16 +1,46 @@
 // The sampler "gaussian-blue-noise": what the config can ask of it.
 #include "host/sampling/classics/plain_spec.hpp"
+#include "host/sampling/density_parameters.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/started_sampler.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 namespace {
 
+/// The density that is given; one that is the same everywhere is none.
+std::shared_ptr<const Density> followed_density(const Parameters& parameters)
+{
+    auto density = given_density(parameters);
+    if (!density || std::ranges::adjacent_find(density->weights, std::ranges::not_equal_to{}) == density->weights.end())
+        return nullptr;
+    return std::make_shared<const Density>(std::move(*density));
+}
+
+DeviceMemory memory_with(const Density* density, double sigma, std::size_t points, int dimension)
+{
+    return density == nullptr ? GaussianBlueNoise::memory(sigma, points, dimension)
+                              : GaussianBlueNoise::memory(gaussian_field_shape(*density, sigma, points), points);
+}
+
 DeviceMemory gaussian_memory(const Parameters& parameters, std::size_t points, int dimension)
 {
-    return GaussianBlueNoise::memory(parameters.number("sigma"), points, dimension);
+    return memory_with(followed_density(parameters).get(), parameters.number("sigma"), points, dimension);
+}
+
+/// Even points, warped as the density is: they crowd where it is large.
+PointSet warped_start(const PointSet& points, const WarpTable& table)
+{
+    SquarePoints even;
+    for (const double c : points.coordinates) even.push_back(static_cast<std::uint32_t>(c * 0x1p32));
+    PointSet warped{2, {}};
+    for (const std::uint64_t place : reference::warp_points(table, even))
+        warped.coordinates.push_back(place_coordinate(place, table.width));
+    return warped;
 }
 
 /// The number that the start is asked for: the points of the coarsest level.
@@ -25,9 +55,14 @@ class GaussianSampler final : public StartedSampler
 {
 public:
     GaussianSampler(const Parameters& parameters, const SampleRequest& request, Engine engine,
-                    const DeviceProvider& device)
-        : StartedSampler("Gaussian blue noise", gaussian_memory, parameters, start_request(parameters, request), engine,
-                         device),
+                    const DeviceProvider& device, const std::shared_ptr<const Density>& density)
+        : StartedSampler(
+              "Gaussian blue noise",
+              [density](const Parameters& given, std::size_t points, int dimension) {
+                  return memory_with(density.get(), given.number("sigma"), points, dimension);
+              },
+              parameters, start_request(parameters, request), engine, device),
+          density_(density),
           asked_(request), request_{.iterations = static_cast<std::size_t>(parameters.integer("iterations")),
                                     .sigma = parameters.number("sigma"),
                                     .step = parameters.is_given("step")
@@ -41,6 +76,7 @@ public:
         const std::size_t least = least_gaussian_points(request_.sigma, points.dimension);
         if (points.size() < least) throw too_few(parameters_, points.size(), least);
         iterations_.clear();
+        if (density_) points = followed(points);
         points = descended(points);
         for (const std::size_t count : finer_levels()) points = descended(split_points(points, count));
         return points;
@@ -57,6 +93,17 @@ public:
     }
 
 private:
+    /// The start in places that the density chooses; from now on the density has a field for as many points.
+    PointSet followed(const PointSet& points)
+    {
+        if (!table_) table_.emplace(*density_);
+        if (!request_.field || points.size() != field_points_)
+            request_.field = std::make_shared<const GaussianField>(
+                gaussian_field(*density_, request_.sigma, request_.step, points.size()));
+        field_points_ = points.size();
+        return warped_start(points, *table_);
+    }
+
     /// Its iterations follow those of the levels before.
     PointSet descended(const PointSet& points)
     {
@@ -78,13 +125,16 @@ private:
         return counts;
     }
 
+    std::shared_ptr<const Density> density_;
     SampleRequest asked_;
     GaussianRequest request_;
+    std::optional<WarpTable> table_;
+    std::size_t field_points_ = 0; ///< for which the field is
 };
 
 std::vector<ParameterSpec> gaussian_parameters()
 {
-    return {
+    std::vector<ParameterSpec> parameters{
         {.key = "iterations",
          .kind = ParameterSpec::Kind::integer,
          .help = "steps that all points take, on each level",
@@ -111,10 +161,24 @@ std::vector<ParameterSpec> gaussian_parameters()
          .otherwise = std::int64_t{0}},
         start_parameter(),
     };
+    for (ParameterSpec& spec : density_parameters()) parameters.push_back(std::move(spec));
+    return parameters;
+}
+
+/// Densities are over the plane, and for sets of one level.
+void check_density(const Parameters& parameters, const SampleRequest& request)
+{
+    if (parameters.is_given("density")) {
+        if (request.dimension != 2) throw parameters.error("density", "is for sets in 2D");
+        if (parameters.integer("levels") > 0)
+            throw parameters.error("levels", "does not go with a density; leave it out");
+    }
+    given_density(parameters);
 }
 
 void check_gaussians(const Parameters& parameters, const SampleRequest& request, const SourceLocation& where)
 {
+    check_density(parameters, request);
     const std::size_t least = least_gaussian_points(parameters.number("sigma"), request.dimension);
     const bool has_levels = parameters.integer("levels") > 0;
     if (has_levels && parameters.sampler("start").spec->has_own_points)
@@ -152,9 +216,10 @@ SamplerSpec gaussian_blue_noise_sampler()
     spec.check = check_gaussians;
     describe_start(spec, gaussian_memory);
     spec.device_memory = memory_of_levels;
+    spec.outside_input = density_hash;
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) -> std::unique_ptr<Sampler> {
-        return std::make_unique<GaussianSampler>(given, request, engine, device);
+        return std::make_unique<GaussianSampler>(given, request, engine, device, followed_density(given));
     };
     return spec;
 }

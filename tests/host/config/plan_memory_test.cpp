@@ -61,6 +61,11 @@ sampler = "gaussian-blue-noise"
 points = [200, 1000, 10000]
 iterations = 1
 [[method]]
+sampler = "gaussian-blue-noise"
+points = [1000, 10000]
+density = "gauss-and-waves"
+iterations = 1
+[[method]]
 sampler = "lloyd"
 points = [5, 1000, 40000]
 iterations = 1

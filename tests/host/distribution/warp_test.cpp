@@ -1,5 +1,5 @@
 // kernels/warp.cl against its plain twin, bit for bit, and the twin against densities whose warp is known.
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <gtest/gtest.h>
 

@@ -45,6 +45,9 @@ std::vector<ClaimCase> later_claim_cases()
              MadeUpReport::set_curve(other, {});
              set_oscillation(other, agrees ? 3 : 0.5);
              set_oscillation(r.add("lloyd", {}, 1024), 0.1); // of other points, and without a spectrum
+             ReportSeries& adaptive = r.add("gaussian-blue-noise", {{"density", "1 + x"}});
+             MadeUpReport::set_curve(adaptive, {});
+             set_oscillation(adaptive, 0.1);
          }},
         {"zhang-2013-2d", [](MadeUpReport& r, bool agrees) { saturated(r, 2, agrees ? 0.0589 : 0.07); }},
         {"zhang-2013-3d", [](MadeUpReport& r, bool agrees) { saturated(r, 3, agrees ? 0.0556 : 0.07); }},
@@ -57,6 +60,7 @@ std::vector<ClaimCase> later_claim_cases()
         {"ahmed-2022-low",
          [](MadeUpReport& r, bool agrees) {
              set_number(r.add("gaussian-blue-noise", {}), "low_frequency_mean", agrees ? 0.001 : 0.005);
+             set_number(r.add("gaussian-blue-noise", {{"density", "1 + x"}}), "low_frequency_mean", 100);
              set_number(r.add("equal-areas", {}), "low_frequency_mean", 0.0031);
              set_number(r.add("equal-areas", {}, 1024), "low_frequency_mean", 0.0001); // of other points
          }},

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace poissonlab::reference {
 namespace {
@@ -18,6 +19,33 @@ using namespace contract::gaussian_blue_noise;
 using LaneSums = std::array<float, SUM_LANES>;
 
 float sum_of_lanes(const LaneSums& v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
+
+double part_way(double a, double b, double part) { return a * (1 - part) + b * part; }
+
+/// The density of a place, linear between the middles of cells: displacement along x and y, and excess energy.
+std::array<double, 3> density_around(const GaussianField& field, std::span<const double> place)
+{
+    const auto n = static_cast<int>(field.shape.size);
+    std::array<int, 2> low{};
+    std::array<double, 2> part{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double cells = place[k] * n - 0.5;
+        low[k] = static_cast<int>(std::floor(cells));
+        part[k] = cells - std::floor(cells);
+    }
+    const auto row_values = [&](int row) {
+        const auto cell = [&](int column) -> const DensityCell& {
+            return field.cells[static_cast<std::size_t>((row + n) % n * n + (column + n) % n)];
+        };
+        const DensityCell &a = cell(low[0]), &b = cell(low[0] + 1);
+        return std::array{part_way(double{a.x}, double{b.x}, part[0]), part_way(double{a.y}, double{b.y}, part[0]),
+                          part_way(double{a.excess}, double{b.excess}, part[0])};
+    };
+    const auto below = row_values(low[1]), above = row_values(low[1] + 1);
+    std::array<double, 3> values{};
+    for (std::size_t k = 0; k < 3; ++k) values[k] = part_way(below[k], above[k], part[1]);
+    return values;
+}
 
 /// 2^t for t <= 0: its power of two, and a Taylor polynomial for the rest.
 float power_of_two(float t)
@@ -33,7 +61,8 @@ class PlainGaussianState
 {
 public:
     PlainGaussianState(const PointSet& points, const GaussianRequest& request)
-        : points_(points), sigma_(request.sigma), axes_(static_cast<std::size_t>(points.dimension)),
+        : points_(points), sigma_(request.sigma), field_(request.field),
+          axes_(static_cast<std::size_t>(points.dimension)),
           gaussians_(gaussians_for(request, points.size(), points.dimension)), displacements_(points.coordinates.size())
     {}
 
@@ -47,6 +76,13 @@ public:
             for (std::size_t k = 0; k < axes_; ++k)
                 displacements_[id * axes_ + k] = double{sum_of_lanes(sums.force[k])} * gaussians_.step;
             energies.push_back(sum_of_lanes(sums.energy));
+            if (field_) {
+                const auto [x, y, excess] = density_around(*field_, points_[id]);
+                displacements_[id * axes_] += x;
+                displacements_[id * axes_ + 1] += y;
+                if (enters_nothing(id)) displacements_[id * axes_] = displacements_[id * axes_ + 1] = 0;
+                energies.back() -= excess;
+            }
             const double unit = 0x1p-32 / double{gaussians_.scale};
             squared_near = std::min(squared_near, double{sums.squared_near} * (unit * unit));
         }
@@ -75,20 +111,54 @@ private:
         float squared_near = std::numeric_limits<float>::infinity();
     };
 
+    /// The Gaussians of a point.
+    struct Width
+    {
+        float exponent, squared_cut;
+        int reach;
+    };
+
+    const DensityCell& cell_at(double x, double y) const
+    {
+        const auto n = static_cast<int>(field_->shape.size);
+        const auto cell = [&](double place) { return std::min(static_cast<int>(place * n), n - 1); };
+        return field_->cells[static_cast<std::size_t>(cell(y) * n + cell(x))];
+    }
+
+    Width width_of(std::size_t id) const
+    {
+        if (!field_)
+            return {gaussians_.exponent, gaussians_.squared_cut, gaussians_.grid_size == 1 ? 0 : int{WINDOW_REACH}};
+        const DensityCell& cell = cell_at(points_[id][0], points_[id][1]);
+        return {cell.exponent, cell.squared_cut, cell.reach < 0 ? ~cell.reach : cell.reach};
+    }
+
+    /// True where its displacement leads a point into a place without density.
+    bool enters_nothing(std::size_t id) const
+    {
+        const auto moved = [&](std::size_t k) {
+            const double to = points_[id][k] + displacements_[id * axes_ + k];
+            return to - std::floor(to);
+        };
+        return cell_at(moved(0), moved(1)).reach < 0;
+    }
+
     Sums sums_of(std::size_t id, const PlainCells& cells) const
     {
         Sums sums;
+        const Width width = width_of(id);
         const int n = static_cast<int>(gaussians_.grid_size);
-        const int reach = n == 1 ? 0 : WINDOW_REACH;
+        const int reach = width.reach;
+        const int after = std::min(reach, n - 1 - reach); // no cell twice
         const int reach_z = axes_ == 3 ? reach : 0;
         const auto cell = cells.cell_of(points_[id]);
         for (int z = cell[2] - reach_z; z <= cell[2] + reach_z; ++z)
-            for (int y = cell[1] - reach; y <= cell[1] + reach; ++y) {
+            for (int y = cell[1] - reach; y <= cell[1] + after; ++y) {
                 std::size_t lane = 0;
-                for (int x = cell[0] - reach; x <= cell[0] + reach; ++x) {
+                for (int x = cell[0] - reach; x <= cell[0] + after; ++x) {
                     if (x == 0 || x == n) lane = 0; // the torus begins again
                     cells.for_each_in({x, y, z}, [&](std::size_t other, const auto&) {
-                        add(id, other, lane, sums);
+                        add(id, other, width, lane, sums);
                         lane = (lane + 1) % SUM_LANES;
                     });
                 }
@@ -96,7 +166,7 @@ private:
         return sums;
     }
 
-    void add(std::size_t id, std::size_t other, std::size_t lane, Sums& sums) const
+    void add(std::size_t id, std::size_t other, const Width& width, std::size_t lane, Sums& sums) const
     {
         if (other == id) return;
         std::array<float, 3> difference{};
@@ -109,14 +179,15 @@ private:
             squared += difference[k] * difference[k];
         }
         sums.squared_near = std::min(sums.squared_near, squared);
-        if (!(squared < gaussians_.squared_cut)) return;
-        const float gaussian = power_of_two(squared * gaussians_.exponent);
+        if (!(squared < width.squared_cut)) return;
+        const float gaussian = power_of_two(squared * width.exponent);
         for (std::size_t k = 0; k < axes_; ++k) sums.force[k][lane] -= difference[k] * gaussian;
         sums.energy[lane] += gaussian;
     }
 
     PointSet points_;
     double sigma_;
+    std::shared_ptr<const GaussianField> field_;
     std::size_t axes_;
     Gaussians gaussians_;
     std::vector<double> displacements_;

@@ -1,4 +1,4 @@
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include "kernels/common/warp.h"
 

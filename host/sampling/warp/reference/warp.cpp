@@ -1,5 +1,5 @@
 // The plain C++ twin of kernels/warp.cl: binary searches in the sums, and quotients bit by bit.
-#include "host/distribution/warp.hpp"
+#include "host/sampling/warp/warp.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,230 @@
+#include "host/sampling/optimized/gaussian_field.hpp"
+
+#include "host/sampling/optimized/torus_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+using contract::gaussian_blue_noise::DensityCell;
+using contract::gaussian_blue_noise::WINDOW_REACH;
+
+__extension__ using WideSum = __int128;
+
+constexpr std::uint32_t least_field_size = 64, most_field_size = 2048;
+
+/// 2^(i / parts) for 2 or 4 parts, exact where it is a power of two.
+double root_power(int i, int parts)
+{
+    const double root = std::sqrt(2.0);
+    const std::array<double, 4> roots =
+        parts == 2 ? std::array{1.0, root, 0.0, 0.0} : std::array{1.0, std::sqrt(root), root, root * std::sqrt(root)};
+    const int rest = (i % parts + parts) % parts;
+    return std::ldexp(roots[static_cast<std::size_t>(rest)], (i - rest) / parts);
+}
+
+WideSum sum_of_weights(const Density& density)
+{
+    WideSum sum = 0;
+    for (const std::uint64_t weight : density.weights) sum += weight;
+    return sum;
+}
+
+/// How far each pixel is above the mean, in parts of the mean: 0 everywhere in a constant density.
+std::vector<double> deviations(const Density& density)
+{
+    const WideSum sum = sum_of_weights(density);
+    std::vector<double> all;
+    all.reserve(density.weights.size());
+    for (const std::uint64_t weight : density.weights)
+        all.push_back(static_cast<double>(static_cast<WideSum>(weight) * density.weights.size() - sum) /
+                      static_cast<double>(sum));
+    return all;
+}
+
+/// Means over `size` equal parts of a row of numbers that are `stride` apart.
+void resample_row(const double* values, std::size_t count, std::size_t stride, std::size_t size, double* means)
+{
+    for (std::size_t cell = 0; cell < size; ++cell) {
+        // In parts of a number over size: cell covers from cell * count to (cell + 1) * count.
+        const std::size_t begin = cell * count, end = begin + count;
+        double sum = 0;
+        for (std::size_t i = begin / size; i * size < end; ++i) {
+            const std::size_t overlap = std::min(end, (i + 1) * size) - std::max(begin, i * size);
+            sum += values[i * stride] * static_cast<double>(overlap);
+        }
+        means[cell] = sum / static_cast<double>(count);
+    }
+}
+
+TorusMap resampled(const std::vector<double>& pixels, std::size_t width, std::size_t size)
+{
+    std::vector<double> rows(width * size);
+    for (std::size_t row = 0; row < width; ++row)
+        resample_row(pixels.data() + row * width, width, 1, size, rows.data() + row * size);
+    TorusMap map{size, std::vector<double>(size * size)};
+    std::vector<double> column(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        resample_row(rows.data() + i, width, size, size, column.data());
+        for (std::size_t row = 0; row < size; ++row) map.values[row * size + i] = column[row];
+    }
+    return map;
+}
+
+/// The density blurred by one width after the other, on coarser and coarser grids.
+class BlurLadder
+{
+public:
+    /// `narrowest` is the standard deviation of the first width; of the torus' side.
+    BlurLadder(TorusMap map, double narrowest) : map_(std::move(map)) { blur_to(narrowest); }
+
+    /// Widens the blur to this standard deviation.
+    void blur_to(double sigma)
+    {
+        const double more = std::sqrt(sigma * sigma - sigma_ * sigma_) * static_cast<double>(map_.size);
+        map_ = blurred(map_, more);
+        sigma_ = sigma;
+        if (sigma * static_cast<double>(map_.size) >= 8 && map_.size > least_field_size) map_ = halved(map_);
+    }
+
+    const TorusMap& map() const { return map_; }
+
+private:
+    TorusMap map_;
+    double sigma_ = 0;
+};
+
+/// The density blurred by one width.
+struct BlurredDensity
+{
+    double squared = 1; ///< of the width, over sigma
+    TorusMap deviation, slope_x, slope_y;
+};
+
+/// The numbers of the Gaussian at a place.
+struct PlaceNumbers
+{
+    double squared = 1;              ///< of the width, over sigma
+    double under = 1;                ///< points under it, over those where the density is the same everywhere
+    double slope_x = 0, slope_y = 0; ///< of the density under it
+
+    PlaceNumbers(const BlurredDensity& density, double at_x, double at_y)
+        : squared(density.squared), under(squared * (1 + density.deviation.between(at_x, at_y))),
+          slope_x(density.slope_x.between(at_x, at_y)), slope_y(density.slope_y.between(at_x, at_y))
+    {}
+
+    /// Turns the numbers of a wider Gaussian into those of one between it and a narrower one: that with enough under
+    /// it.
+    void narrow_towards(const PlaceNumbers& narrower)
+    {
+        const double part = (1 - narrower.under) / (under - narrower.under);
+        const auto between = [&](double low, double high) { return low * (1 - part) + high * part; };
+        squared = between(narrower.squared, squared);
+        slope_x = between(narrower.slope_x, slope_x);
+        slope_y = between(narrower.slope_y, slope_y);
+        under = 1;
+    }
+};
+
+/// Gives the cells of a field their numbers, from narrow to wide.
+class WidthChooser
+{
+public:
+    WidthChooser(GaussianField& field, double sigma, double step, std::size_t points)
+        : field_(field), sigma_(sigma), step_(step), points_(static_cast<double>(points)), is_done_(field.cells.size())
+    {}
+
+    /// Those cells that a Gaussian of this number is wide enough for, or all that are left. `deviation`: the density,
+    /// so blurred.
+    void choose(int number, const TorusMap& deviation, bool is_last)
+    {
+        BlurredDensity density{root_power(number, 2), deviation, slope_along_x(deviation), slope_along_y(deviation)};
+        const std::size_t size = field_.shape.size;
+        const auto middle = [&](std::size_t cell) {
+            return (static_cast<double>(cell) + 0.5) / static_cast<double>(size);
+        };
+        for (std::size_t i = 0; i < field_.cells.size(); ++i) {
+            if (is_done_[i]) continue;
+            const double blurred_there = deviation.between(middle(i % size), middle(i / size));
+            if (density.squared * (1 + blurred_there) < 1 && !is_last) continue;
+            PlaceNumbers numbers(density, middle(i % size), middle(i / size));
+            if (numbers.under > 1 && number > field_.shape.narrowest)
+                numbers.narrow_towards(PlaceNumbers(narrower_, middle(i % size), middle(i / size)));
+            is_done_[i] = true;
+            field_.cells[i] = cell_of(numbers);
+        }
+        narrower_ = std::move(density);
+    }
+
+private:
+    DensityCell cell_of(const PlaceNumbers& numbers) const
+    {
+        const double squared = sigma_ * sigma_ * numbers.squared;
+        const double pull = step_ * 2 * std::numbers::pi * numbers.squared * squared / points_;
+        const double cells = gaussian_cut_off * std::sqrt(squared / points_) * field_.shape.grid_size;
+        return {.x = static_cast<float>(pull * numbers.slope_x),
+                .y = static_cast<float>(pull * numbers.slope_y),
+                .excess = static_cast<float>(2 * std::numbers::pi * sigma_ * sigma_ * (numbers.under - 1)),
+                .exponent = static_cast<float>(-std::numbers::log2e / (2 * squared)),
+                .squared_cut = static_cast<float>(gaussian_cut_off * gaussian_cut_off * squared),
+                .reach = std::min(static_cast<int>(std::ceil(cells)), static_cast<int>(field_.shape.grid_size / 2))};
+    }
+
+    GaussianField& field_;
+    double sigma_, step_, points_;
+    std::vector<bool> is_done_;
+    BlurredDensity narrower_;
+};
+
+}
+
+std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension)
+{
+    const double side =
+        dimension == 2 ? std::sqrt(static_cast<double>(points)) : std::cbrt(static_cast<double>(points));
+    const auto cells = static_cast<std::uint32_t>(side * int{WINDOW_REACH} / (gaussian_cut_off * sigma));
+    return cells > 2 * WINDOW_REACH ? cells : 1;
+}
+
+GaussianFieldShape gaussian_field_shape(const Density& density, double sigma, std::size_t points)
+{
+    const double side = std::sqrt(static_cast<double>(points));
+    const double above_mean =
+        static_cast<double>(static_cast<WideSum>(std::ranges::max(density.weights)) * density.weights.size()) /
+        static_cast<double>(sum_of_weights(density));
+    const auto width = [&](int number) { return sigma * root_power(number, 4) / side; };
+
+    GaussianFieldShape shape;
+    while (root_power(shape.narrowest, 2) * above_mean > 1 && width(shape.narrowest - 1) * most_field_size >= 2)
+        --shape.narrowest;
+    shape.size = least_field_size;
+    while (shape.size * width(shape.narrowest) < 4 && shape.size < most_field_size) shape.size *= 2;
+    shape.grid_size = gaussian_grid(sigma * root_power(shape.narrowest, 4), points, 2);
+    while (gaussian_cut_off * width(shape.widest + 1) <= 0.5) ++shape.widest;
+    return shape;
+}
+
+GaussianField gaussian_field(const Density& density, double sigma, double step, std::size_t points)
+{
+    GaussianField field{gaussian_field_shape(density, sigma, points), {}};
+    const GaussianFieldShape& shape = field.shape;
+    const double side = std::sqrt(static_cast<double>(points));
+    field.cells.resize(std::size_t{shape.size} * shape.size);
+    WidthChooser chooser(field, sigma, step, points);
+    const auto width = [&](int number) { return sigma * root_power(number, 4) / side; };
+    const TorusMap deviation = resampled(deviations(density), static_cast<std::size_t>(density.width), shape.size);
+    BlurLadder ladder(deviation, width(shape.narrowest));
+    for (int number = shape.narrowest; number <= shape.widest; ++number) {
+        if (number > shape.narrowest) ladder.blur_to(width(number));
+        chooser.choose(number, ladder.map(), number == shape.widest);
+    }
+    for (std::size_t i = 0; i < field.cells.size(); ++i)
+        if (deviation.values[i] == -1) field.cells[i].reach = ~field.cells[i].reach;
+    return field;
+}
+
+}

@@ -1,0 +1,54 @@
+// The density that Gaussian blue noise follows, as its points meet it: how wide Gaussians are at each place, and how
+// far the density moves a point that is there.
+//
+// Ahmed, Ren, Wonka, Gaussian blue noise, 2022: points repel each other by their Gaussians, and the density attracts
+// them by the same Gaussians; sigma is larger where points are few. A place's Gaussian is as wide as it must be for the
+// density to have as many points under it as one of sigma mean distances has where the density is the same everywhere.
+// The forces of points and of density are in balance where both, blurred by that Gaussian, are alike, so that no place
+// has too many points or too few. As in the authors' program, no point moves to where the density is 0.
+//
+// Departures: widths follow from the density alone, between steps of a factor of 2^(1/4), not from the points again at
+// every step; and a point's own width counts for all of its pairs, not one between the widths of both. Forces are thus
+// not those of one energy, and the energy of records may rise.
+#pragma once
+
+#include "base/densities/density.hpp"
+#include "kernels/common/gaussian_blue_noise.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// Pairs farther apart than so many sigma are left out.
+inline constexpr double gaussian_cut_off = 5.8;
+
+/// The cells of the grid in which the neighbours of a point are looked for, along each axis: half as wide as the
+/// cut-off or wider, or a single one. `sigma` is in mean distances.
+std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension);
+
+/// The sizes of a field, which follow from how far the density's largest value is above its mean.
+struct GaussianFieldShape
+{
+    std::uint32_t size = 0;      ///< cells along each axis, a power of two
+    std::uint32_t grid_size = 0; ///< of gaussian_grid() for the narrowest Gaussian
+    int narrowest = 0;           ///< widths are between sigma 2^(i / 4) of this number
+    int widest = 0;              ///< and this one, which reaches to the other side of the torus
+};
+
+/// `points` has at least least_gaussian_points().
+GaussianFieldShape gaussian_field_shape(const Density& density, double sigma, std::size_t points);
+
+struct GaussianField
+{
+    GaussianFieldShape shape;
+    std::vector<contract::gaussian_blue_noise::DensityCell> cells; ///< row by row from the bottom
+};
+
+/// The field of a square density for a number of points. `sigma` and `step` are those of GaussianRequest. Changes
+/// within a cell of the field, at most a quarter of the narrowest Gaussian where that is within 2,048 cells, are not
+/// followed.
+GaussianField gaussian_field(const Density& density, double sigma, double step, std::size_t points);
+
+}
