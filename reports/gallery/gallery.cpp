@@ -41,18 +41,19 @@ std::optional<double> standard_error_in(const MeasuredValue& value)
 void add_gallery_method(const GallerySource& source, GalleryTables& tables)
 {
     const Series& stored = *source.stored;
-    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", stored.name,
+    const std::string name = gallery_name(source);
+    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", name,
                    source.curve->dimension, stored.points, stored.realizations,
                    stored.min_distance ? stored.min_distance->mean : 0, source.label);
     for (const Measure& measure : measures()) {
         const auto value = is_in_gallery(measure) ? measure.get(stored) : std::nullopt;
         if (!value || !std::isfinite(value->value)) continue;
         const auto error = standard_error_in(*value);
-        fmt::format_to(std::back_inserter(tables.measures), "{},{},{:.5g},{}\n", stored.name, measure.key, value->value,
+        fmt::format_to(std::back_inserter(tables.measures), "{},{},{:.5g},{}\n", name, measure.key, value->value,
                        error ? fmt::format("{:.2g}", *error) : "");
     }
     for (const RadialBin& bin : source.curve->bins)
-        fmt::format_to(std::back_inserter(tables.curves), "{},{},{:.4g},{:.2g},{:.2f}\n", stored.name, bin.frequency,
+        fmt::format_to(std::back_inserter(tables.curves), "{},{},{:.4g},{:.2g},{:.2f}\n", name, bin.frequency,
                        bin.power, bin.power_error, bin.anisotropy_db);
 }
 
@@ -130,6 +131,11 @@ GalleryMethod& method_named(std::vector<GalleryMethod>& methods, const GalleryRe
     return *found;
 }
 
+}
+
+std::string gallery_name(const GallerySource& source)
+{
+    return source.curve->dimension == 3 ? source.stored->name + "-3d" : source.stored->name;
 }
 
 GalleryTables gallery_tables(const std::vector<GallerySource>& sources)

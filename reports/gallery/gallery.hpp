@@ -41,6 +41,9 @@ struct GallerySource
     const Curve* curve = nullptr;
 };
 
+/// The name of a series in a gallery: its own one, with "-3d" where its sets have three dimensions.
+std::string gallery_name(const GallerySource& source);
+
 /// The tables of series. Numbers are rounded to what their errors leave of them.
 GalleryTables gallery_tables(const std::vector<GallerySource>& sources);
 

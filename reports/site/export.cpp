@@ -76,17 +76,17 @@ void export_plots(const Site& site, Exporter& exporter)
         for (const Panel& panel : site.overlays) exporter.add(panel, site.out);
 }
 
-/// The names of series tell them apart only within a run. Throws InputError for the same name twice.
+/// The names of series tell them apart only within a run; those of 3D differ from those of 2D. Throws InputError for the same name twice.
 void export_gallery(const Site& site, Exporter& exporter)
 {
     std::vector<GallerySource> sources;
     std::set<std::string> names;
     for (const ReportSeries* series : site.series()) {
         if (!series->stored->has_spectrum()) continue;
-        if (!names.insert(series->stored->name).second)
+        sources.push_back({series->stored, series->label, &series->curve});
+        if (!names.insert(gallery_name(sources.back())).second)
             throw InputError(fmt::format("{}: the series {} is there twice; a gallery needs each once",
                                          series->run->folder.string(), series->stored->name));
-        sources.push_back({series->stored, series->label, &series->curve});
     }
     const GalleryTables tables = gallery_tables(sources);
     exporter.write(site.out / "methods.csv", tables.methods);

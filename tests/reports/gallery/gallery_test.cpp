@@ -58,6 +58,20 @@ TEST(Gallery, ReadsWhatItWrites)
     EXPECT_FALSE(method.measures.contains("realizations"));
 }
 
+TEST(Gallery, TellsDimensionsApart)
+{
+    const Curve plane = small_curve();
+    Curve space = plane;
+    space.dimension = 3;
+    const Series series = small_series();
+    const auto gallery = read_gallery(gallery_tables({{&series, "Darts", &plane}, {&series, "Darts", &space}}));
+    ASSERT_EQ(gallery.size(), 2u);
+    EXPECT_EQ(gallery[0].name, "darts-rho-0.7");
+    EXPECT_EQ(gallery[1].name, "darts-rho-0.7-3d");
+    EXPECT_EQ(gallery[1].curve.dimension, 3);
+    EXPECT_EQ(gallery[1].curve.bins.size(), plane.bins.size());
+}
+
 TEST(Gallery, MistakesAreSaidWithTableAndLine)
 {
     const Curve curve = small_curve();
