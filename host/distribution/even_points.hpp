@@ -5,8 +5,8 @@
 #pragma once
 
 #include "host/distribution/distribution_place.hpp"
-#include "host/sampling/warp/warp.hpp"
 #include "host/sampling/sampler.hpp"
+#include "host/sampling/warp/warp.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <cstdint>

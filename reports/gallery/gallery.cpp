@@ -42,9 +42,9 @@ void add_gallery_method(const GallerySource& source, GalleryTables& tables)
 {
     const Series& stored = *source.stored;
     const std::string name = gallery_name(source);
-    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", name,
-                   source.curve->dimension, stored.points, stored.realizations,
-                   stored.min_distance ? stored.min_distance->mean : 0, source.label);
+    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", name, source.curve->dimension,
+                   stored.points, stored.realizations, stored.min_distance ? stored.min_distance->mean : 0,
+                   source.label);
     for (const Measure& measure : measures()) {
         const auto value = is_in_gallery(measure) ? measure.get(stored) : std::nullopt;
         if (!value || !std::isfinite(value->value)) continue;

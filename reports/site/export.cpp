@@ -76,7 +76,8 @@ void export_plots(const Site& site, Exporter& exporter)
         for (const Panel& panel : site.overlays) exporter.add(panel, site.out);
 }
 
-/// The names of series tell them apart only within a run; those of 3D differ from those of 2D. Throws InputError for the same name twice.
+/// The names of series tell them apart only within a run; those of 3D differ from those of 2D. Throws InputError for
+/// the same name twice.
 void export_gallery(const Site& site, Exporter& exporter)
 {
     std::vector<GallerySource> sources;

@@ -123,6 +123,8 @@ TEST(Gallery, HasThePublishedNumbers)
     // The set of 4,096 points by dart throwing at 0.75 that UTK publishes.
     expect_published("dart-throwing-rho-0.75", "mean_nearest_distance", 0.806, 0.003);
     EXPECT_NEAR(shipped("hexagonal", "relative_radius").value, 1, 0.01) << "of about as many points";
+    EXPECT_NEAR(shipped("hexagonal-3d", "relative_radius").value, 1, 0.01) << "of about as many points";
+    EXPECT_GE(shipped("corner-tiles-C-4", "relative_radius").value, 0.75) << "which tilings are proven to have";
     if (method_of_gallery("farthest-point")) {
         expect_published("farthest-point", "relative_radius", 0.925, 0.001);
         expect_published("farthest-point", "mean_nearest_distance", 0.932, 0.002);
