@@ -38,7 +38,7 @@ private:
     int distance_;
 };
 
-/// What edges show, by their colours as the set counts them (marked_tiles.hpp).
+/// The pictures across edges, by their colours as the set counts them (marked_tiles.hpp).
 struct EdgeSamples
 {
     std::vector<SourceCanvas> horizontal, vertical; ///< T x T

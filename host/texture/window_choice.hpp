@@ -33,11 +33,11 @@ struct ColumnRange
     int end = 0;
 };
 
-/// Of two exemplars side by side, the columns of the one for marked corners, which begins at `split`, or those of the
+/// The columns of one of two exemplars side by side: of the one for marked corners, which begins at `split`, or of the
 /// other; all columns where `split` is 0.
 ColumnRange columns_of(const PngPixels& exemplar, int split, bool is_marked);
 
-/// How many columns the narrower one has.
+/// The number of columns of the narrower one.
 int narrowest_columns(const PngPixels& exemplar, int split);
 
 /// The windows of a set, and what is free beside them: middles of any two differ by the distance along an axis at

@@ -23,7 +23,7 @@ struct Gaussians
     uint stride;    ///< of coordinates
 };
 
-/// What a density does at a place: see host/sampling/optimized/gaussian_field.hpp.
+/// The width and the pull that a density gives a place: see host/sampling/optimized/gaussian_field.hpp.
 struct DensityCell
 {
     float x, y;        ///< displacement of a point that is there; of the torus' side

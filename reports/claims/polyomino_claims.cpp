@@ -15,7 +15,7 @@ using PolyominoOutcome = std::optional<ClaimOutcome>;
 
 constexpr double spike_db = 10; ///< above chance, as for the star of Penrose tilings
 
-/// How far the most anisotropic ring of each series is above chance, in dB.
+/// The height of the most anisotropic ring of each series above chance, in dB.
 std::vector<double> strongest_rings(const ClaimSeries& report, const char* sampler)
 {
     std::vector<double> rings;

@@ -20,7 +20,7 @@ constexpr Color marked_edge(Color color, Color first_mark, Color last_mark)
     return 4 * color + 2 * first_mark + last_mark;
 }
 
-/// How many colours edges with marks have.
+/// The number of colours of edges with marks.
 constexpr WangColors marked_colors(WangColors colors) { return {4 * colors.horizontal, 4 * colors.vertical}; }
 
 /// The Wang tile with these edges and marks of its corners, which are 0 or 1.

@@ -34,7 +34,7 @@ WideSum sum_of_weights(const Density& density)
     return sum;
 }
 
-/// How far each pixel is above the mean, in parts of the mean: 0 everywhere in a constant density.
+/// Each pixel minus the mean, in parts of the mean: 0 everywhere in a constant density.
 std::vector<double> deviations(const Density& density)
 {
     const WideSum sum = sum_of_weights(density);
@@ -138,8 +138,8 @@ public:
         : field_(field), sigma_(sigma), step_(step), points_(static_cast<double>(points)), is_done_(field.cells.size())
     {}
 
-    /// Those cells that a Gaussian of this number is wide enough for, or all that are left. `deviation`: the density,
-    /// so blurred.
+    /// Takes the cells that a Gaussian of this number is wide enough for, or all that are left. `deviation`: the
+    /// density, so blurred.
     void choose(int number, const TorusMap& deviation, bool is_last)
     {
         BlurredDensity density{root_power(number, 2), deviation, slope_along_x(deviation), slope_along_y(deviation)};

@@ -23,13 +23,13 @@ enum
     LEAST_SECTORS = 1024
 };
 
-REAL(UNITS, 4294967296.0)      ///< of the torus' side
-REAL(LEAST_ANGLE, 1e-9)        ///< narrower slivers are dropped
-REAL(LEAST_AREA, 1e-12)        ///< the same of the square of the distance
-REAL(REJECTED_RADIUS, 1e-6)    ///< of the disk that a rejected dart takes from its region, in distances
-REAL(REJECTED_ANGLE, 1e-9)     ///< half of what it takes from a circle
+REAL(UNITS, 4294967296.0)   ///< of the torus' side
+REAL(LEAST_ANGLE, 1e-9)     ///< narrower slivers are dropped
+REAL(LEAST_AREA, 1e-12)     ///< the same of the square of the distance
+REAL(REJECTED_RADIUS, 1e-6) ///< of the disk that a rejected dart takes from its region, in distances
+REAL(REJECTED_ANGLE, 1e-9)  ///< half of what it takes from a circle
 
-/// What all sets of a call have in common.
+/// The values that all sets of a call share.
 struct SectorRules
 {
     ulong distance; ///< least distance of two points, units

@@ -19,7 +19,7 @@ enum
 /// Beyond 3 x 3 tiles, in units.
 REAL(CELL_REACH, 262144.0)
 
-/// How far a point is from where it should be.
+/// The way from a point to where it should be.
 struct CentroidShift
 {
     int x, y;      ///< units

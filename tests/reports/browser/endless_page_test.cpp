@@ -278,7 +278,7 @@ TEST_F(EndlessPage, ZoomsWithoutEnd)
     EXPECT_THAT(browser_->messages(), IsEmpty());
 }
 
-/// What would take minutes, or more memory than a browser gives, is not begun.
+/// Work that would take minutes, or more memory than a browser gives, is not begun.
 TEST_F(EndlessPage, RefusesFarTooManyTiles)
 {
     open("zoom=4&show=beside");

@@ -1,5 +1,5 @@
-// What a density does to Gaussian blue noise: blurs, widths and pulls against closed forms, kernel and twin, forces
-// against direct sums, and where the points come to lie.
+// Gaussian blue noise of a density: blurs, widths and pulls against closed forms, kernel and twin, forces against
+// direct sums, and where the points come to lie.
 #include "host/sampling/optimized/gaussian_field.hpp"
 
 #include "base/densities/density_formula.hpp"
