@@ -19,6 +19,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
+#include "kernels/common/voronoi_2d.clh"
 #include "kernels/common/voronoi_2d_batch.clh"
 #include "kernels/common/voronoi_2d_window.clh"
 
@@ -150,23 +151,24 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     for (uint k = 0; k < ALL_ROWS; ++k) vstore8((uint8)0, 0, batch.neighbour[k]);
     vstore8((uint8)0, 0, batch.site);
     vstore8((int8)0, 0, batch.edges);
-    Window windows[2]; // a site may wait for one of the next cell
+    Window windows[2]; // the last site of a cell may wait for one of another cell: its window stays until then
     Window large;
     uint large_cell = UINT_MAX;
     uint number = 0;
     for (uint cell = begin; cell < end; ++cell) {
         const uint last = starts[cell + 1];
         if (starts[cell] == last) continue;
-        Window* window = &windows[number++ % 2];
+        Window* window = &windows[number % 2];
         window->count = MAX_POINTS + 1;
         if (grid_size >= 4) {
             gather_window(window, cell % grid_size, cell / grid_size, 1, grid_size, starts, fixed_point, stride);
         }
+        if (window->count > MAX_POINTS) {
+            for (uint site = starts[cell]; site < last; ++site) slow[atomic_inc(slow_count)] = site;
+            continue;
+        }
+        ++number;
         for (uint site = starts[cell]; site < last; ++site) {
-            if (window->count > MAX_POINTS) {
-                slow[atomic_inc(slow_count)] = site;
-                continue;
-            }
             add_site(&batch, window, site, cell, &grid);
             if (batch.count == BATCH_SITES) finish_batch(&batch, &grid, results, &large, &large_cell, slow, slow_count);
         }
