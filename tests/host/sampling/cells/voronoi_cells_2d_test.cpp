@@ -36,6 +36,15 @@ PointSet clusters(std::size_t n, std::size_t count, double width)
     return test::clustered_points(n, 2, count, width, random);
 }
 
+/// Crowded grid cells between others: kernels go the slow way there, and back.
+PointSet crowds_among_random_points(std::size_t n, std::size_t crowds)
+{
+    PointSet set = random_set(n);
+    const PointSet crowded = clusters(150 * crowds, crowds, 5e-3);
+    set.coordinates.insert(set.coordinates.end(), crowded.coordinates.begin(), crowded.coordinates.end());
+    return set;
+}
+
 /// A lattice of side^2 points, every second row shifted by half a spacing, and points moved by up to half of
 /// `jitter` spacings.
 PointSet brick_lattice(int side, double jitter)
@@ -151,6 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case2D{"square lattice of odd size", test::square_lattice(21, 2)},
         Case2D{"small square lattice", test::square_lattice(2, 2)}, Case2D{"a cluster", clusters(1000, 1, 1e-3), 1e6},
         Case2D{"a tiny cluster", clusters(500, 1, 1e-6), 1e9}, Case2D{"clusters", clusters(2000, 5, 1e-2), 1e6},
+        Case2D{"crowds", crowds_among_random_points(3000, 20), 1e6},
         Case2D{"pairs", repeated_2d(random_set(100), 2), 200}, Case2D{"triples", repeated_2d(random_set(100), 3), 300},
         Case2D{"coinciding lattice", repeated_2d(test::square_lattice(8, 2), 4)},
         Case2D{"all in one place", repeated_2d(random_set(1), 50)}, Case2D{"collinear", on_a_line(200, 0), 1e4},
