@@ -100,9 +100,11 @@ TEST_F(DistributeInstances, RefuseWhatTheyCannotDo)
     refuse("forest --height 2", "--height: goes with --terrain");
     refuse("forest --ring 1 2 3", "--ring: is for asteroids");
     refuse("asteroids --ring 1 2", "--ring 1 2: must be INNER OUTER THICKNESS");
+    refuse("asteroids --ring 0 1 1e300", "--ring 0 1 1e+300: must be INNER OUTER THICKNESS, each at most 1e6");
     refuse("asteroids --ring 2 1 3", "must be [inner, outer, thickness] with");
     refuse("asteroids --tiles " + tiles_, "are tiles in 2 dimensions; must be in 3");
     refuse("forest --scale 0.5 2", "--scale 0.5 2: must be LOW HIGH");
+    refuse("forest --models 0", "--models 0: must be from 1 to 65536");
     refuse("forest --models many", "--models: many: must be an integer from 1 to 65536");
     refuse("forest --out a.obj", "must be a file that ends in .csv, .ply, .usda or .png");
 }

@@ -32,13 +32,15 @@ models), .png (a shaded view from above, --pixels wide).
     --out forest.usda
   poissonlab distribute instances asteroids --ring 0.5 0.9 0.1 --out belt.ply --out belt.png)help";
 
+constexpr std::uint32_t models_not_given = UINT32_MAX;
+
 struct InstanceOptions : DistributeOptions
 {
     std::string scene;
     double instances = NAN;
     std::string terrain;
     std::vector<double> window, scale, ring, terrain_area;
-    std::uint32_t models = 0;
+    std::uint32_t models = models_not_given;
     double tilt = NAN;
     double height = NAN;
     std::vector<std::string> outs;
@@ -69,13 +71,25 @@ double checked(const InstanceOptions& o, const std::string& option, double value
     return value;
 }
 
+constexpr double farthest_units = 1e6;
+
 std::array<double, 4> rectangle(const InstanceOptions& o, const std::string& option, const std::vector<double>& given)
 {
     const std::string allowed = "X Y W H with sizes above 0 and at most 1e6";
     const auto numbers = numbers_of<4>(o, option, given, allowed);
-    const bool is_far = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > 1e6; });
+    const bool is_far = std::ranges::any_of(numbers, [](double number) { return std::abs(number) > farthest_units; });
     if (is_far || !(numbers[2] > 0 && numbers[3] > 0))
         throw bad_option(o, option, fmt::format("{}", fmt::join(given, " ")), allowed);
+    return numbers;
+}
+
+/// The further rules of a ring are those of check_instances().
+std::array<double, 3> ring_of(const InstanceOptions& o)
+{
+    const std::string allowed = "INNER OUTER THICKNESS, each at most 1e6";
+    const auto numbers = numbers_of<3>(o, "--ring", o.ring, allowed);
+    if (std::ranges::max(numbers) > farthest_units)
+        throw bad_option(o, "--ring", fmt::format("{}", fmt::join(o.ring, " ")), allowed);
     return numbers;
 }
 
@@ -98,7 +112,7 @@ void set_terrain(const InstanceOptions& o, InstanceSettings& settings)
     if (o.terrain.empty()) return;
     settings.terrain = o.terrain;
     settings.terrain_area = rectangle(o, "--terrain-area", o.terrain_area);
-    if (!std::isnan(o.height)) settings.height = checked(o, "--height", o.height, -1e6, 1e6);
+    if (!std::isnan(o.height)) settings.height = checked(o, "--height", o.height, -farthest_units, farthest_units);
 }
 
 InstanceSettings checked_instances(const InstanceOptions& o)
@@ -112,14 +126,15 @@ InstanceSettings checked_instances(const InstanceOptions& o)
     settings.tiles = o.tiles;
     if (!std::isnan(o.instances)) settings.density = checked(o, "--density", o.instances, 1e-6, 1e6);
     if (!o.window.empty()) settings.window = rectangle(o, "--window", o.window);
-    if (o.models > 0) settings.models = static_cast<std::uint32_t>(checked(o, "--models", o.models, 1, most_models));
+    if (o.models != models_not_given)
+        settings.models = static_cast<std::uint32_t>(checked(o, "--models", o.models, 1, most_models));
     if (!o.scale.empty()) {
         const auto [low, high] = scales(o);
         settings.scale = {SpreadChoice::Kind::uniform, low, high};
     }
     if (!std::isnan(o.tilt)) settings.tilt = checked(o, "--tilt", o.tilt, 0, 1.5);
     if (!o.ring.empty() && o.scene != "asteroids") throw InputError(o.command + ": --ring: is for asteroids");
-    if (!o.ring.empty()) settings.ring = numbers_of<3>(o, "--ring", o.ring, "INNER OUTER THICKNESS");
+    if (!o.ring.empty()) settings.ring = ring_of(o);
     set_terrain(o, settings);
     settings.pixels = static_cast<std::uint32_t>(checked(o, "--pixels", o.pixels, least_view_pixels, most_view_pixels));
     for (const std::string& out : o.outs) {

@@ -10,6 +10,26 @@
 #include <limits>
 
 namespace poissonlab {
+namespace {
+
+/// Points of the tiles around a window: the twin has all of them at once, some 60 bytes each.
+constexpr double most_points_around = 1 << 25;
+
+/// Throws InputError where a window is so thin that the tiles around it have far more points than it.
+void check_box(const ObjectTileSet& tiles, const InstanceBox& box)
+{
+    const PoissonTileParameters& p = tiles.tiles().parameters;
+    double points = p.points_per_tile;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(p.dimension); ++axis)
+        points *= std::floor(box.high[axis]) - std::floor(box.low[axis]) + 1;
+    if (!box.is_empty() && !(points <= most_points_around))
+        throw InputError(fmt::format("the tiles around the window have {:.0f} points: must be at most {:.0f}; a window "
+                                     "that is less thin, or fewer instances in a unit",
+                                     points, most_points_around));
+}
+
+}
+
 Terrain::Terrain(const InstanceSettings& settings)
     : heights_(values_of_text(settings.terrain, "light", settings.terrain_area[2], settings.terrain_area[3])),
       area_(settings.terrain_area), scale_(settings.height)
@@ -70,6 +90,7 @@ std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTili
                                    const InstanceSettings& settings, const DistributionPlace& place)
 {
     const std::optional<Terrain> terrain = terrain_of(settings);
+    check_box(tiles, instance_box(tiles, settings));
     std::vector<Instance> instances;
     if (place.engine == Engine::reference) {
         instances = reference::place_instances(tiles, tiling, settings);

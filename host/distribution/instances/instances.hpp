@@ -77,7 +77,8 @@ std::vector<Instance> place_instances(const ObjectTileSet& tiles, const PoissonT
 }
 
 /// The instances with a position in the window, x and y from its lowest corner on, and in the ring where the scene has
-/// one, on the terrain; by rows of tiles. Throws Interrupted.
+/// one, on the terrain; by rows of tiles. Throws InputError for windows so thin that the tiles around them have far
+/// more points, and Interrupted.
 std::vector<Instance> instances_in(const ObjectTileSet& tiles, const PoissonTiling& tiling,
                                    const InstanceSettings& settings, const DistributionPlace& place);
 

@@ -221,6 +221,17 @@ TEST(Instances, StandOnTheirTerrain)
     EXPECT_THAT(message_of([&] { terrain_of(settings); }), testing::HasSubstr("must be finite"));
 }
 
+/// A million units of a hair's breadth have few instances, and their tiles far too many points.
+TEST(Instances, AreRefusedInWindowsThatAreTooThin)
+{
+    InstanceSettings settings = some_trees({0, 0, 1e6, 1e-3});
+    settings.terrain.clear();
+    settings.density = 1000;
+    EXPECT_LE(expected_instances(settings), 1e6);
+    EXPECT_THAT(message_of([&] { made(plane_instance_tiles(), settings); }),
+                testing::HasSubstr("points: must be at most 33554432; a window that is less thin"));
+}
+
 TEST(Instances, AreWrittenForOtherPrograms)
 {
     const InstanceSettings settings = some_trees({0, 0, 1, 1});
