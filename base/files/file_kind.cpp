@@ -1,5 +1,9 @@
 #include "base/files/file_kind.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 namespace poissonlab {
@@ -22,6 +26,17 @@ std::string lack_of_file(const std::filesystem::path& path)
     default:
         return "no such file";
     }
+}
+
+bool has_picture_name(const std::filesystem::path& path)
+{
+    constexpr std::array<std::string_view, 19> endings{".bmp", ".eps", ".exr",  ".gif", ".hdr", ".jp2", ".jpeg",
+                                                       ".jpg", ".pbm", ".pdf",  ".pgm", ".png", ".pnm", ".ppm",
+                                                       ".svg", ".tga", ".tiff", ".tif", ".webp"};
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+    return std::ranges::find(endings, ending) != endings.end();
 }
 
 }

@@ -1,4 +1,4 @@
-// Words for what stands in the place of a file that a user named.
+// The kind of a file that a user named, by its name or by what stands in its place.
 #pragma once
 
 #include <filesystem>
@@ -9,5 +9,8 @@ namespace poissonlab {
 /// The words for a path that is not that of a file: "no such file", "is a folder, no file", "is a device, no file", "is
 /// a pipe, no file". Empty for a file.
 std::string lack_of_file(const std::filesystem::path& path);
+
+/// True if the name ends as those of pictures do, in small letters or capitals: ".png", ".gif" and so on.
+bool has_picture_name(const std::filesystem::path& path);
 
 }

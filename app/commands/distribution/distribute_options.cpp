@@ -1,5 +1,6 @@
 #include "app/commands/distribution/distribute_options.hpp"
 
+#include "app/commands/point_target.hpp"
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
@@ -102,6 +103,7 @@ void check(const DistributeOptions& o)
     check_engine(o);
     check_points(o);
     check_output(o, o.out);
+    check_point_target(o.command, o.out);
 }
 
 Density read_density(const DistributeOptions& o)

@@ -1,5 +1,6 @@
 // poissonlab distribute stipple, distribute hatch: a picture in dots or strokes.
 #include "app/commands/distribution/distribute_options.hpp"
+#include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/place_file.hpp"
@@ -85,7 +86,11 @@ StippleSettings checked_settings(const StippleOptions& o)
     if (settings.by_ranks && !o.method.empty()) throw InputError(o.line("--by ranks", "goes without --method"));
     if (o.pixels > static_cast<std::uint32_t>(max_drawing_pixels))
         throw InputError(o.line(fmt::format("--pixels {}", o.pixels), "must be at most 32768"));
-    for (const std::string& out : o.outs) check_output(o, out);
+    for (const std::filesystem::path out : o.outs) {
+        check_output(o, out);
+        if (out.extension() != ".svg" && out.extension() != ".png")
+            check_point_target(o.command, out, ", .svg or .png");
+    }
     settings.method = even_method_choice(o);
     return settings;
 }

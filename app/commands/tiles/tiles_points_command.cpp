@@ -1,5 +1,6 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
 #include "app/commands/command.hpp"
+#include "app/commands/point_target.hpp"
 #include "app/commands/tiles/window_density.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
@@ -148,6 +149,7 @@ private:
 
 void write_tile_points(const TilesPointsOptions& options)
 {
+    check_point_target("tiles points", options.out);
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
     const TileBlock block = checked_window(options.window, p.dimension);
