@@ -13,9 +13,11 @@
 #include "results/curve_tables.hpp"
 #include "results/run.hpp"
 
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -98,9 +100,12 @@ void report(const fs::path& folder, const fs::path& out)
     without_lock([&] { write_report({folder}, out, [](const std::string&) { stop_if_interrupted(); }); });
 }
 
-/// Carries out what `poissonlab run` does in one process, without a word. Returns the output folder.
-fs::path run_config(const std::string& config, const fs::path& out, const std::vector<std::string>& changes,
-                    const std::string& device, int threads, bool with_report)
+/// An output folder, and a sentence on each series that was left out of it.
+using RunOutcome = std::pair<fs::path, std::vector<std::string>>;
+
+/// Carries out what `poissonlab run` does in one process, without a word.
+RunOutcome run_config(const std::string& config, const fs::path& out, const std::vector<std::string>& changes,
+                      const std::string& device, int threads, bool with_report)
 {
     return without_lock([&] {
         const ThreadLimit limit(threads);
@@ -115,12 +120,16 @@ fs::path run_config(const std::string& config, const fs::path& out, const std::v
         RunSettings settings;
         settings.units = plan.out / unit_folder_name;
         CollectionFile done{plan.title, options.command, {}};
-        for (const PlannedRun& run : plan.runs) done.runs.push_back(run.out.filename().string());
+        std::vector<std::string> left_out;
+        for (const PlannedRun& run : plan.runs) {
+            done.runs.push_back(run.out.filename().string());
+            std::ranges::copy(run.experiment.left_out, std::back_inserter(left_out));
+        }
         Progress progress(Progress::Style::quiet);
         run_experiments(plan.runs, settings, *make_crew_of_one(), progress);
         if (plan.is_collection) write_collection_file(plan.out, done);
         if (with_report) write_report({plan.out}, plan.out, [](const std::string&) { stop_if_interrupted(); });
-        return plan.out;
+        return RunOutcome{plan.out, std::move(left_out)};
     });
 }
 

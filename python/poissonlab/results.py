@@ -2,6 +2,7 @@
 
 import html
 import os
+import warnings
 from collections.abc import Iterator, Mapping
 from typing import Any, Optional
 
@@ -84,9 +85,12 @@ def run(config: "str | os.PathLike[str]", out: "str | os.PathLike[str] | None" =
     changes: keys with other values, such as {"seed": 2, "analysis.points": 4096}; `--set` of the program.
     device: part of an OpenCL device's name, or its number. threads: 0 for all.
     report: whether to write the report, out/index.html, as well, which needs gnuplot.
-    Returns Results. Raises InputError, DeviceError, StorageError.
+    Returns Results. Raises InputError, DeviceError, StorageError. Warns of series that were left out, as this machine
+    cannot make them.
     """
     settings = [f"{key}={toml.value_of(value)}" for key, value in (changes or {}).items()]
-    folder = _poissonlab.run(os.fspath(config), "" if out is None else out, settings,
-                             "" if device is None else str(device), threads, report)
+    folder, left_out = _poissonlab.run(os.fspath(config), "" if out is None else out, settings,
+                                       "" if device is None else str(device), threads, report)
+    for words in left_out:
+        warnings.warn(words, stacklevel=2)
     return Results(folder)

@@ -66,6 +66,14 @@ class Runs(FolderTest):
         self.assertEqual(list(pl.open(self.folder / "all")), list(results))
         program("report", self.folder / "all", "--quiet")
 
+    def test_warn_of_series_that_are_left_out(self):
+        self.config.write_text(CONFIG + '[[method]]\nsampler = "command"\nlabel = "Mine"\n'
+                               'command = "no-such-program {out}"\nneeds = "no-such-program --help"\n')
+        with self.assertWarnsRegex(UserWarning, "^Mine: left out: ") as caught:
+            results = pl.run(self.config, self.folder / "out", report=False)
+        self.assertEqual(caught.filename, __file__)  # the line of the call
+        self.assertEqual(len(results), 3)
+
     def test_refuse_in_the_words_of_the_program(self):
         wrong = self.folder / "wrong.toml"
         for text in ("sed = 1", CONFIG.replace("0.65", "1.65"), "[[method]]\nsampler = 3", "seed ="):
