@@ -1,7 +1,7 @@
 #include "host/distribution/lookup_costs.hpp"
 
 #include "base/programs/interrupt.hpp"
-#include "host/distribution/perlin_noise.hpp"
+#include "host/distribution/tabled_noise.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ LookupCosts lookup_costs(const ObjectTileSet& tiles)
 {
     const pobjects distribution = tiles.distribution({1, 0});
     const bool is_in_space = tiles.tiles().parameters.dimension == 3;
-    const PerlinNoise noise;
+    const TabledNoise noise;
     const auto look_up = [&](const std::array<double, 3>& place, pobjects_cursor* cursor) {
         return static_cast<double>(pobjects_at(&distribution, place.data(), cursor).point.id);
     };

@@ -6,11 +6,11 @@
 // (4.7.2.2), some 40,000 dots of a picture in about 80 ms (figure 7.4).
 #include "host/distribution/even_points.hpp"
 #include "host/distribution/object_shapes.hpp"
-#include "host/distribution/perlin_noise.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_search.hpp"
 #include "host/distribution/sky_lights.hpp"
 #include "host/distribution/stipple.hpp"
+#include "host/distribution/tabled_noise.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -161,7 +161,7 @@ struct Places
 template <int dimension>
 void perlin(benchmark::State& state, bool along_rows)
 {
-    const PerlinNoise noise;
+    const TabledNoise noise;
     const Places<dimension> places(along_rows);
     for (auto _ : state) {
         double sum = 0;

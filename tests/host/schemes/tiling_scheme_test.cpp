@@ -1,12 +1,15 @@
 // Schemes of tilings: what they count and draw.
 #include "host/schemes/scheme_run.hpp"
 
+#include "host/distribution/tabled_noise.hpp"
 #include "host/schemes/perlin_noise.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/tilings/permutation_hash.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace poissonlab {
 namespace {
@@ -148,6 +151,33 @@ TEST(PerlinNoise, IsThatOfPerlinsProgram)
     EXPECT_NEAR(perlin_noise(hash, 3.14, 42, 7), 0.13691995878400012, 1e-15); // the value that other programs agree on
     EXPECT_EQ(perlin_noise(hash, -3, 42, 7), 0);
     EXPECT_EQ(perlin_noise(hash, 0.25, 0.5, 0.75), perlin_noise(hash, 256.25, -255.5, 512.75));
+}
+
+/// Look-ups that corners share are those of the hash function, to the last bit.
+TEST(PerlinNoise, IsTheSameByATable)
+{
+    const PermutationHash hash(256, {perlins_permutation.begin(), perlins_permutation.end()});
+    const TabledNoise noise(perlins_permutation);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-600, 600);
+    for (int i = 0; i < 10'000; ++i) {
+        const double x = place(random), y = place(random), z = place(random);
+        ASSERT_EQ(noise.at(x, y, z), perlin_noise(hash, x, y, z)) << x << " " << y << " " << z;
+    }
+}
+
+/// In the plane noise is 0 at lattice points, repeats after 256 cells, and at the middle of a cell is the mean of its
+/// corners' slopes, each of which is the sum or difference of two halves.
+TEST(PerlinNoise, InThePlaneIsMadeOfSlopes)
+{
+    const TabledNoise noise(perlins_permutation);
+    for (int i = -300; i < 300; ++i) {
+        EXPECT_EQ(noise.at(i, 3 * i), 0);
+        EXPECT_EQ(noise.at(i + 0.25, 0.75 - i), noise.at(i + 256.25, 512.75 - i));
+        const double middle = noise.at(i + 0.5, 2 * i + 0.5);
+        EXPECT_EQ(middle * 4, std::round(middle * 4)) << i;
+        EXPECT_LE(std::abs(middle), 1) << i;
+    }
 }
 
 }
