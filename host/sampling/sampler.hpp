@@ -79,6 +79,10 @@ public:
     /// The tile set of methods that tile.
     virtual std::optional<TileSetRecord> tile_set() const { return {}; }
 
+    /// The bytes of the Poisson disk (sphere) tile set's binary file, docs/tile-set-file.md, where sets are tilings
+    /// with one: others can use it. Empty elsewhere.
+    virtual std::string tile_set_file() const { return {}; }
+
     /// The relative radius that the last sample() is proven to have at least, where that is known without looking at
     /// it.
     virtual std::optional<double> proven_relative_radius() const { return {}; }

@@ -2,7 +2,6 @@
 
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
-#include "host/tile_sampling/tile_set_owner.hpp"
 #include "results/records/archive.hpp"
 
 #include <algorithm>
@@ -16,8 +15,7 @@ constexpr const char* tile_set_file = "tile-set.ptiles";
 
 std::string tile_set_of(const Sampler& sampler)
 {
-    const auto* owner = dynamic_cast<const TileSetOwner*>(&sampler);
-    std::string bytes = owner ? owner->tile_set_file() : "";
+    std::string bytes = sampler.tile_set_file();
     return bytes.size() <= most_tile_set_bytes ? bytes : "";
 }
 

@@ -6,7 +6,6 @@
 #include "host/tile_construction/tile_construction.hpp"
 #include "host/tile_points/point_levels.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
-#include "host/tile_sampling/tile_set_owner.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -65,7 +64,7 @@ struct TileSetChoice
     double density = 1; ///< part of the points that is kept
 };
 
-class TileSampler final : public DeviceSampler, public TileSetOwner
+class TileSampler final : public DeviceSampler
 {
 public:
     TileSampler(const TileSetChoice& choice, const SampleRequest& request, Engine engine, const DeviceProvider& device)

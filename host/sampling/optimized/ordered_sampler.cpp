@@ -47,6 +47,7 @@ public:
     std::vector<IterationRecord> iterations() const override { return made_->iterations(); }
     double preparation_seconds() const override { return made_->preparation_seconds(); }
     std::optional<TileSetRecord> tile_set() const override { return made_->tile_set(); }
+    std::string tile_set_file() const override { return made_->tile_set_file(); }
     std::optional<double> proven_relative_radius() const override { return made_->proven_relative_radius(); }
     std::uint32_t tiles_along_axis() const override { return made_->tiles_along_axis(); }
     std::uint32_t tile_sets() const override { return made_->tile_sets(); }

@@ -104,6 +104,7 @@ public:
     std::vector<IterationRecord> iterations() const override { return {{0.5, 2}}; }
     double preparation_seconds() const override { return 7; }
     std::optional<TileSetRecord> tile_set() const override { return TileSetRecord{}; }
+    std::string tile_set_file() const override { return "PTILES"; }
     std::optional<double> proven_relative_radius() const override { return 0.25; }
     std::uint32_t tiles_along_axis() const override { return 5; }
     std::uint32_t tile_sets() const override { return 3; }
@@ -120,6 +121,7 @@ TEST(OrderedSampler, SaysWhatTheMethodSays)
     EXPECT_EQ(ordered->iterations().size(), 1u);
     EXPECT_EQ(ordered->preparation_seconds(), 7);
     EXPECT_TRUE(ordered->tile_set().has_value());
+    EXPECT_EQ(ordered->tile_set_file(), "PTILES");
     EXPECT_EQ(ordered->proven_relative_radius(), 0.25);
     EXPECT_EQ(ordered->tiles_along_axis(), 5u);
     EXPECT_EQ(ordered->tile_sets(), 3u);
