@@ -170,7 +170,8 @@ std::vector<PaperClaim> claims_about_accelerated_darts()
     return {
         reach_claim("6.12-radius", "6.12", "In terms of radius, the method of Jones is very similar to dart throwing.",
                     {.sampler = "voronoi-darts", .points = usual_points}, 0.75),
-        {"6.12-spectrum", "6.12", "It has the same spectral properties as the traditional dart throwing algorithm.",
+        {"6.12-spectrum", "6.12",
+         "The method of Jones has the same spectral properties as the traditional dart throwing algorithm.",
          "radial curves of sets of the same relative radius differ by less than 0.03 on average", same_spectra},
         {"6.12-plate", "6.12", "The method of Jones has the same sampling performance as dart throwing.",
          "the root mean square errors of the zone plate differ by less than 2 %", same_plates},

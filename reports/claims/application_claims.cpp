@@ -114,7 +114,7 @@ std::vector<PaperClaim> claims_about_applications()
     return {
         {"4.7-radii", "4.7",
          "The best self-similar tile of 16 points has a relative radius of 0.6966, the second one of 0.6528.",
-         "the same four digits", radii_of_16_points},
+         "both radii have these four digits", radii_of_16_points},
         {"7.2-clumping", "7.2", "Warping can introduce clumping.",
          "nearest distances, in parts of the largest ones that the density allows, are smaller on average than before, "
          "and the least one is less than half of that before",

@@ -84,8 +84,8 @@ std::vector<PaperClaim> claims_about_early_tiles()
         {"6.7-across", "6.7",
          "The relative radius across tiles that are relaxed in the mean of their surroundings is often 0.40 or less.",
          "the smallest one of all realizations is at most 0.45, after 29 iterations or more", small_radius_across},
-        {"6.7-converges", "6.7", "It does not converge.", "within the last ten iterations it changes by more than 0.01",
-         does_not_converge},
+        {"6.7-converges", "6.7", "Relaxation in the mean of all surroundings does not converge.",
+         "within the last ten iterations the relative radius changes by more than 0.01", does_not_converge},
     };
 }
 

@@ -68,10 +68,10 @@ std::vector<PaperClaim> claims_about_penrose_tilings()
     return {
         {"6.8-radius", "6.8", "The relative radii of Penrose tilings vary between 0.65 and 0.75.",
          "each within these limits, at a constant density", radius_of_penrose},
-        {"6.8-star", "6.8", "Their periodogram has a star-like pattern of large spikes.",
+        {"6.8-star", "6.8", "The periodogram of Penrose tilings has a star-like pattern of large spikes.",
          "in some ring the anisotropy is more than 10 dB above chance", spikes_of_penrose},
         {"6.8-anisotropy", "6.8",
-         "Their anisotropy is significantly higher than that of edge-based and corner-based tiles.",
+         "The anisotropy of Penrose tilings is significantly higher than that of edge-based and corner-based tiles.",
          "more than 1 dB higher on average", more_anisotropic_than_tiles},
         {"6.8-plate", "6.8", "The zone plate shows severe structured aliasing.",
          "false plates are stronger than those that noise alone makes", plate_of_penrose},

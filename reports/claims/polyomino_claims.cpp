@@ -86,13 +86,14 @@ PolyominoOutcome are_fast(const ClaimSeries& report)
 std::vector<PaperClaim> claims_about_polyominoes()
 {
     return {
-        {"notes-2008-fast", "9.4", "Substitution tilings give sampling patterns fast,",
+        {"notes-2008-fast", "9.4", "Substitution tilings give sampling patterns fast.",
          "polyominoes take less time than dart throwing of as many points", are_fast},
-        {"notes-2008-blue-noise", "9.4", "with blue noise properties.", blue_noise_criterion, are_blue_noise},
-        {"notes-2008-no-artifacts", "9.4", "Polyominoes avoid frequency-domain artifacts",
+        {"notes-2008-blue-noise", "9.4", "Sampling patterns of substitution tilings have blue noise properties.",
+         blue_noise_criterion, are_blue_noise},
+        {"notes-2008-no-artifacts", "9.4", "Polyominoes avoid artifacts in the frequency domain.",
          "in no ring the anisotropy is more than 10 dB above chance, which is how the star of Penrose tilings is known",
          have_no_spikes},
-        {"notes-2008-penrose", "9.4", "that arose in the use of Penrose tiles.",
+        {"notes-2008-penrose", "9.4", "Polyominoes avoid the artifacts that arose in the use of Penrose tiles.",
          "the most anisotropic ring lies more than 1 dB lower than that of a Penrose tiling", have_weaker_spikes},
     };
 }

@@ -234,8 +234,7 @@ std::vector<PaperClaim> claims_about_textures()
         {"5.4-frames", "5.4",
          "Texture mapping by corner tiles runs at several hundred frames a second on a GeForce 7800 GTX.",
          "at least 200 frames of 1,024 × 576 pixels a second, between mipmap levels, whatever the device is; the size "
-         "of "
-         "the dissertation's frames is unknown",
+         "of the dissertation's frames is unknown",
          frames_of_mapping},
     };
 }

@@ -289,24 +289,27 @@ std::vector<PaperClaim> template_claims()
                  return set_size(*series) <= 16 || points_per_tile(*series) <= 24;
              });
          }},
-        {"6.10-good", "6.10", "Those with at least 32 points a tile and 32 tiles are rather good.", good_criterion,
+        {"6.10-good", "6.10", "Spectra of template tiles with at least 32 points a tile and 32 tiles are rather good.",
+         good_criterion,
          [](const ClaimSeries& report) {
              return judged_spectra(tiling_spectra(report, "template-tiles"), true, is_large);
          }},
-        {"6.10-alike", "6.10", "Spectra of 128 and 256 tiles are not that different.",
+        {"6.10-alike", "6.10", "Spectra of 128 and 256 template tiles are not that different.",
          "mean peaks within 10 % of each other", many_tiles_are_alike},
         {"6.10-pronounced", "6.10",
-         "The lattice of peaks is more pronounced than with other tiles, because the tiles have the template's points "
-         "in common.",
+         "The lattice of peaks of template tiles is more pronounced than with other tiles, because the tiles have the "
+         "template's points in common.",
          "mean peak of 128 tiles or more above that of corner tiles (at most 256) and edge tiles with as many points a "
          "tile; counting the points that tiles share predicts it",
          template_peaks_largest},
-        {"6.10-anisotropy", "6.10", "The peaks turn up in the anisotropy as well.",
+        {"6.10-anisotropy", "6.10", "The peaks of template tiles turn up in the anisotropy as well.",
          "the ring with the largest anisotropy is at least 10 dB above chance", peaks_in_anisotropy},
-        {"6.10-plate", "6.10", "The zone plate shows severe structured aliasing, whatever the parameters.",
+        {"6.10-plate", "6.10",
+         "The zone plate by template tiles shows severe structured aliasing, whatever the parameters.",
          "the strongest false plate is stronger than noise makes once in 100 pictures",
          [](const ClaimSeries& report) { return false_plates(report, plates(report, "template-tiles"), true); }},
-        {"6.10-improves", "6.10", "It improves with more tiles and with more points a tile.",
+        {"6.10-improves", "6.10",
+         "The zone plate by template tiles improves with more tiles and with more points a tile.",
          "the strongest false plate of each series against the next larger number of tiles, or of points a tile",
          plates_improve},
     };
@@ -477,7 +480,8 @@ std::vector<PaperClaim> sphere_claims()
     return {
         reach_claim("6.15-tiles-radius", "6.15", "Poisson sphere tiles reach a large relative radius, 0.75.", spheres,
                     0.75),
-        {"6.15-tiles-radial", "6.15", "Their radially averaged power is rather good.", blue_noise_criterion,
+        {"6.15-tiles-radial", "6.15", "The radially averaged power of sphere tiles is rather good.",
+         blue_noise_criterion,
          [spectra_of_spheres](const ClaimSeries& report) -> Outcome {
              Tally tally;
              std::vector<std::string> words;
@@ -489,7 +493,7 @@ std::vector<PaperClaim> sphere_claims()
              if (tally.empty()) return std::nullopt;
              return ClaimOutcome{tally.agreement(), joined_words(words)};
          }},
-        {"6.15-tiles-anisotropy", "6.15", "Their anisotropy is a bit high.",
+        {"6.15-tiles-anisotropy", "6.15", "The anisotropy of sphere tiles is a bit high.",
          "the mean over shells of at least 100 samples is more than 0.5 dB above what chance gives",
          [spectra_of_spheres](const ClaimSeries& report) -> Outcome {
              Tally tally;

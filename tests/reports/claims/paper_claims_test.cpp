@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <ostream>
@@ -98,6 +100,23 @@ TEST(PaperClaimList, HasEachClaimOnceWithItsSection)
             EXPECT_FALSE(claim.says.empty() || claim.criterion.empty()) << claim.id;
         }
     for (const auto& claim : claim_cases()) EXPECT_TRUE(ids.contains(claim.id)) << claim.id;
+}
+
+/// Readers filter and sort claims: each is a sentence that needs none before it.
+TEST(PaperClaimList, ClaimsStandAlone)
+{
+    const auto leans_on_another = [](const std::string& text) {
+        constexpr std::array words{"It ",   "Its ",  "They ", "Their ", "Those ",
+                                   "This ", "That ", "So ",   "And ",   "the same"};
+        return std::ranges::any_of(words, [&](const char* word) { return text.starts_with(word); });
+    };
+    for (const Paper& paper : papers())
+        for (const auto& claim : paper.claims) {
+            EXPECT_TRUE(claim.says.ends_with('.')) << claim.id << ": " << claim.says;
+            EXPECT_FALSE(std::islower(static_cast<unsigned char>(claim.says[0]))) << claim.id << ": " << claim.says;
+            EXPECT_FALSE(leans_on_another(claim.says)) << claim.id << ": " << claim.says;
+            EXPECT_FALSE(leans_on_another(claim.criterion)) << claim.id << ": " << claim.criterion;
+        }
 }
 
 /// A curve that rises steeply at the principal frequency of so many points.
