@@ -150,6 +150,8 @@ void check_texture_numbers(const fs::path& file, const StoredTextureSet& stored)
         refuse(fmt::format("color_classes = {}: must be 1 or, for corners over an even number of colours and for edges "
                            "over a multiple of 4, 2",
                            set.classes));
+    if (set.marked_column > 0 && set.classes != 2)
+        refuse(fmt::format("marked_column = {}: is for color_classes = 2", set.marked_column));
     if (set.size % 2 != 0 || set.size > most_tile_pixels)
         refuse(fmt::format("tile_size = {}: must be even and at most {}", set.size, most_tile_pixels));
     if (set.ring > set.size / 2) refuse(fmt::format("ring = {}: must be at most half of tile_size", set.ring));
@@ -248,6 +250,10 @@ TextureSet read_texture_set(const fs::path& folder)
     set.exemplar = read_pixels(folder / exemplar_name, read_png);
     check_pixels(folder / exemplar_name, set.exemplar, set.exemplar.width, set.exemplar.height, stored.channels,
                  stored.exemplar_hash);
+    if (set.marked_column > 0 && set.marked_column >= set.exemplar.width)
+        throw InputError::at({(folder / json_name).string()},
+                             fmt::format("marked_column = {}: must be below the exemplar's width, {}",
+                                         set.marked_column, set.exemplar.width));
     const PngPixels atlas = read_pixels(folder / atlas_name, read_png);
     const DeepPixels sources = read_pixels(folder / sources_name, read_deep_png);
     const int width = stored.columns * set.size, height = stored.rows * set.size;

@@ -1,4 +1,5 @@
 // Wang tiles with marked corners out of two exemplars of noise, in which every pixel's exemplar can be told.
+#include "base/files/whole_file.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tests/host/texture/random_picture.hpp"
@@ -60,18 +61,17 @@ TEST(MarkedWangTexture, FitsAndShowsTheExemplarOfEachCorner)
                 const CornerTile marks = marks_of(set, set.tiles[tile].index);
                 const Color count = marks.north_east + marks.south_east + marks.south_west + marks.north_west;
                 const auto shown = std::ranges::count_if(set.sources_of(tile), is_of_marked);
-                if (count % 4 == 0) {
+                if (count % 4 == 0)
                     EXPECT_EQ(shown, count == 0 ? 0 : 32 * 32);
-                } else { // an edge with two marks shows half a tile at most, a joint in the middle may move by a
-                         // quarter
+                else
                     EXPECT_TRUE(shown > 0 && shown < 32 * 32) << shown;
-                }
             }
         }
 }
 
-/// Along an edge between a marked and an unmarked corner, sources change the exemplar once a row, within the band.
-TEST(MarkedWangTexture, JoinsHalvesOfEdgesOnce)
+/// Along an edge between a marked and an unmarked corner, sources change the exemplar within the band, four pixels wide
+/// on both sides of its middle.
+TEST(MarkedWangTexture, JoinsHalvesOfEdgesInTheirMiddles)
 {
     const TextureSet set = marked_texture(marked_request("compact")).set;
     for (std::size_t tile = 0; tile < set.tiles.size(); ++tile) {
@@ -89,7 +89,7 @@ TEST(MarkedWangTexture, JoinsHalvesOfEdgesOnce)
     }
 }
 
-TEST(MarkedWangTexture, IsCutWhereAProofFindsTheWrongExemplar)
+TEST(MarkedWangTexture, IsRefusedWhereACornerShowsTheWrongExemplar)
 {
     TextureSet set = marked_texture(marked_request("random-marks")).set;
     set.marked_column = split + 90; // then nothing is marked
@@ -134,6 +134,16 @@ TEST(MarkedWangTexture, IsReadAsItWasWritten)
     EXPECT_EQ(read.marked_column, split);
     EXPECT_EQ(read.tiles, set.tiles);
     EXPECT_EQ(read.sources, set.sources);
+    const auto refusal = [&](const std::string& from, const std::string& to) {
+        std::string text = read_whole_file(folder.path() / "texture.json");
+        text.replace(text.find(from), from.size(), to);
+        folder.write("texture.json", text);
+        return message_of([&] { read_texture_set(folder.path()); });
+    };
+    EXPECT_THAT(refusal("\"marked_column\": 100", "\"marked_column\": 190"),
+                HasSubstr("texture.json: marked_column = 190: must be below the exemplar's width, 190"));
+    EXPECT_THAT(refusal("\"color_classes\": 2", "\"color_classes\": 1"),
+                HasSubstr("texture.json: marked_column = 190: is for color_classes = 2"));
 }
 
 TEST(MarkedWangTexture, RefusesWhatCannotBe)
