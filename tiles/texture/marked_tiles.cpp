@@ -7,6 +7,17 @@ namespace {
 constexpr Color first_mark(Color edge) { return edge / 2 % 2; }
 constexpr Color last_mark(Color edge) { return edge % 2; }
 
+WangTile without_marks(const WangTile& t)
+{
+    return {unmarked_edge(t.north), unmarked_edge(t.east), unmarked_edge(t.south), unmarked_edge(t.west)};
+}
+
+/// The colours within their classes.
+CornerTile without_marks(const CornerTile& t, Color in_class)
+{
+    return {t.north_east % in_class, t.south_east % in_class, t.south_west % in_class, t.north_west % in_class};
+}
+
 }
 
 WangTile marked_wang_tile(const WangTile& edges, const CornerTile& marks)
@@ -33,7 +44,7 @@ std::vector<TextureTile> randomly_marked_wang_tiles(const std::vector<TextureTil
     std::vector<TextureTile> tiles = marked_wang_tiles(edges, colors);
     std::erase_if(tiles, [&](const TextureTile& tile) {
         const WangTile t = wang_tile(tile.index, marked_colors(colors));
-        const bool is_first = t.east / 4 == t.north / 4 % colors.vertical;
+        const bool is_first = unmarked_edge(t.east) == unmarked_edge(t.north) % colors.vertical;
         return is_first == (last_mark(t.south) == 1);
     });
     return tiles;
@@ -48,6 +59,14 @@ CornerTile marks_of(const TextureSet& set, TileIndex index)
     const CornerTile t = corner_tile(index, set.colors.horizontal);
     const Color in_class = set.colors.horizontal / 2;
     return {t.north_east / in_class, t.south_east / in_class, t.south_west / in_class, t.north_west / in_class};
+}
+
+bool differ_in_marks_alone(const TextureSet& set, TileIndex a, TileIndex b)
+{
+    const Color colors = set.colors.horizontal;
+    if (set.has_corners())
+        return without_marks(corner_tile(a, colors), colors / 2) == without_marks(corner_tile(b, colors), colors / 2);
+    return without_marks(wang_tile(a, set.colors)) == without_marks(wang_tile(b, set.colors));
 }
 
 bool agrees_on_marks(const WangTile& tile)

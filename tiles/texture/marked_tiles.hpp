@@ -20,8 +20,12 @@ constexpr Color marked_edge(Color color, Color first_mark, Color last_mark)
     return 4 * color + 2 * first_mark + last_mark;
 }
 
-/// The number of colours of edges with marks.
+/// The colour of such an edge without its marks.
+constexpr Color unmarked_edge(Color edge) { return edge / 4; }
+
+/// The number of colours of edges with marks, and without them.
 constexpr WangColors marked_colors(WangColors colors) { return {4 * colors.horizontal, 4 * colors.vertical}; }
+constexpr WangColors unmarked_colors(WangColors colors) { return {colors.horizontal / 4, colors.vertical / 4}; }
 
 /// The Wang tile with these edges and marks of its corners, which are 0 or 1.
 WangTile marked_wang_tile(const WangTile& edges, const CornerTile& marks);
@@ -37,6 +41,9 @@ std::vector<TextureTile> randomly_marked_wang_tiles(const std::vector<TextureTil
 
 /// The marks of the corners of a tile of a set with two classes, 0 or 1.
 CornerTile marks_of(const TextureSet& set, TileIndex index);
+
+/// True if two tiles of a set with two classes differ in their marks at most.
+bool differ_in_marks_alone(const TextureSet& set, TileIndex a, TileIndex b);
 
 /// False where two edges of a Wang tile say different things about the mark of their corner.
 bool agrees_on_marks(const WangTile& tile);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 
 namespace poissonlab {
@@ -114,9 +115,11 @@ void check_choices(const TextureSet& set)
     for (const TextureTile& tile : set.tiles) {
         const WangTile t = wang_tile(tile.index, set.colors);
         const CornerTile m = marks_of(set, tile.index);
-        ++tiles[{t.north / 4, t.west / 4, m.north_east, m.south_east, m.south_west, m.north_west}];
+        ++tiles[{unmarked_edge(t.north), unmarked_edge(t.west), m.north_east, m.south_east, m.south_west,
+                 m.north_west}];
     }
-    const bool is_all = tiles.size() == std::size_t{16} * (set.colors.horizontal / 4) * (set.colors.vertical / 4);
+    const WangColors colors = unmarked_colors(set.colors);
+    const bool is_all = tiles.size() == std::size_t{16} * colors.horizontal * colors.vertical;
     if (!is_all || std::ranges::any_of(tiles, [](const auto& one) { return one.second < 2; }))
         throw InputError("a map of marks leaves no choice of these tiles, which are for marks at random");
 }

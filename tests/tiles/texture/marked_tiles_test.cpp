@@ -59,6 +59,22 @@ TEST(MarkedTiles, TellTheirEdgesAndMarks)
     EXPECT_EQ(marks_of(corners, corner_index({2, 3, 5, 0}, 6)), (CornerTile{0, 1, 1, 0}));
 }
 
+/// Of any two tiles over edges with marks, those with the same edges differ in their marks alone; the same of corners.
+TEST(MarkedTiles, KnowWhichOnesDifferInMarksAlone)
+{
+    const TextureSet set = marked_set(marked_wang_tiles(eight_tiles(), two));
+    for (std::size_t i = 0; i < set.tiles.size(); ++i)
+        for (std::size_t k = 0; k < set.tiles.size(); ++k)
+            ASSERT_EQ(differ_in_marks_alone(set, set.tiles[i].index, set.tiles[k].index), i / 16 == k / 16) << i << k;
+    TextureSet corners;
+    corners.colors = {6, 6};
+    corners.classes = 2;
+    const TileIndex tile = corner_index({2, 3, 5, 0}, 6);
+    EXPECT_TRUE(differ_in_marks_alone(corners, tile, corner_index({5, 0, 2, 0}, 6)));
+    for (const CornerTile& other : {CornerTile{1, 3, 5, 0}, {2, 4, 5, 0}, {2, 3, 4, 0}, {2, 3, 5, 2}})
+        EXPECT_FALSE(differ_in_marks_alone(corners, tile, corner_index(other, 6)));
+}
+
 /// "The stochastic selection is maintained, since there are only three corners that must match": wherever tiles to the
 /// north and west agree on the corner between them, there are two choices, one with each mark in the south-east; with
 /// all marks twice as many, so that a map finds both edges.
