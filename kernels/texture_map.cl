@@ -1,11 +1,12 @@
 // Views of endless textures of corner or Wang tiles, as light: a work-item a pixel.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.4. Hashes of lattice points or edges make tiles, and a
-// tile's place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is host/texture/texture_map_reference.cpp:
-// no library function but square root and floor, which are exact, and the same order of sums, so the same bits.
+// tile's place in the packed atlas follows, runtime/texture_tiles.h. The plain twin is
+// host/texture/mapping/texture_map_reference.cpp: no library function but square root and floor, which are exact, and
+// the same order of sums, so the same bits.
 //
-// Needs LOOKUP (one of those of the contract), CHANNELS (1 or 3), WANG (0 or 1: tiles are Wang tiles) and
-// COLORS, by which so much is divided that it is known when the kernel is built.
+// Needs LOOKUP (one of those of the contract), CHANNELS (1 or 3), WANG (0 or 1: tiles are Wang tiles) and COLORS, by
+// which so much is divided that it is known when the kernel is built.
 
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
@@ -118,9 +119,10 @@ void add_block(const struct TextureView* view, const struct TextureLevels* level
     for (int row = 0; row < block; ++row, ++south) {
         for (int i = 0; i <= block; ++i) above[i] = ttiles_color(seed, COLORS, west + (uint)i, south + 1u);
         for (int i = 0; i < block; ++i) {
+            const uint at = west + (uint)i;
             const uint place =
-                WANG ? ttiles_wang_place_of(COLORS, above[i], ttiles_edge_color(seed, COLORS, west + (uint)i + 1u, south, 1u),
-                                            below[i], ttiles_edge_color(seed, COLORS, west + (uint)i, south, 1u))
+                WANG ? ttiles_wang_place_of(COLORS, above[i], ttiles_edge_color(seed, COLORS, at + 1u, south, 1u),
+                                            below[i], ttiles_edge_color(seed, COLORS, at, south, 1u))
                      : ttiles_corner_place(COLORS, above[i + 1], below[i + 1], below[i], above[i]);
             // A tile is one texel at this level: its number is the place.
             add_texel(levels, light, levels->top, (int)place, 0, 1, mean);

@@ -1,4 +1,4 @@
-// The contract of texture_map.cl and its host code, host/texture/texture_map.cpp.
+// The contract of texture_map.cl and its host code, host/texture/mapping/texture_map.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

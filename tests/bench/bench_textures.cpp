@@ -5,8 +5,8 @@
 // plain sums take; a complete set of corner tiles over three colours in a second, over four in three, on two cores; a
 // view of the plane in 2.5 times what the atlas takes that repeats, with the same filter, packed or exact.
 #include "host/device/device.hpp"
+#include "host/texture/mapping/texture_map.hpp"
 #include "host/texture/texture_build.hpp"
-#include "host/texture/texture_map.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/host/texture/random_picture.hpp"
 

@@ -5,7 +5,7 @@
 #include "host/device/device.hpp"
 #include "host/run/progress.hpp"
 #include "host/sampling/sampler.hpp"
-#include "host/texture/texture_map.hpp"
+#include "host/texture/mapping/texture_map.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,8 +17,8 @@ namespace poissonlab {
 namespace {
 
 constexpr auto texture_map_notes =
-    R"(DIR has a complete set of corner or Wang tiles. The camera is above the middle of a tile and looks to the north; a --pitch of
-90 looks straight down. Filters:
+    R"(DIR has a complete set of corner or Wang tiles. The camera is above the middle of a tile and looks to the north; a
+--pitch of 90 looks straight down. Filters:
   nearest      one texel
   bilinear     four texels; the distance shimmers
   mipmap       between levels that fit the longer side of a pixel's footprint: no shimmer, but a blurred distance

@@ -15,6 +15,7 @@ double frames_a_second(Device& device, const TexturePyramid& pyramid)
     camera.width = frame_width;
     camera.height = frame_height;
     camera.filter = TextureFilter::mipmap;
+    check_fits("timing views of the plane", texture_map_memory(pyramid, view_of(camera)), device.info());
     std::vector<double> rates;
     for (int frame = -1; frame < timed_frames; ++frame) { // the first one builds the kernel
         camera.forward = frame;

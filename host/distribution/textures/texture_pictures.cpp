@@ -1,6 +1,6 @@
 #include "host/distribution/textures/texture_pictures.hpp"
 
-#include "tiles/texture/marked_tiles.hpp"
+#include "host/distribution/textures/painting.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,62 +11,7 @@
 namespace poissonlab {
 namespace {
 
-using Rgb = std::array<std::uint8_t, 3>;
-
-/// Colours that eyes tell apart; the first ones are those of the papers' drawings.
-constexpr std::array<Rgb, 12> tints{{{220, 50, 47},
-                                     {60, 160, 60},
-                                     {60, 90, 210},
-                                     {230, 180, 30},
-                                     {160, 70, 190},
-                                     {40, 170, 180},
-                                     {235, 120, 40},
-                                     {140, 140, 40},
-                                     {230, 110, 170},
-                                     {120, 90, 60},
-                                     {90, 200, 140},
-                                     {110, 110, 160}}};
-
-PngPixels blank(int width, int height)
-{
-    PngPixels picture{width, height, 3, {}};
-    picture.values.assign(picture.at(0, height, 0), 255);
-    return picture;
-}
-
-void put(PngPixels& picture, int x, int y, Rgb color)
-{
-    if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
-    std::ranges::copy(color, picture.values.begin() + static_cast<std::ptrdiff_t>(picture.at(x, y, 0)));
-}
-
-Rgb color_at(const PngPixels& picture, int x, int y)
-{
-    const std::size_t at = picture.at(x, y, 0);
-    if (picture.channels < 3) return {picture.values[at], picture.values[at], picture.values[at]};
-    return {picture.values[at], picture.values[at + 1], picture.values[at + 2]};
-}
-
-/// Puts a picture into another, its upper left corner at (left, top).
-void put_picture(PngPixels& picture, const PngPixels& other, int left, int top)
-{
-    for (int y = 0; y < other.height; ++y)
-        for (int x = 0; x < other.width; ++x) put(picture, left + x, top + y, color_at(other, x, y));
-}
-
-PngPixels colored(const PngPixels& pixels)
-{
-    PngPixels picture = blank(pixels.width, pixels.height);
-    put_picture(picture, pixels, 0, 0);
-    return picture;
-}
-
-Rgb tinted(Rgb color, Rgb tint)
-{
-    Rgb mixed{};
-    for (std::size_t c = 0; c < 3; ++c) mixed[c] = static_cast<std::uint8_t>((color[c] + tint[c]) / 2);
-    return mixed;
-}
+using namespace painting;
 
 void put_frame(PngPixels& picture, const ExemplarWindow& window, Rgb color, int thickness)
 {
@@ -100,109 +45,6 @@ private:
     std::map<std::pair<int, int>, std::size_t> numbers_;
 };
 
-PngPixels tile_picture(const TextureSet& set, std::size_t tile)
-{
-    const auto values = set.values_of(tile);
-    return {set.size, set.size, set.exemplar.channels, {values.begin(), values.end()}};
-}
-
-/// The patches of a tile's corners as they lie around its middle: north-west, north-east, south-west, south-east.
-std::array<Color, 4> patches_of(const CornerTile& t)
-{
-    return {t.north_west, t.north_east, t.south_west, t.south_east};
-}
-
-/// Four whole patches, each tinted: what the tile is cut out of.
-PngPixels assembled(const BuiltTexture& built, const std::array<Color, 4>& corners)
-{
-    const int size = built.set.size;
-    PngPixels picture = blank(2 * size, 2 * size);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        PngPixels patch = colored(window_pixels(built.set.exemplar, built.windows[corners[i]]));
-        for (int y = 0; y < size; ++y)
-            for (int x = 0; x < size; ++x)
-                put(patch, x, y, tinted(color_at(patch, x, y), tints[corners[i] % tints.size()]));
-        put_picture(picture, patch, static_cast<int>(i % 2) * size, static_cast<int>(i / 2) * size);
-    }
-    return picture;
-}
-
-/// The middle of a picture, half of each side.
-PngPixels middle_of(const PngPixels& picture)
-{
-    const int size = picture.width / 2;
-    PngPixels middle = blank(size, size);
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) put(middle, x, y, color_at(picture, x + size / 2, y + size / 2));
-    return middle;
-}
-
-/// The tile with what is left of its patches in their tints, and new pieces in grey.
-PngPixels patch_picture(const BuiltTexture& built, std::size_t tile, const std::array<Color, 4>& corners)
-{
-    constexpr Rgb grey{128, 128, 128};
-    const int size = built.set.size, half = size / 2;
-    PngPixels picture = colored(tile_picture(built.set, tile));
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x) {
-            const Color color = corners[(y < half ? 0u : 2u) + (x < half ? 0u : 1u)];
-            const ExemplarWindow& patch = built.windows[color];
-            const SourcePixel source = built.set.sources_of(tile)[static_cast<std::size_t>(y * size + x)];
-            const bool is_patch = source.x == patch.x + patch.size / 2 + (x < half ? x : x - size) &&
-                                  source.y == patch.y + patch.size / 2 + (y < half ? y : y - size);
-            put(picture, x, y, tinted(color_at(picture, x, y), is_patch ? tints[color % tints.size()] : grey));
-        }
-    return picture;
-}
-
-constexpr int step_zoom = 2, step_gap = 16, mark_columns = 4;
-
-/// A red dot with a white rim.
-void put_dot(PngPixels& picture, int x, int y, int radius)
-{
-    for (int dy = -radius; dy < radius; ++dy)
-        for (int dx = -radius; dx < radius; ++dx) {
-            const int square = (2 * dx + 1) * (2 * dx + 1) + (2 * dy + 1) * (2 * dy + 1);
-            if (square > 4 * radius * radius) continue;
-            put(picture, x + dx, y + dy, square > 4 * (radius - 1) * (radius - 1) ? Rgb{255, 255, 255} : tints[0]);
-        }
-}
-
-/// Dots at the marked corners of a tile whose north-western pixel is at (left, top).
-void put_mark_dots(PngPixels& picture, const TextureSet& set, std::size_t tile, int left, int top)
-{
-    const CornerTile marks = marks_of(set, set.tiles[tile].index);
-    const int size = set.size, radius = std::max(2, size / 10);
-    if (marks.north_west == 1) put_dot(picture, left, top, radius);
-    if (marks.north_east == 1) put_dot(picture, left + size, top, radius);
-    if (marks.south_west == 1) put_dot(picture, left, top + size, radius);
-    if (marks.south_east == 1) put_dot(picture, left + size, top + size, radius);
-}
-
-/// True if tiles differ in their marks at most.
-bool are_alike(const TextureSet& set, TileIndex a, TileIndex b)
-{
-    if (!set.has_corners()) {
-        const WangTile t = wang_tile(a, set.colors), u = wang_tile(b, set.colors);
-        return t.north / 4 == u.north / 4 && t.east / 4 == u.east / 4 && t.south / 4 == u.south / 4 &&
-               t.west / 4 == u.west / 4;
-    }
-    const Color half = set.colors.horizontal / 2;
-    const CornerTile t = corner_tile(a, 2 * half), u = corner_tile(b, 2 * half);
-    return t.north_east % half == u.north_east % half && t.south_east % half == u.south_east % half &&
-           t.south_west % half == u.south_west % half && t.north_west % half == u.north_west % half;
-}
-
-}
-
-PngPixels enlarged(const PngPixels& pixels, int factor)
-{
-    PngPixels large{pixels.width * factor, pixels.height * factor, pixels.channels, {}};
-    for (int y = 0; y < large.height; ++y)
-        for (int x = 0; x < large.width; ++x)
-            for (int c = 0; c < large.channels; ++c)
-                large.values.push_back(pixels.values[pixels.at(x / factor, y / factor, c)]);
-    return large;
 }
 
 std::vector<std::uint8_t> piece_values(const TextureSet& set)
@@ -255,28 +97,6 @@ PngPixels window_picture(const PngPixels& exemplar, const std::vector<ExemplarWi
     return picture;
 }
 
-PngPixels step_picture(const BuiltTexture& built)
-{
-    const TextureSet& set = built.set;
-    const Color colors = set.colors.horizontal;
-    const TileIndex wanted = corner_index({1 % colors, 3 % colors, 2 % colors, 0}, colors);
-    const auto found = std::ranges::find(set.tiles, wanted, &TextureTile::index);
-    const auto tile = found == set.tiles.end() ? std::size_t{0} : static_cast<std::size_t>(found - set.tiles.begin());
-    const std::array<Color, 4> corners = patches_of(corner_tile(set.tiles[tile].index, colors));
-    const PngPixels patches = assembled(built, corners);
-    const std::array<PngPixels, 4> steps{patches, middle_of(patches), tile_picture(set, tile),
-                                         patch_picture(built, tile, corners)};
-    const int large = 2 * set.size * step_zoom;
-    PngPixels picture = blank(4 * large / 2 + large / 2 + 3 * step_gap, large);
-    int left = 0;
-    for (const PngPixels& step : steps) {
-        const PngPixels shown = enlarged(step, step_zoom);
-        put_picture(picture, shown, left, (large - shown.height) / 2);
-        left += shown.width + step_gap;
-    }
-    return picture;
-}
-
 PngPixels level_picture(const TexturePyramid& pyramid)
 {
     const int width = pyramid.width(0);
@@ -287,32 +107,6 @@ PngPixels level_picture(const TexturePyramid& pyramid)
         put_picture(picture, level_pixels(pyramid, level), width, top);
         top += pyramid.width(level);
     }
-    return picture;
-}
-
-PngPixels marks_picture(const TextureSet& set)
-{
-    std::vector<std::size_t> tiles;
-    for (std::size_t tile = 0; tile < set.tiles.size(); ++tile)
-        if (are_alike(set, set.tiles[tile].index, set.tiles[0].index)) tiles.push_back(tile);
-    const int count = static_cast<int>(tiles.size()), step = set.size + step_gap;
-    PngPixels picture =
-        blank(mark_columns * step + step_gap, (count + mark_columns - 1) / mark_columns * step + step_gap);
-    for (int i = 0; i < count; ++i) {
-        const std::size_t tile = tiles[static_cast<std::size_t>(i)];
-        const int left = i % mark_columns * step + step_gap, top = i / mark_columns * step + step_gap;
-        put_picture(picture, tile_picture(set, tile), left, top);
-        put_mark_dots(picture, set, tile, left, top);
-    }
-    return enlarged(picture, step_zoom);
-}
-
-PngPixels marked_window_picture(const TextureSet& set, const TextureWindow& window)
-{
-    PngPixels picture = colored(texture_window_pixels(set, window, set.values, set.exemplar.channels));
-    for (std::size_t i = 0; i < window.tiles.size(); ++i)
-        put_mark_dots(picture, set, window.tiles[i], static_cast<int>(i % window.columns) * set.size,
-                      static_cast<int>(i / window.columns) * set.size);
     return picture;
 }
 

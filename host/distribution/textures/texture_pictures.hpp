@@ -1,20 +1,17 @@
-// Pictures of texture tiles for pages: seams, pieces by where they come from, windows in the exemplar, the
-// levels of the atlas, steps by their place in the tile.
+// Pictures of texture tiles for pages: seams, pieces by where they come from, windows in the exemplar, the levels of
+// the atlas, steps by their place in the tile.
 #pragma once
 
-#include "host/texture/texture_build.hpp"
-#include "host/texture/texture_map.hpp"
+#include "base/images/png_file.hpp"
+#include "host/texture/mapping/texture_map.hpp"
+#include "host/texture/window_choice.hpp"
 #include "tiles/texture/texture_set.hpp"
-#include "tiles/texture/texture_tiling.hpp"
 #include "tiles/texture/tiling_measures.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace poissonlab {
-
-/// Every pixel `factor` times along both axes.
-PngPixels enlarged(const PngPixels& pixels, int factor);
 
 /// The values of a set's tiles tinted by the window of the exemplar that they come from, three channels a pixel: one
 /// colour a patch, which its quarters in all tiles have in common.
@@ -26,18 +23,8 @@ PngPixels seam_picture(const TextureSet& set);
 /// The exemplar with the frames of all windows: the first `patches` in their own colours, the others in grey.
 PngPixels window_picture(const PngPixels& exemplar, const std::vector<ExemplarWindow>& windows, std::size_t patches);
 
-/// A corner tile with colours as different as can be, from patches to the finished tile: four patches side by side,
-/// the quarters that are cut out, the tile, and the tile with new pieces in grey; enlarged.
-PngPixels step_picture(const BuiltTexture& built);
-
 /// All levels of an atlas side by side.
 PngPixels level_picture(const TexturePyramid& pyramid);
-
-/// The same tile with all marks that its corners have in the set, and dots at marked corners.
-PngPixels marks_picture(const TextureSet& set);
-
-/// The picture of a window with dots at marked corners.
-PngPixels marked_window_picture(const TextureSet& set, const TextureWindow& window);
 
 /// A step map as grey: the exemplar's mean in the middle, white twice as much.
 PngPixels step_map_picture(const StepMap& map);

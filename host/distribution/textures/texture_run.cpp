@@ -6,12 +6,16 @@
 #include "host/device/device.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/textures/frame_rate.hpp"
+#include "host/distribution/textures/mark_pictures.hpp"
+#include "host/distribution/textures/step_picture.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
+#include "host/texture/texture_build.hpp"
 #include "results/texture_measures.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 
 #include <fmt/format.h>
 

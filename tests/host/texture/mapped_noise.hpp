@@ -1,8 +1,8 @@
 // Small sets of noise to be mapped, and views of them whose filtering is known.
 #pragma once
 
+#include "host/texture/mapping/texture_map.hpp"
 #include "host/texture/texture_build.hpp"
-#include "host/texture/texture_map.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
 namespace poissonlab::test {

@@ -1,4 +1,4 @@
-#include "host/texture/texture_light.hpp"
+#include "host/texture/mapping/texture_light.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // Views of endless textures: the kernel against its plain twin, and look-ups against an explicit texture, whose levels
 // are means of whole boxes of its pixels.
-#include "host/texture/texture_map.hpp"
+#include "host/texture/mapping/texture_map.hpp"
 
 #include "host/device/device.hpp"
-#include "host/texture/texture_light.hpp"
+#include "host/texture/mapping/texture_light.hpp"
 #include "runtime/texture_tiles.h"
 #include "tests/host/texture/mapped_noise.hpp"
 #include "tests/support/errors.hpp"

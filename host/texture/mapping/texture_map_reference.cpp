@@ -1,7 +1,7 @@
 // The plain C++ twin of kernels/texture_map.cl: a loop over pixels, samples and texels, each of which finds its own
 // tile.
 #include "base/programs/interrupt.hpp"
-#include "host/texture/texture_map.hpp"
+#include "host/texture/mapping/texture_map.hpp"
 #include "tiles/texture/endless_texture.hpp"
 
 #include <algorithm>
