@@ -24,9 +24,9 @@ constexpr auto texture_build_notes =
     R"(corner: C^4 tiles by the colours of their corners, a patch of the picture a colour; pieces around the middles of
 edges and in the middles of tiles cover their joints (--stages 1: in the middles of tiles only, as Ng and others do).
 wang: C^4 tiles by the colours of their edges, or --tiles compact (8 tiles for two colours, 18 for three, 12 for two and
---vertical-colors 3), by quilting after Cohen and others; their corners do not always fit.
-with --marked-exemplar: each tile with all sixteen marks of its corners (--tiles compact: 128 for two colours), for maps;
---tiles random-marks: the half of the compact ones that is enough where marks are at random (64).
+--vertical-colors 3), by quilting after Cohen and others; their corners do not always fit. With --marked-exemplar each
+tile has all sixteen marks of its corners (--tiles compact: 128 for two colours), for maps; --tiles random-marks is the
+half of the compact ones that is enough where marks are at random (64).
 omega: --tiles 16 (the default), 16b, 4, 8 or 32 of Ng and others, over 4 colours, for scanlines.
 The outermost pixels of a tile, its ring, depend on the colours that it shares alone. DIR gets atlas.png, sources.png,
 exemplar.png and texture.json: see docs/texture-set.md.
