@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -128,19 +129,18 @@ void map_texture_plane(const TextureMapOptions& o)
             throw error.moved_to({o.folder.string()});
         }
     }();
+    std::optional<Device> device;
+    if (engine == Engine::opencl) {
+        device = Device::open(o.device);
+        check_fits(fmt::format("texture map: {}", o.folder.string()), texture_map_memory(pyramid, view_of(camera)),
+                   device->info());
+    }
     Progress progress(Progress::detect(o.quiet));
     for (std::uint32_t frame = 0; frame < o.frames; ++frame) {
         camera.forward = o.advance * frame / o.frames;
         const TextureView view = view_of(camera);
-        std::vector<float> light;
-        if (engine == Engine::reference) {
-            light = reference_map_texture(pyramid, lookup, view);
-        } else {
-            Device device = Device::open(o.device);
-            check_fits(fmt::format("texture map: {}", o.folder.string()), texture_map_memory(pyramid, view),
-                       device.info());
-            light = map_texture(device, pyramid, lookup, view, default_work_group_size);
-        }
+        const std::vector<float> light = device ? map_texture(*device, pyramid, lookup, view, default_work_group_size)
+                                                : reference_map_texture(pyramid, lookup, view);
         const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
         write_png(frame_file(o, frame), {pixels.width, pixels.height, pixels.channels},
                   [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
