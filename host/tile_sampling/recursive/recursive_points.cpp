@@ -62,7 +62,8 @@ public:
     template <class Add>
     void visit(const Node& node, int level, const Add& add, std::vector<Node>& next) const
     {
-        const RankedCell ranked = ranks_of(node, level);
+        const std::uint64_t most = demand_over(node, level);
+        const RankedCell ranked = ranks_of(node, level, most);
         const RecursiveTile& tile = tiles_.tile(node.tile);
         for (std::uint32_t rank = ranked.first; rank < ranked.first + ranked.count; ++rank) {
             const RecursiveLink link = tile.links[rank];
@@ -70,13 +71,12 @@ public:
             add_if_wanted({tile.children[cell], cell_of(node, cell), 0}, link.point(), level,
                           rank * one_point + node.turn, add);
         }
-        descend(node, level, next);
+        descend(node, level, most, next);
     }
 
-    /// The ranks of a tile whose turn comes before the largest demand over it.
-    RankedCell ranks_of(const Node& node, int level) const
+    /// The ranks of a tile whose turn comes before the largest demand over it, `most`.
+    RankedCell ranks_of(const Node& node, int level, std::uint64_t most) const
     {
-        const std::uint64_t most = demand_over(node, level);
         const bool is_twice = drawing_ == RecursiveDrawing::twice;
         const std::uint64_t first = level > 0 && !is_twice ? points_ : 0;
         const std::uint64_t last = is_twice ? points_ : recursive_cells * points_;
@@ -87,15 +87,24 @@ public:
 
     /// Adds the tiles in the cells of a tile that have more. A smaller tile's first sub-point comes when it has more
     /// than N points per tile.
-    void descend(const Node& node, int level, std::vector<Node>& next) const
+    void descend(const Node& node, int level, std::uint64_t most, std::vector<Node>& next) const
     {
-        const std::uint64_t most = demand_over(node, level), full = points_ * one_point;
+        const std::uint64_t full = points_ * one_point;
         if (drawing_ == RecursiveDrawing::twice ? most <= full : most / recursive_cells < full) return;
         for (std::uint32_t cell = 0; cell < recursive_cells; ++cell) {
             const Node child{tiles_.tile(node.tile).children[cell], cell_of(node, cell),
                              (cell_turns[cell] * one_point + node.turn) / recursive_cells};
             if (meets_window(child, level + 1)) next.push_back(child);
         }
+    }
+
+    /// The largest demand over a tile.
+    std::uint64_t demand_over(const Node& node, int level) const
+    {
+        if (density_.is_uniform() || level < window_.level) return density_.demand(full_weight, level);
+        return density_.demand(density_.bounds().over(place_in_window(level, node.cell, {0, 0}),
+                                                      place_in_window(level, node.cell, {UINT32_MAX, UINT32_MAX})),
+                               level);
     }
 
     bool meets_window(const Node& node, int level) const
@@ -132,14 +141,6 @@ private:
                          : static_cast<std::uint64_t>((static_cast<Wide>(from_corner) << 32 | place[k]) / span));
         }
         return result;
-    }
-
-    std::uint64_t demand_over(const Node& node, int level) const
-    {
-        if (density_.is_uniform() || level < window_.level) return density_.demand(full_weight, level);
-        return density_.demand(density_.bounds().over(place_in_window(level, node.cell, {0, 0}),
-                                                      place_in_window(level, node.cell, {UINT32_MAX, UINT32_MAX})),
-                               level);
     }
 
     /// A point of a tile one level below that where it has its rank. It is followed to the window's level.
@@ -228,8 +229,9 @@ void RecursiveTiling::show_levels(const RecursiveDensity& density, RecursiveDraw
         std::vector<RankedCell> ranked;
         std::vector<Node> next;
         for (const Node& node : nodes) {
-            ranked.push_back(walk.ranks_of(node, level));
-            walk.descend(node, level, next);
+            const std::uint64_t most = walk.demand_over(node, level);
+            ranked.push_back(walk.ranks_of(node, level, most));
+            walk.descend(node, level, most, next);
         }
         show(level, ranked);
         nodes = std::move(next);
