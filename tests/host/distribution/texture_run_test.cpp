@@ -130,8 +130,8 @@ TEST_F(TextureRun, TellsRepetition)
               2 * number(make(config_of(many, "texture")), "lattice_power"));
 }
 
-/// A frame takes no less than to write each of its pixels at a terabyte a second, which no device hands over, and no more
-/// than a minute.
+/// A frame takes no less than to write each of its pixels at a terabyte a second, which no device hands over, and no
+/// more than a minute.
 TEST_F(TextureRun, TimesFramesWhereItIsAskedTo)
 {
     TextureSettings settings = noise_settings();
