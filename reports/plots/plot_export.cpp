@@ -1,5 +1,7 @@
 #include "reports/plots/plot_export.hpp"
 
+#include "base/files/csv_fields.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,16 +13,6 @@
 
 namespace poissonlab {
 namespace {
-
-std::string csv_quoted(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"') quoted += '"';
-        quoted += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    return quoted + "\"";
-}
 
 /// The shortest number that is the same double; empty where there is none.
 std::string csv_number(const std::vector<double>& values, std::size_t i)
