@@ -3,6 +3,7 @@
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/statistics/jackknife.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/csv_fields.hpp"
 #include "base/files/text_lines.hpp"
 #include "reports/gallery/gallery_file.hpp"
 #include "results/measures.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <string_view>
@@ -21,9 +23,29 @@ constexpr std::string_view methods_file = "methods.csv";
 constexpr std::string_view measures_file = "measures.csv";
 constexpr std::string_view curves_file = "curves.csv";
 
-constexpr std::string_view methods_header = "name,dimension,points,realizations,min_distance,label";
+constexpr std::string_view methods_header =
+    "name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label";
 constexpr std::string_view measures_header = "name,measure,value,standard_error";
 constexpr std::string_view curves_header = "name,frequency,power,power_error,anisotropy_db";
+
+/// Methods that most papers show, and the best of their kind.
+constexpr std::array<std::string_view, 15> chosen_methods = {
+    "random",
+    "jittered",
+    "dart-throwing-rho-0.75",
+    "lloyd-i-100",
+    "sample-elimination",
+    "farthest-point",
+    "gaussian-blue-noise",
+    "target-spectrum",
+    "equal-areas",
+    "random-3d",
+    "jittered-3d",
+    "dart-throwing-rho-0.70-3d",
+    "lloyd-i-100-3d",
+    "sample-elimination-3d",
+    "gaussian-blue-noise-3d",
+};
 
 /// Times and memory are those of one machine, and numbers of points and sets stand in another table.
 bool is_in_gallery(const Measure& measure)
@@ -42,9 +64,10 @@ void add_gallery_method(const GallerySource& source, GalleryTables& tables)
 {
     const Series& stored = *source.stored;
     const std::string name = gallery_name(source);
-    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},\"{}\"\n", name, source.curve->dimension,
-                   stored.points, stored.realizations, stored.min_distance ? stored.min_distance->mean : 0,
-                   source.label);
+    fmt::format_to(std::back_inserter(tables.methods), "{},{},{},{},{:.6g},{},{},{},{},{}\n", name,
+                   source.curve->dimension, stored.points, stored.realizations,
+                   stored.min_distance ? stored.min_distance->mean : 0, stored.sampler, source.seed, source.program,
+                   csv_quoted(stored.parameters_json), csv_quoted(source.label));
     for (const Measure& measure : measures()) {
         const auto value = is_in_gallery(measure) ? measure.get(stored) : std::nullopt;
         if (!value || !std::isfinite(value->value)) continue;
@@ -55,20 +78,6 @@ void add_gallery_method(const GallerySource& source, GalleryTables& tables)
     for (const RadialBin& bin : source.curve->bins)
         fmt::format_to(std::back_inserter(tables.curves), "{},{},{:.4g},{:.2g},{:.2f}\n", name, bin.frequency,
                        bin.power, bin.power_error, bin.anisotropy_db);
-}
-
-/// The fields of a line; the last one has all that is left.
-std::vector<std::string_view> fields_of(std::string_view line, std::size_t count)
-{
-    std::vector<std::string_view> fields;
-    while (fields.size() + 1 < count) {
-        const std::size_t comma = line.find(',');
-        if (comma == line.npos) return {};
-        fields.push_back(line.substr(0, comma));
-        line.remove_prefix(comma + 1);
-    }
-    fields.push_back(line);
-    return fields;
 }
 
 /// Goes through the lines of a table below its header.
@@ -84,12 +93,14 @@ public:
     bool next()
     {
         if (!lines_.next()) return false;
-        fields_ = fields_of(lines_.line(), columns_);
-        if (fields_.empty()) throw error(fmt::format("must have {} columns", columns_));
+        auto fields = csv_fields(lines_.line());
+        if (!fields) throw error("must close its quotes, with a comma behind");
+        if (fields->size() != columns_) throw error(fmt::format("must have {} columns", columns_));
+        fields_ = std::move(*fields);
         return true;
     }
 
-    std::string text(std::size_t column) const { return std::string(fields_[column]); }
+    const std::string& text(std::size_t column) const { return fields_[column]; }
 
     double number(std::size_t column) const
     {
@@ -104,7 +115,7 @@ private:
     std::string file_;
     std::size_t columns_;
     LineReader lines_;
-    std::vector<std::string_view> fields_;
+    std::vector<std::string> fields_;
 };
 
 GalleryMethod gallery_method_of(const GalleryReader& line)
@@ -116,10 +127,11 @@ GalleryMethod gallery_method_of(const GalleryReader& line)
     method.curve.realizations = static_cast<int>(line.number(3));
     method.curve.background_db = background_anisotropy_db(method.curve.realizations);
     if (const double distance = line.number(4); distance > 0) method.curve.principal_frequency = 1 / distance;
-    const std::string label = line.text(5);
-    if (label.size() < 3 || label.front() != '"' || label.back() != '"')
-        throw line.error("the label must be in quotes");
-    method.label = label.substr(1, label.size() - 2);
+    method.sampler = line.text(5);
+    method.seed = line.text(6);
+    method.program = line.text(7);
+    method.parameters = line.text(8);
+    method.label = line.text(9);
     return method;
 }
 
@@ -180,6 +192,15 @@ std::vector<const GalleryMethod*> reference_gallery(int dimension)
     std::vector<const GalleryMethod*> methods;
     for (const GalleryMethod& method : reference_gallery())
         if (method.curve.dimension == dimension) methods.push_back(&method);
+    return methods;
+}
+
+std::vector<const GalleryMethod*> gallery_choice(int dimension)
+{
+    auto methods = reference_gallery(dimension);
+    std::erase_if(methods, [](const GalleryMethod* method) {
+        return std::ranges::find(chosen_methods, method->name) == chosen_methods.end();
+    });
     return methods;
 }
 

@@ -18,6 +18,10 @@ struct GalleryMethod
 {
     std::string name; ///< in the tables: letters, digits, '.', '_', '-'
     std::string label;
+    std::string sampler;
+    std::string parameters;                   ///< those that were given, a JSON object
+    std::string seed;                         ///< a number; empty for sets that were not made by seed
+    std::string program;                      ///< the version that made it
     Curve curve;                              ///< without numbers of samples
     std::map<std::string, Estimate> measures; ///< by their keys in the catalogue
 };
@@ -25,7 +29,7 @@ struct GalleryMethod
 /// The texts of the tables.
 struct GalleryTables
 {
-    /// name,dimension,points,realizations,min_distance,label; the label in quotes.
+    /// name,dimension,points,realizations,min_distance,sampler,seed,program,parameters,label; the last two in quotes.
     std::string methods;
     /// name,measure,value,standard_error; the error may be empty.
     std::string measures;
@@ -39,6 +43,8 @@ struct GallerySource
     const Series* stored = nullptr; ///< with a spectrum
     std::string label;
     const Curve* curve = nullptr;
+    std::string seed;
+    std::string program; ///< the version that made it
 };
 
 /// The name of a series in a gallery: its own one, with "-3d" where its sets have three dimensions.
@@ -55,5 +61,8 @@ const std::vector<GalleryMethod>& reference_gallery();
 
 /// Its methods whose sets have that dimension.
 std::vector<const GalleryMethod*> reference_gallery(int dimension);
+
+/// The few of them whose curves are laid behind those of sets: all in one plot could not be told apart.
+std::vector<const GalleryMethod*> gallery_choice(int dimension);
 
 }

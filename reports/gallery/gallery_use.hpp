@@ -6,7 +6,7 @@ namespace poissonlab {
 enum class Gallery
 {
     offered,     ///< on the compare page, to be ticked
-    laid_behind, ///< the curves of each run as well, ticked, with a table of measures
+    laid_behind, ///< some ticked there and behind the curves of each run, with a table of the measures of all
 };
 
 }

@@ -117,8 +117,9 @@ std::vector<Panel> gallery_panels(const SeriesList& series, const std::vector<co
     for (std::size_t i = 0; i < gallery.size() && series.size() + i < most_series_overlaid; ++i)
         curves.push_back({series.size() + i, gallery[i]->label, &gallery[i]->curve});
     const std::string beside = "beside the gallery, over frequency in cycles per mean spacing of the points";
-    const char* guide = "The first curves are those of the series, the others those of the gallery: the laboratory's "
-                        "methods, measured in the same way. Sets of different sizes compare per mean spacing.";
+    const char* guide = "The first curves are those of the series, the others some of the gallery: the laboratory's "
+                        "methods, measured in the same way. The compare page has all of them. Sets of different sizes "
+                        "compare per mean spacing.";
     const LengthUnit unit = LengthUnit::spacing;
     return {{"radial-gallery", together(power_plot(curves, unit)), "Radially averaged power", beside, guide},
             {"structure-factor-gallery", together(structure_factor_plot(curves, unit)), "Structure factor",

@@ -113,7 +113,7 @@ Site make_site(const std::vector<Run>& runs, const std::filesystem::path& out, c
     tbb::parallel_for_each(site.runs, lay_out_panels);
     if (gallery == Gallery::laid_behind)
         for (ReportRun& run : site.runs)
-            std::ranges::move(gallery_panels(series_of(run), reference_gallery(run.stored->dimension)),
+            std::ranges::move(gallery_panels(series_of(run), gallery_choice(run.stored->dimension)),
                               std::back_inserter(run.overlays));
     site.overlays = site.has_several_runs() ? overlay_panels(series_of(site)) : site.runs.front().overlays;
     site.gallery = gallery_for(site);

@@ -202,8 +202,11 @@ PageData gallery_group(const Site& site)
     const bool is_asked = site.gallery_use == Gallery::laid_behind;
     PageData boxes{PageData::type::list};
     std::size_t number = site.series().size();
-    for (const GalleryMethod* method : site.gallery)
-        boxes << series_box(number++, is_asked, label_with_points(method->label, method->curve.points));
+    for (const GalleryMethod* method : site.gallery) {
+        const auto chosen = gallery_choice(method->curve.dimension);
+        const bool is_checked = is_asked && std::ranges::find(chosen, method) != chosen.end();
+        boxes << series_box(number++, is_checked, label_with_points(method->label, method->curve.points));
+    }
     return box_group(site.runs.size(), gallery_title, boxes);
 }
 

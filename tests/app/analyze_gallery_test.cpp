@@ -33,10 +33,14 @@ TEST(AnalyzeGallery, LaysReferenceCurvesBehindASet)
     for (const char* words :
          {"Beside the gallery", "Sample elimination", "Dart throwing, rho = 0.75", "Effective Nyquist"})
         EXPECT_THAT(page, HasSubstr(words));
-    for (const char* stem : {"radial-gallery", "structure-factor-gallery", "anisotropy-gallery"})
-        EXPECT_THAT(content_of(folder.path() / "o" / (std::string(stem) + ".svg")), HasSubstr(">Sample elimination<"));
+    for (const char* stem : {"radial-gallery", "structure-factor-gallery", "anisotropy-gallery"}) {
+        const auto plot = content_of(folder.path() / "o" / (std::string(stem) + ".svg"));
+        EXPECT_THAT(plot, HasSubstr(">Sample elimination<"));
+        EXPECT_THAT(plot, Not(HasSubstr(">Isohedral tiles<"))) << "which is none of those that are chosen";
+    }
     const auto compare = content_of(folder.path() / "o/compare.html");
-    EXPECT_THAT(compare, HasSubstr("Gallery of reference curves"));
+    for (const char* words : {"Gallery of reference curves", "Sample elimination", "Isohedral tiles"})
+        EXPECT_THAT(compare, HasSubstr(words));
     const Outcome again = run_program(folder.path(), {"report", "o", "--gallery", "--out", "o"});
     EXPECT_EQ(again.status, 0) << again.error;
     EXPECT_THAT(content_of(folder.path() / "o/index.html"), HasSubstr("Beside the gallery"));
@@ -60,7 +64,10 @@ TEST(ExportGallery, MakesTablesOfARun)
     ASSERT_EQ(run_program(folder.path(), {"run", "c.toml"}).status, 0);
     const Outcome outcome = run_program(folder.path(), {"export", "out/c", "--gallery", "--out", "g"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
-    EXPECT_THAT(content_of(folder.path() / "g/methods.csv"), HasSubstr("\nrandom,2,200,2,"));
+    const auto methods = content_of(folder.path() / "g/methods.csv");
+    EXPECT_THAT(methods, HasSubstr("\nrandom,2,200,2,"));
+    EXPECT_THAT(methods, HasSubstr(",random,1,")) << "the sampler and the seed";
+    EXPECT_THAT(methods, HasSubstr(",\"{}\",\"Random\"\n"));
     EXPECT_THAT(content_of(folder.path() / "g/measures.csv"), HasSubstr("\nrandom,mean_nearest_distance,"));
     EXPECT_THAT(content_of(folder.path() / "g/curves.csv"), HasSubstr("\nrandom,1,"));
     const Outcome twice = run_program(folder.path(), {"export", "out/c", "out/c", "--gallery", "--out", "h"});
