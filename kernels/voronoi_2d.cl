@@ -4,7 +4,7 @@
 // After Ray, Sokolov, Lefebvre, Levy: Meshless Voronoi on the GPU, ACM Transactions on Graphics 37(6), 2018:
 // each cell is cut by the bisectors of points in nearby grid cells, until no point farther away can matter
 // (security radius). Unlike there, the cell is not clipped plane by plane but walked around ("gift
-// wrapping"): from one edge to the next, a step looks at all points at once, as vectors.
+// wrapping"): from one edge to the next, a step looks at all points, several at once, as vectors.
 //   find_centroids_fast   cells whose Voronoi neighbours all lie in the surrounding 3 x 3 or 5 x 5 grid
 //                         cells, several at once. Neighbours are found in single precision; the result is
 //                         taken only if every vertex is seen, by more than any rounding error, to be nearer
@@ -20,8 +20,11 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/voronoi_2d.clh"
-#include "kernels/common/voronoi_2d_batch.clh"
 #include "kernels/common/voronoi_2d_window.clh"
+#include "kernels/common/voronoi_2d_batch.clh"
+#include "kernels/common/voronoi_2d_batch_cells.clh"
+#include "kernels/common/voronoi_2d_wide.clh"
+#include "kernels/common/voronoi_2d_slow.clh"
 
 /// The results, a value a site.
 typedef struct
@@ -40,33 +43,21 @@ ALWAYS_INLINE void store_cell(const VoronoiCell* cell, uint site, Results result
     results.squared_near[site] = cell->squared_near;
 }
 
-/// Finds a cell among the points of a window, or proves that `cell`, which is known with its vertices, is right there.
-ALWAYS_INLINE bool find_in_window(const Window* window, Margins margins, uint site, bool is_known, const Grid* grid,
-                                  VoronoiCell* cell, Vertices* vertices, bool* is_proven)
+/// The work of one work-item: sites go from batch to batch until their cells are proven, or to the list of slow ones.
+typedef struct
 {
-    Differences d;
-    const uint vectors =
-        subtract_site(window, site, grid->fixed_point[site], grid->fixed_point[grid->stride + site], &d);
-    *is_proven = is_known && is_complete(vertices, margins) && is_certain(&d, vectors, vertices);
-    if (*is_proven) return true;
-    return cell_among(&d, vectors, window, grid->positions[site], grid->positions, cell, vertices) &&
-           is_complete(vertices, margins) && is_certain(&d, vectors, vertices);
-}
-
-/// A cell of the batch, and its vertices in one piece.
-ALWAYS_INLINE void copy_vertices(const BatchCells* cells, uint slot, uint edges, Vertices* vertices)
-{
-    vertices->count = edges;
-    for (uint k = 0; k < (edges <= LANES ? LANES : MAX_EDGES); ++k) {
-        vertices->x[k] = ((const float*)&cells->x[k])[slot];
-        vertices->y[k] = ((const float*)&cells->y[k])[slot];
-    }
-    vertices->radius = ((const float*)&cells->radius)[slot];
-    vertices->left = ((const float*)&cells->left)[slot];
-    vertices->right = ((const float*)&cells->right)[slot];
-    vertices->below = ((const float*)&cells->below)[slot];
-    vertices->above = ((const float*)&cells->above)[slot];
-}
+    Grid grid;
+    Results results;
+    global uint* slow;
+    global uint* slow_count;
+    Batch near; // sites whose cells are looked for in 3 x 3 grid cells
+    Window near_windows[BATCH_SITES];
+    Batch wide; // sites whose cells in 3 x 3 grid cells are cut by points of the ring around
+    Window wide_windows[BATCH_SITES];
+    BatchPoints points; // of the batch that is being computed
+    Window large;       // 5 x 5 grid cells around large_cell, for one site at a time
+    uint large_cell;
+} Search;
 
 ALWAYS_INLINE void store_of_batch(const BatchCells* cells, uint slot, uint site, Results results)
 {
@@ -77,66 +68,137 @@ ALWAYS_INLINE void store_of_batch(const BatchCells* cells, uint slot, uint site,
     results.squared_near[site] = ((const double*)&cells->squared_near)[slot];
 }
 
-/// Computes the cells of a batch. Most are complete in the window that they were found in; others are proven or found
-/// in 5 x 5 grid cells, which are gathered once for all points of a cell. What remains goes the slow way.
-void finish_batch(Batch* batch, const Grid* grid, Results results, Window* large, uint* large_cell, global uint* slow,
-                  global uint* slow_count)
+ALWAYS_INLINE void list_slow(const Search* search, uint site) { search->slow[atomic_inc(search->slow_count)] = site; }
+
+/// Finds one cell among the points of a window. False where it cannot be found or proven there; `is_closed` where it
+/// was found, and no point outside of the window can cut it.
+bool find_in_window(const Window* window, Margins margins, uint site, const Grid* grid, VoronoiCell* cell,
+                    bool* is_closed)
 {
-    BatchCells cells;
-    find_batch_cells(batch, grid->positions, &cells);
-    for (uint slot = 0; slot < batch->count; ++slot) {
-        const uint site = batch->site[slot];
-        const bool is_known = batch->is_known[slot] && ((const double*)&cells.smallest_turn)[slot] > 0;
-        Vertices vertices;
-        copy_vertices(&cells, slot, (uint)batch->edges[slot], &vertices);
-        if (is_known && is_complete(&vertices, batch->margins[slot])) {
-            if (is_certain(&batch->differences[slot], batch->vectors[slot], &vertices)) {
-                store_of_batch(&cells, slot, site, results);
-            } else {
-                slow[atomic_inc(slow_count)] = site;
-            }
-            continue;
-        }
-        const uint grid_cell = batch->grid_cell[slot];
-        if (grid->grid_size >= 6 && *large_cell != grid_cell) {
-            gather_window(large, grid_cell % grid->grid_size, grid_cell / grid->grid_size, 2, grid->grid_size,
-                          grid->starts, grid->fixed_point, grid->stride);
-            *large_cell = grid_cell;
-        }
-        Margins margins;
-        margins_around(site, grid_cell, 2, grid, &margins);
-        VoronoiCell cell;
-        bool is_proven = false;
-        const bool is_found = grid->grid_size >= 6 && large->count <= MAX_POINTS &&
-                              find_in_window(large, margins, site, is_known, grid,
-                                             &cell, &vertices, &is_proven);
-        if (is_proven) {
-            store_of_batch(&cells, slot, site, results);
-        } else if (is_found) {
-            store_cell(&cell, site, results);
-        } else {
-            slow[atomic_inc(slow_count)] = site;
-        }
-    }
-    batch->count = 0;
+    Differences d;
+    Vertices vertices;
+    const uint vectors =
+        subtract_site(window, site, grid->fixed_point[site], grid->fixed_point[grid->stride + site], &d);
+    *is_closed = cell_among(&d, vectors, window, grid->positions[site], grid->positions, cell, &vertices) &&
+                 is_complete(&vertices, margins);
+    return *is_closed && is_certain(&d, vectors, &vertices);
 }
 
-/// Adds a site, whose points are in a window of 3 x 3 grid cells; of two sites in a row, the neighbours are found.
-ALWAYS_INLINE void add_site(Batch* batch, const Window* window, uint site, uint grid_cell, const Grid* grid)
+/// Finds a cell alone, in 5 x 5 grid cells, which are gathered once for all points of a cell; or lists its site.
+void finish_in_large(Search* search, uint site, uint grid_cell)
 {
-    const uint slot = batch->count++;
-    batch->window[slot] = window;
-    batch->site[slot] = site;
-    batch->grid_cell[slot] = grid_cell;
-    margins_around(site, grid_cell, 1, grid, &batch->margins[slot]);
-    batch->vectors[slot] = subtract_site(window, site, grid->fixed_point[site],
-                                         grid->fixed_point[grid->stride + site], &batch->differences[slot]);
-    if (slot % 2 == 1) walk_pair(batch, slot - 1);
+    const Grid* grid = &search->grid;
+    if (grid->grid_size >= 6 && search->large_cell != grid_cell) {
+        gather_window(&search->large, grid_cell % grid->grid_size, grid_cell / grid->grid_size, 2, grid->grid_size,
+                      grid->starts, grid->fixed_point, grid->stride);
+        search->large_cell = grid_cell;
+    }
+    Margins margins;
+    margins_around(site, grid_cell, 2, grid, &margins);
+    VoronoiCell cell;
+    bool is_closed;
+    if (grid->grid_size >= 6 && search->large.count <= MAX_POINTS &&
+        find_in_window(&search->large, margins, site, grid, &cell, &is_closed)) {
+        store_cell(&cell, site, search->results);
+    } else {
+        list_slow(search, site);
+    }
+}
+
+/// A cell that its batch could not find or not prove.
+void finish_alone(Search* search, const Window* window, uint site, uint grid_cell)
+{
+    const Grid* grid = &search->grid;
+    Margins margins;
+    margins_around(site, grid_cell, 1, grid, &margins);
+    VoronoiCell cell;
+    bool is_closed;
+    if (find_in_window(window, margins, site, grid, &cell, &is_closed)) {
+        store_cell(&cell, site, search->results);
+    } else if (is_closed) {
+        list_slow(search, site);
+    } else {
+        finish_in_large(search, site, grid_cell);
+    }
+}
+
+/// Computes the cells of the second batch. Few are uncertain, and get another look at all points.
+void finish_wide(Search* search)
+{
+    const Batch* batch = &search->wide;
+    BatchNeighbours neighbours;
+    BatchCells cells;
+    find_batch_cells(&search->wide, &search->grid, &search->points, &neighbours, &cells);
+    for (uint slot = 0; slot < batch->count; ++slot) {
+        if (cells.is_known[slot] && cells.is_complete[slot] && cells.is_certain[slot]) {
+            store_of_batch(&cells, slot, batch->site[slot], search->results);
+        } else {
+            finish_in_large(search, batch->site[slot], batch->grid_cell[slot]);
+        }
+    }
+    search->wide.count = 0;
+}
+
+/// A cell that is right among the points of 3 x 3 grid cells, but that others may cut: looks for them in 5 x 5.
+void widen(Search* search, const BatchCells* cells, const BatchNeighbours* neighbours, uint slot)
+{
+    const Grid* grid = &search->grid;
+    const Batch* near = &search->near;
+    const uint site = near->site[slot];
+    const uint grid_cell = near->grid_cell[slot];
+    if (grid->grid_size < 6) {
+        list_slow(search, site);
+        return;
+    }
+    const uint edges = (uint)neighbours->count[slot];
+    CellVertices vertices;
+    copy_vertices(cells, slot, edges, &vertices);
+    Margins near_margins;
+    Margins margins;
+    margins_around(site, grid_cell, 1, grid, &near_margins);
+    margins_around(site, grid_cell, 2, grid, &margins);
+    Window* window = &search->wide_windows[search->wide.count];
+    window->count = 0;
+    append_ring(window, grid, grid_cell, &near_margins, site, &vertices);
+    if (window->count + edges > MAX_POINTS) {
+        list_slow(search, site);
+    } else if (window->count > 0) {
+        for (uint k = 0; k < edges; ++k) {
+            append_point(window, grid, neighbour_of(near, neighbours, slot, k));
+        }
+        add_to_batch(&search->wide, window, site, grid_cell, &margins);
+        if (search->wide.count == BATCH_SITES) finish_wide(search);
+    } else if (vertices.left < margins.left && vertices.right < margins.right && vertices.below < margins.below &&
+               vertices.above < margins.above) {
+        store_of_batch(cells, slot, site, search->results);
+    } else {
+        list_slow(search, site);
+    }
+}
+
+/// Computes the cells of the first batch. Most are complete in the window that they were found in.
+void finish_near(Search* search)
+{
+    const Batch* batch = &search->near;
+    BatchNeighbours neighbours;
+    BatchCells cells;
+    find_batch_cells(&search->near, &search->grid, &search->points, &neighbours, &cells);
+    for (uint slot = 0; slot < batch->count; ++slot) {
+        const bool is_right = cells.is_known[slot] && cells.is_certain[slot];
+        if (is_right && cells.is_complete[slot]) {
+            store_of_batch(&cells, slot, batch->site[slot], search->results);
+        } else if (is_right) {
+            widen(search, &cells, &neighbours, slot);
+        } else {
+            finish_alone(search, batch->window[slot], batch->site[slot], batch->grid_cell[slot]);
+        }
+    }
+    search->near.count = 0;
 }
 
 /// One work-item owns `run` grid cells in a row and the Voronoi cells of their points. `displacements` lead from sites
-/// to centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are appended
-/// to `slow` (in any order); slow_count is 0 before.
+/// to centroids. `width`: that of a grid cell in units of 2^-32, rounded down. Sites that need the slow way are
+/// appended to `slow` (in any order); slow_count is 0 before.
 kernel void find_centroids_fast(global const double2* positions, global const int* fixed_point, uint stride,
                                 global const uint* starts, uint grid_size, float width, uint run,
                                 global double* areas, global double2* displacements, global double* energies,
@@ -146,189 +208,52 @@ kernel void find_centroids_fast(global const double2* positions, global const in
     const uint end = min(begin + run, grid_size * grid_size);
     const Grid grid = {positions, fixed_point, stride, starts, grid_size, width};
     const Results results = {areas, displacements, energies, squared_near};
-    Batch batch;
-    batch.count = 0;
-    for (uint k = 0; k < ALL_ROWS; ++k) vstore8((uint8)0, 0, batch.neighbour[k]);
-    vstore8((uint8)0, 0, batch.site);
-    vstore8((int8)0, 0, batch.edges);
-    Window windows[2]; // the last site of a cell may wait for one of another cell: its window stays until then
-    Window large;
-    uint large_cell = UINT_MAX;
+    Search search;
+    search.grid = grid;
+    search.results = results;
+    search.slow = slow;
+    search.slow_count = slow_count;
+    search.near.count = search.wide.count = 0;
+    search.large_cell = UINT_MAX;
     uint number = 0;
     for (uint cell = begin; cell < end; ++cell) {
         const uint last = starts[cell + 1];
         if (starts[cell] == last) continue;
-        Window* window = &windows[number % 2];
+        // Sites wait for others, each with the window of its cell: it stays until BATCH_SITES cells later, when they
+        // are done. Empty and crowded cells do not count.
+        Window* window = &search.near_windows[number % BATCH_SITES];
         window->count = MAX_POINTS + 1;
         if (grid_size >= 4) {
             gather_window(window, cell % grid_size, cell / grid_size, 1, grid_size, starts, fixed_point, stride);
         }
         if (window->count > MAX_POINTS) {
-            for (uint site = starts[cell]; site < last; ++site) slow[atomic_inc(slow_count)] = site;
+            for (uint site = starts[cell]; site < last; ++site) list_slow(&search, site);
             continue;
         }
         ++number;
         for (uint site = starts[cell]; site < last; ++site) {
-            add_site(&batch, window, site, cell, &grid);
-            if (batch.count == BATCH_SITES) finish_batch(&batch, &grid, results, &large, &large_cell, slow, slow_count);
+            Margins margins;
+            margins_around(site, cell, 1, &grid, &margins);
+            add_to_batch(&search.near, window, site, cell, &margins);
+            if (search.near.count == BATCH_SITES) finish_near(&search);
         }
     }
-    if (batch.count % 2 == 1) walk_single(&batch, batch.count - 1);
-    if (batch.count > 0) finish_batch(&batch, &grid, results, &large, &large_cell, slow, slow_count);
+    if (search.near.count > 0) finish_near(&search);
+    if (search.wide.count > 0) finish_wide(&search);
 }
 
-/// The end of a walk along an edge: the nearest vertex so far, as the parameter t of the edge's line, and the point
-/// whose bisector makes it.
-typedef struct
-{
-    double2 difference; // the point behind the vertex
-    double offset;      // its bisector holds the positions p with difference . p = offset
-    double t;
-} Step;
+#define SLOW_PARTS 16 // of the work-items; threads take those in a row
 
-/// A point d, whose bisector holds p with d . p = offset, meets the line of neighbour `a` at parameter t, see
-/// walk_around.
-ALWAYS_INLINE void consider(const double2 a, double a_offset, const double2 d, double offset, Step* best)
-{
-    const double2 e = d - a;
-    const double turn = cross_product(a, e);
-    if (!(turn > 0)) return;
-    // If both offsets are half the squared lengths, the numerator is d . (d - a) / 2.
-    const bool both_bisectors = (offset > 0) & (a_offset > 0);
-    const double t =
-        both_bisectors ? dot(d, e) / (2 * turn) : (offset - a_offset * dot(d, a) / dot(a, a)) / turn;
-    if (!(t <= best->t)) return;
-    if (t == best->t && cross_product(best->difference, d) < 0)
-        return; // of several at a vertex, the last counterclockwise
-    *best = (Step){d, offset, t};
-}
-
-/// A site, and all points of the plane that the torus repeats, by rings of grid cells around it.
-typedef struct
-{
-    global const double2* positions;
-    global const uint* ids;
-    global const uint* starts;
-    uint grid_size;
-    uint site;
-    double2 position;
-    int cell_x, cell_y;
-} Surroundings;
-
-/// Everything farther away than this is outside of rings 0 to `ring`.
-double reach_of(const Surroundings* s, int ring) { return ring * ((1 - 0x1p-40) / s->grid_size); }
-
-/// Floor of i / n and the remainder, for repeated grids.
-int repetition_of(int i, int n) { return i >= 0 ? i / n : -((n - 1 - i) / n); }
-
-/// Calls are textual: OpenCL C has no function pointers. BODY sees `difference` and `index` of each point in
-/// a ring.
-#define FOR_EACH_IN_RING(s, ring, BODY)                                                                      \
-    for (int j_ = -(ring); j_ <= (ring); ++j_) {                                                             \
-        const int step_ = j_ == -(ring) || j_ == (ring) || (ring) == 0 ? 1 : 2 * (ring);                     \
-        const int n_ = (int)(s)->grid_size;                                                                  \
-        const int repeat_y_ = repetition_of((s)->cell_y + j_, n_);                                           \
-        for (int i_ = -(ring); i_ <= (ring); i_ += step_) {                                                  \
-            const int repeat_x_ = repetition_of((s)->cell_x + i_, n_);                                       \
-            const uint cell_ = (uint)((s)->cell_x + i_ - repeat_x_ * n_) +                                   \
-                               (uint)((s)->cell_y + j_ - repeat_y_ * n_) * (s)->grid_size;                   \
-            const double2 repetition = (double2)(repeat_x_, repeat_y_);                                      \
-            for (uint index = (s)->starts[cell_]; index < (s)->starts[cell_ + 1]; ++index) {                 \
-                const double2 difference = (s)->positions[index] - (s)->position + repetition;               \
-                BODY                                                                                         \
-            }                                                                                                \
-        }                                                                                                    \
-    }
-
-/// The nearest of the points that do not coincide with the site; and whether points of lower or of higher id
-/// coincide with it.
-double2 nearest_point(const Surroundings* s, bool* has_twin_before, bool* has_twin_after)
-{
-    *has_twin_before = *has_twin_after = false;
-    double2 nearest = (double2)(1, 0); // the site's own repetition
-    for (int ring = 0; ring == 0 || reach_of(s, ring - 1) < length(nearest); ++ring) {
-        FOR_EACH_IN_RING(s, ring, {
-            const double squared = dot(difference, difference);
-            if (squared == 0) {
-                *has_twin_before |= s->ids[index] < s->ids[s->site];
-                *has_twin_after |= s->ids[index] > s->ids[s->site];
-            } else if (squared < dot(nearest, nearest)) {
-                nearest = difference;
-            }
-        })
-    }
-    return nearest;
-}
-
-double2 vertex_of(double2 a, double a_offset, double t)
-{
-    return a * (a_offset / dot(a, a)) + t * (double2)(-a.y, a.x);
-}
-
-/// The end of the edge on the line of neighbour `a`.
-Step end_of_edge(const Surroundings* s, double2 a, double a_offset, bool has_twin_before, bool has_twin_after)
-{
-    Step best = {(double2)0, 0, INFINITY};
-    if (has_twin_before) consider(a, a_offset, (double2)(-1, 0), 0, &best);
-    if (has_twin_after) consider(a, a_offset, (double2)(1, 0), 0, &best);
-    // Points in disks around a vertex through the site are at most twice as far from the site as the vertex.
-    for (int ring = 0; ring == 0 || !(reach_of(s, ring - 1) > 2 * length(vertex_of(a, a_offset, best.t)));
-         ++ring) {
-        FOR_EACH_IN_RING(s, ring, {
-            const double squared = dot(difference, difference);
-            if (squared > 0) consider(a, a_offset, difference, squared / 2, &best);
-        })
-    }
-    return best;
-}
-
-void add_triangle(double2 a, double2 b, VoronoiCell* cell)
-{
-    const double doubled_area = cross_product(a, b);
-    cell->area += doubled_area / 2;
-    cell->moment += doubled_area / 6 * (a + b);
-    cell->energy += doubled_area / 12 * (dot(a, a) + dot(b, b) + dot(a, b));
-}
-
-VoronoiCell cell_by_rings(const Surroundings* s)
-{
-    VoronoiCell cell = {0, (double2)0, 0, 0};
-    bool has_twin_before;
-    bool has_twin_after;
-    const double2 nearest = nearest_point(s, &has_twin_before, &has_twin_after);
-    if (has_twin_before && has_twin_after) return cell;
-
-    const bool has_twin = has_twin_before || has_twin_after;
-    const double2 first = !has_twin ? nearest : has_twin_after ? (double2)(1, 0) : (double2)(-1, 0);
-    const double first_offset = has_twin ? 0 : dot(nearest, nearest) / 2;
-    if (!has_twin) cell.squared_near = dot(nearest, nearest);
-
-    Step step = end_of_edge(s, first, first_offset, has_twin_before, has_twin_after);
-    const double2 start = vertex_of(first, first_offset, step.t);
-    double2 previous = start;
-    for (bool is_closed = false; !is_closed;) {
-        const double2 a = step.difference;
-        const double a_offset = step.offset;
-        step = end_of_edge(s, a, a_offset, has_twin_before, has_twin_after);
-        const double2 vertex = vertex_of(a, a_offset, step.t);
-        add_triangle(previous, vertex, &cell);
-        previous = vertex;
-        // Directions turn to the left by less than half a turn a step, so this ends even where rounding hides
-        // the first.
-        is_closed = cross_product(a, first) > 0 && cross_product(first, step.difference) >= 0;
-    }
-    add_triangle(previous, start, &cell);
-    return cell;
-}
-
-/// The work-items share the sites of the list.
+/// The work-items share the sites of the list: the first of each part begin, so that threads share few sites as well.
 kernel void find_centroids(global const double2* positions, global const uint* ids, global const uint* starts,
                            uint grid_size, global const uint* slow, global const uint* slow_count,
                            global double* areas, global double2* displacements, global double* energies,
                            global double* squared_near)
 {
     const uint count = *slow_count;
-    for (uint i = get_global_id(0); i < count; i += get_global_size(0)) {
+    const uint parts = get_global_size(0) % SLOW_PARTS == 0 ? SLOW_PARTS : 1;
+    const uint run = get_global_size(0) / parts;
+    for (uint i = get_global_id(0) % run * parts + get_global_id(0) / run; i < count; i += get_global_size(0)) {
         const uint site = slow[i];
         const double2 position = positions[site];
         const int cell_x = min((int)(position.x * grid_size), (int)grid_size - 1);

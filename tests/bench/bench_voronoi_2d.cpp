@@ -85,11 +85,11 @@ int main(int argc, char** argv)
     return poissonlab::bench::run_benchmarks(
         argc, argv,
         {{"16,384 well-spread points: CGAL periodic / kernels", "cgal_periodic/16384/1", "kernels/16384/1", 40},
-         {"16,384 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/16384/1", "kernels/16384/1", 6},
+         {"16,384 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/16384/1", "kernels/16384/1", 8},
          {"262,144 well-spread points: CGAL periodic / kernels", "cgal_periodic/262144/1", "kernels/262144/1", 40},
          {"262,144 well-spread points: CGAL with ghosts / kernels", "cgal_ghosts/262144/1", "kernels/262144/1", 6},
          {"16,384 random points: CGAL periodic / kernels", "cgal_periodic/16384/0", "kernels/16384/0", 20},
-         {"16,384 random points: CGAL with ghosts / kernels", "cgal_ghosts/16384/0", "kernels/16384/0", 3},
+         {"16,384 random points: CGAL with ghosts / kernels", "cgal_ghosts/16384/0", "kernels/16384/0", 6},
          {"262,144 random points: CGAL periodic / kernels", "cgal_periodic/262144/0", "kernels/262144/0", 20},
          {"262,144 random points: CGAL with ghosts / kernels", "cgal_ghosts/262144/0", "kernels/262144/0", 3}});
 }

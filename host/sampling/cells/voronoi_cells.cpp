@@ -11,10 +11,11 @@ constexpr std::size_t slow_items = 256;
 
 /// Grid cells in a row whose sites a work-item of the 2D kernel takes together: enough to fill batches of sites, and
 /// few enough for all threads to have some. Elsewhere than on CPUs, threads are worth more than full batches.
-constexpr std::uint32_t cells_a_run_on_cpus = 16;
+constexpr std::uint32_t cells_a_run_on_cpus = 64;
 
 /// Work-items of a group are then few, or groups would be.
-constexpr std::size_t most_runs_a_group = 8;
+constexpr std::size_t most_runs_a_group_on_cpus = 1;
+constexpr std::size_t most_runs_a_group_elsewhere = 8;
 
 /// Mean number of points in a cell of the grid: more mean more points to look at, fewer more cells that do
 /// not hold all Voronoi neighbours among their surroundings.
@@ -37,6 +38,8 @@ NeededBuffers VoronoiKernels::Buffers::needed(int dimension, std::size_t points)
 
 VoronoiKernels::VoronoiKernels(Device device, int dimension, std::size_t points, std::size_t work_group_size)
     : dimension_(dimension), cells_a_run_(device.info().type == "CPU" ? cells_a_run_on_cpus : 1),
+      runs_a_group_(std::min(work_group_size,
+                             device.info().type == "CPU" ? most_runs_a_group_on_cpus : most_runs_a_group_elsewhere)),
       work_group_size_(work_group_size)
 {
     reserve(device, buffers_.needed(dimension, points));
@@ -55,9 +58,9 @@ void VoronoiKernels::find_cells(PointGrid& grid)
     forget_slow_.run(1, 1, b.slow_count);
     if (dimension_ == 2) {
         const std::size_t runs = (grid.cells() + cells_a_run_ - 1) / cells_a_run_;
-        find_fast_.run(runs, std::min(work_group_size_, most_runs_a_group), grid.positions(), grid.fixed_point(),
-                       grid.stride(), grid.starts(), cells, margin, cells_a_run_, b.volumes, b.displacements,
-                       b.energies, b.squared_near, b.slow, b.slow_count);
+        find_fast_.run(runs, runs_a_group_, grid.positions(), grid.fixed_point(), grid.stride(), grid.starts(), cells,
+                       margin, cells_a_run_, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,
+                       b.slow_count);
     } else {
         find_fast_.run(grid.cells(), work_group_size_, grid.positions(), grid.fixed_point(), grid.stride(),
                        grid.starts(), cells, margin, b.volumes, b.displacements, b.energies, b.squared_near, b.slow,

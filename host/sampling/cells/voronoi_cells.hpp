@@ -65,7 +65,7 @@ private:
 
     int dimension_;
     std::uint32_t cells_a_run_;
-    std::size_t work_group_size_;
+    std::size_t runs_a_group_, work_group_size_;
     Buffers buffers_;
     Kernel forget_slow_, find_fast_, find_slow_;
 };
