@@ -1,134 +1,197 @@
 // Gaussian blue noise: how far each point is pushed by the Gaussians of all others.
 //
 // Ahmed, Ren, Wonka, Gaussian blue noise, ACM Transactions on Graphics 41(6), 2022; see
-// host/sampling/optimized/gaussian_blue_noise.hpp. Single precision, eight neighbours at a time. The exponential is a
-// polynomial of our own, and sums are taken in an order that only the points decide, so that bytes are the same on every
-// device: each row of cells around a point, up to where the torus begins again, is dealt out to the lanes from the
-// first one on.
+// host/sampling/optimized/gaussian_blue_noise.hpp. Single precision. A work-item owns eight points that are side by
+// side in a row of cells, and adds a neighbour to the sums of all of them at once. The exponential is a polynomial of
+// our own, multiplications and additions are fused where fma() says so and nowhere else, and each point's neighbours
+// are added in the order of the sorted points, row of cells by row of cells, so that bytes are the same on every
+// device, whichever points share a work-item.
 //
-// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3) and ADAPTIVE (0 or 1): whether there is a
-// density, which points follow, see host/sampling/optimized/gaussian_field.hpp.
+// Points are sorted by grid cells, see point_grid.cl. Needs DIMENSION (2 or 3) and ADAPTIVE (0 or 1): whether there is
+// a density, which points follow, see host/sampling/optimized/gaussian_field.hpp.
 
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/gaussian_blue_noise.h"
 
-#define FIRST_LANES ((int8)(0, 1, 2, 3, 4, 5, 6, 7))
-
-/// 2^t for t <= 0: its power of two, and a Taylor polynomial of relative error below 2e-7 for the rest. What it is below
-/// -126 does not matter.
-float8 power_of_two(float8 t)
-{
-    const float8 whole = floor(t + 0.5f);
-    const float8 x = (t - whole) * 0.693147182f;
-    float8 sum = 0.00138888892f;
-    sum = sum * x + 0.00833333377f;
-    sum = sum * x + 0.0416666679f;
-    sum = sum * x + 0.166666672f;
-    sum = sum * x + 0.5f;
-    sum = sum * x + 1.0f;
-    sum = sum * x + 1.0f;
-    return as_float8(as_int8(sum) + convert_int8(whole) * 8388608);
-}
-
-float sum_of_lanes(float8 v)
-{
-    return ((v.s0 + v.s1) + (v.s2 + v.s3)) + ((v.s4 + v.s5) + (v.s6 + v.s7));
-}
-
-float smallest_lane(float8 v)
-{
-    const float4 a = v.lo < v.hi ? v.lo : v.hi;
-    const float2 b = a.lo < a.hi ? a.lo : a.hi;
-    return b.x < b.y ? b.x : b.y;
-}
-
-/// The sum over the neighbours of a point.
-typedef struct
-{
-    float8 force[DIMENSION];
-    float8 energy;
-    float8 squared_near;
-} Sums;
-
-/// Adds the points `begin` to `end` without the point itself.
-void add_points(const struct Gaussians* g, global const int* coordinates, uint item, uint begin, uint end, Sums* sums)
-{
-    for (uint i = begin; i < end; i += SUM_LANES) {
-        float8 difference[DIMENSION];
-        float8 squared = 0;
-        for (int k = 0; k < DIMENSION; ++k) {
-            const int8 there = vload8(0, coordinates + k * g->stride + i);
-            difference[k] = convert_float8(there - coordinates[k * g->stride + item]) * g->scale;
-            squared += difference[k] * difference[k];
-        }
-        const int8 number = FIRST_LANES + (int)i;
-        const int8 is_other = (number < (int)end) & (number != (int)item);
-        const float8 gaussian = select((float8)0, power_of_two(squared * g->exponent),
-                                       is_other & (squared < g->squared_cut));
-        for (int k = 0; k < DIMENSION; ++k) sums->force[k] -= difference[k] * gaussian;
-        sums->energy += gaussian;
-        const float8 distance = select((float8)INFINITY, squared, is_other);
-        sums->squared_near = distance < sums->squared_near ? distance : sums->squared_near;
-    }
-}
-
 #if ADAPTIVE
-
-/// The cells of a density on the torus, `size` along each axis.
-typedef struct
-{
-    global const struct DensityCell* cells;
-    int size;
-} DensityField;
-
-/// The cell of a place.
-struct DensityCell cell_at(DensityField field, double x, double y)
-{
-    const int column = min((int)(x * field.size), field.size - 1);
-    const int row = min((int)(y * field.size), field.size - 1);
-    return field.cells[row * field.size + column];
-}
-
-/// A coordinate after a movement, on the torus.
-double moved_on_torus(double place, double movement)
-{
-    const double moved = place + movement;
-    return moved - floor(moved);
-}
-
-double between(double a, double b, double part)
-{
-    return a * (1 - part) + b * part;
-}
-
-/// Displacement and excess energy at a place, linear between the middles of cells.
-double3 density_at(DensityField field, double x, double y)
-{
-    const int n = field.size;
-    const double left = floor(x * n - 0.5);
-    const double low = floor(y * n - 0.5);
-    const double part_x = x * n - 0.5 - left;
-    const double part_y = y * n - 0.5 - low;
-    const int columns[2] = {((int)left + n) % n, ((int)left + 1) % n};
-    const int rows[2] = {((int)low + n) % n, ((int)low + 1) % n};
-    double3 values[2];
-    for (int i = 0; i < 2; ++i) {
-        const struct DensityCell a = field.cells[rows[i] * n + columns[0]];
-        const struct DensityCell b = field.cells[rows[i] * n + columns[1]];
-        values[i].x = between(a.x, b.x, part_x);
-        values[i].y = between(a.y, b.y, part_x);
-        values[i].z = between(a.excess, b.excess, part_x);
-    }
-    return (double3)(between(values[0].x, values[1].x, part_y), between(values[0].y, values[1].y, part_y),
-                     between(values[0].z, values[1].z, part_y));
-}
-
+#include "kernels/common/density_field.clh"
 #endif
 
-/// One work-item owns one point: its displacement, the Gaussians of all others there, and the squared distance of the
-/// nearest of them in units of the torus' side; too large where it is beyond the cells around. With a density, the
-/// point's own width of Gaussians counts for all of its pairs.
+#define ALWAYS_INLINE __attribute__((always_inline))
+#define FOR_EACH_AXIS(k) _Pragma("unroll") for (int k = 0; k < DIMENSION; ++k)
+
+/// Points that are side by side in a row of cells, and their sums over neighbours.
+typedef struct
+{
+    uint first, end;                        ///< in the order of the sorted points
+    double low[DIMENSION], high[DIMENSION]; ///< where the points are; cells
+    int8 place[DIMENSION];                  ///< units of 2^-32 of the torus' side
+    float8 exponent;
+    float8 row_force[DIMENSION], row_energy; ///< of the neighbours in one row of cells
+    float8 force[DIMENSION], energy, squared_near;
+} Block;
+
+/// 2^t for t <= 0: its power of two, and a polynomial for the rest, which differs by less than 9.2e-8 of it. What it is
+/// below -126 does not matter.
+ALWAYS_INLINE float8 power_of_two(float8 t)
+{
+    const float8 shifted = t + 0x1.8p23f; // the whole number is in its last bits
+    const float8 x = t - (shifted - 0x1.8p23f);
+    float8 sum = 0.00132647273f;
+    sum = fma(sum, x, (float8)0.00967151299f);
+    sum = fma(sum, x, (float8)0.0555073358f);
+    sum = fma(sum, x, (float8)0.240222424f);
+    sum = fma(sum, x, (float8)0.693147004f);
+    sum = fma(sum, x, (float8)1.0f);
+    return as_float8(as_int8(sum) + (as_int8(shifted) << 23));
+}
+
+/// Adds the neighbours `begin` to `end`. `may_be_near`: the points themselves may be among these, or one that is nearer
+/// to them than Gaussians.near; a constant.
+ALWAYS_INLINE void add_points(Block* b, global const int* coordinates, uint stride, uint begin, uint end,
+                              bool may_be_near)
+{
+    const int8 number = (int8)(0, 1, 2, 3, 4, 5, 6, 7) + (int)b->first;
+    for (uint i = begin; i < end; ++i) {
+        float8 difference[DIMENSION];
+        float8 squared;
+        FOR_EACH_AXIS(k) {
+            difference[k] = convert_float8(b->place[k] - coordinates[k * stride + i]);
+            squared = k == 0 ? difference[k] * difference[k] : fma(difference[k], difference[k], squared);
+        }
+        if (may_be_near) {
+            squared = number == (int)i ? (float8)INFINITY : squared;
+            b->squared_near = squared < b->squared_near ? squared : b->squared_near;
+        }
+        const float8 t = squared * b->exponent;
+        const float8 gaussian = as_float8(as_int8(power_of_two(t)) & (t > (float)CUT_EXPONENT));
+        FOR_EACH_AXIS(k) b->row_force[k] = fma(difference[k], gaussian, b->row_force[k]);
+        b->row_energy += gaussian;
+    }
+}
+
+/// Cells or rows of cells that are in a row along an axis of the repeated grid.
+typedef struct
+{
+    int first;  ///< may be outside of the torus
+    int count;  ///< all of the torus at most
+    int behind; ///< so many, the first ones, come after the others in the order of the grid: the torus begins again
+} Span;
+
+Span span_around(double low, double high, double reach, int grid_size)
+{
+    const int first = (int)floor(low - reach);
+    const int end = (int)floor(high + reach) + 1;
+    const Span all = {0, grid_size, 0};
+    const Span span = {first, end - first, first < 0 ? -first : end > grid_size ? grid_size - first : 0};
+    return span.count < grid_size ? span : all;
+}
+
+/// The cell of a number in the order of the grid; in the repeated grid.
+int cell_of_span(Span span, int i) { return span.first + (i + span.behind) % span.count; }
+
+int wrapped_cell(int cell, int grid_size)
+{
+    return cell < 0 ? cell + grid_size : cell < grid_size ? cell : cell - grid_size;
+}
+
+/// The squared distance along an axis from the block to a cell of a span; cells.
+double squared_gap(const Block* b, int axis, Span span, int cell, int grid_size)
+{
+    if (span.count == grid_size) return 0; // other repetitions of it may be nearer
+    const double gap = fmax(fmax(cell - b->high[axis], b->low[axis] - (cell + 1)), 0.0);
+    return gap * gap;
+}
+
+/// Adds the points of a row of cells, up to some distance along it, in the order of the grid.
+ALWAYS_INLINE void add_row(Block* b, const struct Gaussians* g, global const int* coordinates,
+                           global const uint* row_starts, double reach, bool may_be_near)
+{
+    const int n = (int)g->grid_size;
+    const Span cells = span_around(b->low[0], b->high[0], reach, n);
+    FOR_EACH_AXIS(k) b->row_force[k] = 0;
+    b->row_energy = 0;
+    if (cells.behind > 0)
+        add_points(b, coordinates, g->stride, row_starts[0], row_starts[cells.count - cells.behind], may_be_near);
+    const int first = wrapped_cell(cells.first, n);
+    const int end = first + (cells.behind > 0 ? cells.behind : cells.count);
+    add_points(b, coordinates, g->stride, row_starts[first], row_starts[end], may_be_near);
+    FOR_EACH_AXIS(k) b->force[k] += b->row_force[k];
+    b->energy += b->row_energy;
+}
+
+/// Adds the points of a plane of cells that is `squared_distance` away, up to `squared_reach`; in cells.
+ALWAYS_INLINE void add_plane(Block* b, const struct Gaussians* g, global const int* coordinates,
+                             global const uint* plane_starts, double squared_distance, double squared_reach)
+{
+    const int n = (int)g->grid_size;
+    const Span rows = span_around(b->low[1], b->high[1], sqrt(squared_reach - squared_distance), n);
+    for (int i = 0; i < rows.count; ++i) {
+        const int y = cell_of_span(rows, i);
+        const double squared = squared_distance + squared_gap(b, 1, rows, y, n);
+        if (squared > squared_reach) continue;
+        global const uint* row_starts = plane_starts + wrapped_cell(y, n) * n;
+        const double reach = sqrt(squared_reach - squared);
+        if (squared > (double)g->near * g->near)
+            add_row(b, g, coordinates, row_starts, reach, false);
+        else
+            add_row(b, g, coordinates, row_starts, reach, true);
+    }
+}
+
+/// Adds all neighbours of a block, up to some distance in cells.
+ALWAYS_INLINE void add_neighbours(Block* b, const struct Gaussians* g, global const int* coordinates,
+                                  global const uint* starts, double reach)
+{
+#if DIMENSION == 2
+    add_plane(b, g, coordinates, starts, 0, reach * reach);
+#else
+    const int n = (int)g->grid_size;
+    const Span planes = span_around(b->low[2], b->high[2], reach, n);
+    for (int i = 0; i < planes.count; ++i) {
+        const int z = cell_of_span(planes, i);
+        const double squared = squared_gap(b, 2, planes, z, n);
+        if (squared <= reach * reach)
+            add_plane(b, g, coordinates, starts + wrapped_cell(z, n) * n * n, squared, reach * reach);
+    }
+#endif
+}
+
+/// Takes the points from `first` on that are in its row of cells, up to `end`; no sums yet.
+ALWAYS_INLINE void begin_block(Block* b, uint first, uint end, const struct Gaussians* g,
+                               global const double* positions, global const int* coordinates,
+                               global const uint* starts)
+{
+    const int n = (int)g->grid_size;
+    int row = 0;
+    for (int k = DIMENSION - 1; k > 0; --k) row = row * n + min((int)(positions[first * DIMENSION + k] * n), n - 1);
+    b->first = first;
+    b->end = min(end, starts[(row + 1) * n]);
+    FOR_EACH_AXIS(k) {
+        b->place[k] = vload8(0, coordinates + k * g->stride + first);
+        b->low[k] = n;
+        b->high[k] = 0;
+        for (uint i = first; i < b->end; ++i) {
+            b->low[k] = fmin(b->low[k], positions[i * DIMENSION + k] * n);
+            b->high[k] = fmax(b->high[k], positions[i * DIMENSION + k] * n);
+        }
+        b->force[k] = 0;
+    }
+    b->exponent = g->exponent;
+    b->energy = 0;
+    b->squared_near = INFINITY;
+}
+
+/// The cells to which a Gaussian reaches, and somewhat farther: coordinates are rounded.
+double reach_of(float exponent, uint grid_size)
+{
+    return (sqrt(CUT_EXPONENT / exponent) * 1.000001 + 2) * 0x1p-32 * grid_size;
+}
+
+/// One work-item owns BLOCK_POINTS points: their displacements, the Gaussians of all others there, and the squared
+/// distances of the nearest of them, of the torus' side; too large where it is farther away than Gaussians.near. With a
+/// density, a point's own width of Gaussians counts for all of its pairs.
 kernel void sum_gaussians(struct Gaussians g, global const double* positions, global const int* coordinates,
                           global const uint* starts, global double* displacements, global double* energies,
                           global double* squared_near
@@ -138,52 +201,35 @@ kernel void sum_gaussians(struct Gaussians g, global const double* positions, gl
 #endif
 )
 {
-    const uint item = get_global_id(0);
-    if (item >= g.points) return;
-    Sums sums;
-    sums.energy = 0;
-    sums.squared_near = INFINITY;
-    for (int k = 0; k < DIMENSION; ++k) sums.force[k] = 0;
-
-    const int n = (int)g.grid_size;
+    const uint begin = get_global_id(0) * BLOCK_POINTS;
+    const uint end = min(begin + BLOCK_POINTS, g.points);
+    for (uint first = begin; first < end;) {
+        Block b;
+        begin_block(&b, first, end, &g, positions, coordinates, starts);
+        double reach = reach_of(g.exponent, g.grid_size);
 #if ADAPTIVE
-    const DensityField field = {density_cells, (int)density_size};
-    const double x = positions[item * DIMENSION];
-    const double y = positions[item * DIMENSION + 1];
-    const struct DensityCell own = cell_at(field, x, y);
-    g.exponent = own.exponent;
-    g.squared_cut = own.squared_cut;
-    const int reach = own.reach < 0 ? ~own.reach : own.reach;
-#else
-    const int reach = n == 1 ? 0 : WINDOW_REACH;
-#endif
-    int cell[3] = {0, 0, 0};
-    for (int k = 0; k < DIMENSION; ++k) cell[k] = min((int)(positions[item * DIMENSION + k] * n), n - 1);
-    const int after = min(reach, n - 1 - reach); // no cell twice
-    const int reach_z = DIMENSION == 3 ? reach : 0;
-    for (int z = cell[2] - reach_z; z <= cell[2] + reach_z; ++z) {
-        for (int y = cell[1] - reach; y <= cell[1] + after; ++y) {
-            const int row = DIMENSION == 3 ? ((z + n) % n * n + (y + n) % n) * n : (y + n) % n * n;
-            const int low = cell[0] - reach;
-            const int high = cell[0] + after + 1;
-            if (low < 0) add_points(&g, coordinates, item, starts[row + n + low], starts[row + n], &sums);
-            add_points(&g, coordinates, item, starts[row + max(low, 0)], starts[row + min(high, n)], &sums);
-            if (high > n) add_points(&g, coordinates, item, starts[row], starts[row + high - n], &sums);
+        const DensityField field = {density_cells, (int)density_size};
+        float exponents[BLOCK_POINTS] = {0};
+        reach = 0;
+        for (uint i = first; i < b.end; ++i) {
+            exponents[i - first] = cell_at(field, positions[2 * i], positions[2 * i + 1]).exponent;
+            reach = fmax(reach, reach_of(exponents[i - first], g.grid_size));
         }
-    }
-    for (int k = 0; k < DIMENSION; ++k)
-        displacements[item * DIMENSION + k] = (double)sum_of_lanes(sums.force[k]) * g.step;
-    energies[item] = sum_of_lanes(sums.energy);
-#if ADAPTIVE
-    const double3 density = density_at(field, x, y);
-    const double movement_x = displacements[item * DIMENSION] + density.x;
-    const double movement_y = displacements[item * DIMENSION + 1] + density.y;
-    const bool enters_nothing =
-        cell_at(field, moved_on_torus(x, movement_x), moved_on_torus(y, movement_y)).reach < 0;
-    displacements[item * DIMENSION] = enters_nothing ? 0 : movement_x;
-    displacements[item * DIMENSION + 1] = enters_nothing ? 0 : movement_y;
-    energies[item] -= density.z;
+        b.exponent = vload8(0, exponents);
 #endif
-    const double unit = 0x1p-32 / (double)g.scale; // of lengths; of the torus' side
-    squared_near[item] = (double)smallest_lane(sums.squared_near) * (unit * unit);
+        add_neighbours(&b, &g, coordinates, starts, reach);
+        float force[DIMENSION][BLOCK_POINTS], energy[BLOCK_POINTS], near[BLOCK_POINTS];
+        FOR_EACH_AXIS(k) vstore8(b.force[k], 0, force[k]);
+        vstore8(b.energy, 0, energy);
+        vstore8(b.squared_near, 0, near);
+        for (uint i = first; i < b.end; ++i) {
+            FOR_EACH_AXIS(k) displacements[i * DIMENSION + k] = force[k][i - first] * g.step;
+            energies[i] = energy[i - first];
+            squared_near[i] = near[i - first] * 0x1p-64;
+#if ADAPTIVE
+            follow_density(field, positions + 2 * i, displacements + 2 * i, energies + i);
+#endif
+        }
+        first = b.end;
+    }
 }

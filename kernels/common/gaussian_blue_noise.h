@@ -7,31 +7,31 @@ CONTRACT(gaussian_blue_noise)
 
 enum
 {
-    WINDOW_REACH = 2, ///< cells on either side of a point's own
-    SUM_LANES = 8     ///< sums that are kept apart until all neighbours are added
+    BLOCK_POINTS = 8 ///< points that a work-item owns
 };
 
-/// The arguments of sum_gaussians. Lengths are in mean distances of points, N^(-1/dimension).
+/// Pairs farther apart than so many sigma are left out, where Gaussians are below 2 to the power of CUT_EXPONENT.
+REAL(CUT_OFF, 5.8)
+REAL(CUT_EXPONENT, -0.5 * CUT_OFF * CUT_OFF * 1.4426950408889634)
+
+/// The arguments of sum_gaussians. Lengths are in units of 2^-32 of the torus' side.
 struct Gaussians
 {
-    double step;       ///< displacement for a unit of force; of the torus' side
-    float scale;       ///< a unit of 2^-32
-    float exponent;    ///< the Gaussian is 2^(exponent * squared distance)
-    float squared_cut; ///< farther pairs are left out
+    double step;    ///< displacement for a unit of force; of the torus' side
+    float exponent; ///< the Gaussian is 2^(exponent * squared distance)
+    float near;     ///< in no set are all points farther apart from each other than so many cells
     uint points;
-    uint grid_size; ///< cells along each axis: 1, or at least 2 WINDOW_REACH + 1
+    uint grid_size; ///< cells along each axis
     uint stride;    ///< of coordinates
 };
 
 /// The width and the pull that a density gives a place: see host/sampling/optimized/gaussian_field.hpp.
 struct DensityCell
 {
-    float x, y;        ///< displacement of a point that is there; of the torus' side
-    float excess;      ///< energy of the density there beyond that of a density that is the same everywhere
-    float exponent;    ///< as in Gaussians, which are as wide as there are few points
-    float squared_cut; ///< as in Gaussians
-    int reach;         ///< cells of the grid on either side of a point's own, half of all at most; ~reach where the
-                       ///< density is 0, which no point enters
+    float x, y;     ///< displacement of a point that is there; of the torus' side
+    float excess;   ///< energy of the density there beyond that of a density that is the same everywhere
+    float exponent; ///< as in Gaussians, which are as wide as there are few points
+    int is_empty;   ///< 1 where the density is 0, which no point enters
 };
 
 END_CONTRACT

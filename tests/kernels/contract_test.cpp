@@ -154,8 +154,8 @@ TEST(Contract, OfGaussianBlueNoise)
     EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("Gaussians", "stride")),
                 ElementsAreArray(layout));
     using contract::gaussian_blue_noise::DensityCell;
-    const std::size_t cell[] = {LAYOUT_OF(DensityCell, reach)};
-    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("DensityCell", "reach")),
+    const std::size_t cell[] = {LAYOUT_OF(DensityCell, is_empty)};
+    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("DensityCell", "is_empty")),
                 ElementsAreArray(cell));
 }
 

@@ -1,6 +1,7 @@
 // Runs kernels/gaussian_blue_noise.cl.
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 
+#include "base/geometry/relative_radius.hpp"
 #include "host/sampling/cells/domain_buffers.hpp"
 #include "host/sampling/cells/point_grid.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
@@ -13,6 +14,7 @@ namespace poissonlab {
 
 namespace {
 
+using contract::gaussian_blue_noise::BLOCK_POINTS;
 using contract::gaussian_blue_noise::DensityCell;
 using contract::gaussian_blue_noise::Gaussians;
 
@@ -59,12 +61,13 @@ public:
     IterateMeasure measure()
     {
         grid_.sort();
+        const std::size_t blocks = (grid_.size() + BLOCK_POINTS - 1) / BLOCK_POINTS;
         if (field_)
-            sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
+            sum_.run(blocks, group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
                      buffers_.displacements, buffers_.energies, buffers_.squared_near, buffers_.cells,
                      field_->shape.size);
         else
-            sum_.run(grid_.size(), group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
+            sum_.run(blocks, group_size_, gaussians_, grid_.positions(), grid_.fixed_point(), grid_.starts(),
                      buffers_.displacements, buffers_.energies, buffers_.squared_near);
         IterateMeasure measure = summary_.summarize(buffers_.energies, buffers_.squared_near);
         measure.energy = gaussian_energy(measure.energy, grid_.size(), sigma_, dimension_);
@@ -105,13 +108,13 @@ Gaussians gaussians_for(const GaussianRequest& request, std::size_t points, int 
 {
     const double side = side_of_torus(points, dimension);
     const double squared_sigma = request.sigma * request.sigma;
-    return {.step = request.step / squared_sigma / side,
-            .scale = static_cast<float>(side * 0x1p-32),
-            .exponent = static_cast<float>(-std::numbers::log2e / (2 * squared_sigma)),
-            .squared_cut = static_cast<float>(gaussian_cut_off * gaussian_cut_off * squared_sigma),
+    const std::uint32_t grid_size =
+        request.field ? request.field->shape.grid_size : gaussian_grid(request.sigma, points, dimension);
+    return {.step = request.step / squared_sigma * 0x1p-32,
+            .exponent = gaussian_exponent(squared_sigma / (side * side)),
+            .near = static_cast<float>(1.001 * max_min_distance(points, dimension) * grid_size),
             .points = static_cast<std::uint32_t>(points),
-            .grid_size =
-                request.field ? request.field->shape.grid_size : gaussian_grid(request.sigma, points, dimension),
+            .grid_size = grid_size,
             .stride = 0};
 }
 

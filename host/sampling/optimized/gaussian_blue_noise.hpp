@@ -4,9 +4,9 @@
 // the force that the others exert on it, all at once, again and again. Lengths are in mean distances s =
 // N^(-1/dimension): the Gaussian of a pair is exp(-d^2 / (2 sigma^2)). Departures: pairs farther apart than 5.8 sigma
 // are left out, each of which has a Gaussian below 5e-8, so that a force errs by less than 2e-6 even where all of them
-// are on one side; and 2e-7 of each Gaussian is due to single precision and to a polynomial for the exponential. The
-// shortest of the vectors between two points counts, so that the torus must be as wide as two such distances. Where
-// points follow a density, see host/sampling/optimized/gaussian_field.hpp.
+// are on one side; and each Gaussian errs by up to 3e-7, due to single precision and to a polynomial for the
+// exponential. The shortest of the vectors between two points counts, so that the torus must be as wide as two such
+// distances. Where points follow a density, see host/sampling/optimized/gaussian_field.hpp.
 #pragma once
 
 #include "host/sampling/lloyd_relaxation.hpp"

@@ -11,7 +11,6 @@ namespace poissonlab {
 namespace {
 
 using contract::gaussian_blue_noise::DensityCell;
-using contract::gaussian_blue_noise::WINDOW_REACH;
 
 __extension__ using WideSum = __int128;
 
@@ -165,13 +164,11 @@ private:
     {
         const double squared = sigma_ * sigma_ * numbers.squared;
         const double pull = step_ * 2 * std::numbers::pi * numbers.squared * squared / points_;
-        const double cells = gaussian_cut_off * std::sqrt(squared / points_) * field_.shape.grid_size;
         return {.x = static_cast<float>(pull * numbers.slope_x),
                 .y = static_cast<float>(pull * numbers.slope_y),
                 .excess = static_cast<float>(2 * std::numbers::pi * sigma_ * sigma_ * (numbers.under - 1)),
-                .exponent = static_cast<float>(-std::numbers::log2e / (2 * squared)),
-                .squared_cut = static_cast<float>(gaussian_cut_off * gaussian_cut_off * squared),
-                .reach = std::min(static_cast<int>(std::ceil(cells)), static_cast<int>(field_.shape.grid_size / 2))};
+                .exponent = gaussian_exponent(squared / points_),
+                .is_empty = 0};
     }
 
     GaussianField& field_;
@@ -182,12 +179,16 @@ private:
 
 }
 
+float gaussian_exponent(double squared_sigma)
+{
+    return static_cast<float>(-0.5 * std::numbers::log2e / squared_sigma * 0x1p-64);
+}
+
 std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension)
 {
     const double side =
         dimension == 2 ? std::sqrt(static_cast<double>(points)) : std::cbrt(static_cast<double>(points));
-    const auto cells = static_cast<std::uint32_t>(side * int{WINDOW_REACH} / (gaussian_cut_off * sigma));
-    return cells > 2 * WINDOW_REACH ? cells : 1;
+    return static_cast<std::uint32_t>(3 * side / (gaussian_cut_off * sigma));
 }
 
 GaussianFieldShape gaussian_field_shape(const Density& density, double sigma, std::size_t points)
@@ -222,8 +223,7 @@ GaussianField gaussian_field(const Density& density, double sigma, double step, 
         if (number > shape.narrowest) ladder.blur_to(width(number));
         chooser.choose(number, ladder.map(), number == shape.widest);
     }
-    for (std::size_t i = 0; i < field.cells.size(); ++i)
-        if (deviation.values[i] == -1) field.cells[i].reach = ~field.cells[i].reach;
+    for (std::size_t i = 0; i < field.cells.size(); ++i) field.cells[i].is_empty = deviation.values[i] == -1 ? 1 : 0;
     return field;
 }
 

@@ -22,10 +22,14 @@
 namespace poissonlab {
 
 /// Pairs farther apart than so many sigma are left out.
-inline constexpr double gaussian_cut_off = 5.8;
+inline constexpr double gaussian_cut_off = contract::gaussian_blue_noise::CUT_OFF;
 
-/// The cells of the grid in which the neighbours of a point are looked for, along each axis: half as wide as the
-/// cut-off or wider, or a single one. `sigma` is in mean distances.
+/// What makes 2^(exponent * squared distance) the Gaussian for distances in units of 2^-32; `squared_sigma` is of the
+/// torus' side.
+float gaussian_exponent(double squared_sigma);
+
+/// The cells of the grid in which the neighbours of a point are looked for, along each axis: a third as wide as the
+/// cut-off or wider. `sigma` is in mean distances.
 std::uint32_t gaussian_grid(double sigma, std::size_t points, int dimension);
 
 /// The sizes of a field, which follow from how far the density's largest value is above its mean.

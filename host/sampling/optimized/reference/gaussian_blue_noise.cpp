@@ -10,15 +10,12 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace poissonlab::reference {
 namespace {
 
 using namespace contract::gaussian_blue_noise;
-
-using LaneSums = std::array<float, SUM_LANES>;
-
-float sum_of_lanes(const LaneSums& v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 
 double part_way(double a, double b, double part) { return a * (1 - part) + b * part; }
 
@@ -47,14 +44,26 @@ std::array<double, 3> density_around(const GaussianField& field, std::span<const
     return values;
 }
 
-/// 2^t for t <= 0: its power of two, and a Taylor polynomial for the rest.
+/// 2^t for t <= 0: its power of two, and a polynomial for the rest.
 float power_of_two(float t)
 {
-    const float whole = std::floor(t + 0.5F);
-    const float x = (t - whole) * 0.693147182F; // log 2
-    float sum = 1.0F / 720;
-    for (const float coefficient : {1.0F / 120, 1.0F / 24, 1.0F / 6, 0.5F, 1.0F, 1.0F}) sum = sum * x + coefficient;
+    const float whole = std::nearbyint(t);
+    const float x = t - whole;
+    float sum = 0.00132647273F;
+    for (const float coefficient : {0.00967151299F, 0.0555073358F, 0.240222424F, 0.693147004F, 1.0F})
+        sum = std::fma(sum, x, coefficient);
     return std::bit_cast<float>(std::bit_cast<std::int32_t>(sum) + static_cast<std::int32_t>(whole) * (1 << 23));
+}
+
+/// The cells of an axis up to `reach` away from one, on the torus: each of them once, from the first one on.
+std::vector<int> cells_around(int cell, int reach, int grid_size)
+{
+    std::vector<int> cells;
+    for (int c = 0; c < grid_size; ++c) {
+        const int distance = std::abs(c - cell);
+        if (std::min(distance, grid_size - distance) <= reach) cells.push_back(c);
+    }
+    return cells;
 }
 
 class PlainGaussianState
@@ -74,8 +83,8 @@ public:
         for (std::size_t id = 0; id < points_.size(); ++id) {
             const Sums sums = sums_of(id, cells);
             for (std::size_t k = 0; k < axes_; ++k)
-                displacements_[id * axes_ + k] = double{sum_of_lanes(sums.force[k])} * gaussians_.step;
-            energies.push_back(sum_of_lanes(sums.energy));
+                displacements_[id * axes_ + k] = double{sums.force[k]} * gaussians_.step;
+            energies.push_back(sums.energy);
             if (field_) {
                 const auto [x, y, excess] = density_around(*field_, points_[id]);
                 displacements_[id * axes_] += x;
@@ -83,8 +92,7 @@ public:
                 if (enters_nothing(id)) displacements_[id * axes_] = displacements_[id * axes_ + 1] = 0;
                 energies.back() -= excess;
             }
-            const double unit = 0x1p-32 / double{gaussians_.scale};
-            squared_near = std::min(squared_near, double{sums.squared_near} * (unit * unit));
+            squared_near = std::min(squared_near, double{sums.squared_near} * 0x1p-64);
         }
         double energy = 0;
         for (const double e : energies) energy += e;
@@ -106,16 +114,9 @@ public:
 private:
     struct Sums
     {
-        std::array<LaneSums, 3> force{};
-        LaneSums energy{};
+        std::array<float, 3> force{};
+        float energy = 0;
         float squared_near = std::numeric_limits<float>::infinity();
-    };
-
-    /// The Gaussians of a point.
-    struct Width
-    {
-        float exponent, squared_cut;
-        int reach;
     };
 
     const DensityCell& cell_at(double x, double y) const
@@ -125,12 +126,9 @@ private:
         return field_->cells[static_cast<std::size_t>(cell(y) * n + cell(x))];
     }
 
-    Width width_of(std::size_t id) const
+    float exponent_of(std::size_t id) const
     {
-        if (!field_)
-            return {gaussians_.exponent, gaussians_.squared_cut, gaussians_.grid_size == 1 ? 0 : int{WINDOW_REACH}};
-        const DensityCell& cell = cell_at(points_[id][0], points_[id][1]);
-        return {cell.exponent, cell.squared_cut, cell.reach < 0 ? ~cell.reach : cell.reach};
+        return field_ ? cell_at(points_[id][0], points_[id][1]).exponent : gaussians_.exponent;
     }
 
     /// True where its displacement leads a point into a place without density.
@@ -140,49 +138,49 @@ private:
             const double to = points_[id][k] + displacements_[id * axes_ + k];
             return to - std::floor(to);
         };
-        return cell_at(moved(0), moved(1)).reach < 0;
+        return cell_at(moved(0), moved(1)).is_empty != 0;
     }
 
     Sums sums_of(std::size_t id, const PlainCells& cells) const
     {
         Sums sums;
-        const Width width = width_of(id);
+        const float exponent = exponent_of(id);
         const int n = static_cast<int>(gaussians_.grid_size);
-        const int reach = width.reach;
-        const int after = std::min(reach, n - 1 - reach); // no cell twice
-        const int reach_z = axes_ == 3 ? reach : 0;
+        const int reach = 1 + static_cast<int>(std::sqrt(CUT_EXPONENT / double{exponent}) * 0x1p-32 * n * 1.000001);
         const auto cell = cells.cell_of(points_[id]);
-        for (int z = cell[2] - reach_z; z <= cell[2] + reach_z; ++z)
-            for (int y = cell[1] - reach; y <= cell[1] + after; ++y) {
-                std::size_t lane = 0;
-                for (int x = cell[0] - reach; x <= cell[0] + after; ++x) {
-                    if (x == 0 || x == n) lane = 0; // the torus begins again
+        const std::vector<int> columns = cells_around(cell[0], reach, n), rows = cells_around(cell[1], reach, n);
+        const std::vector<int> planes = axes_ == 3 ? cells_around(cell[2], reach, n) : std::vector{0};
+        for (const int z : planes)
+            for (const int y : rows) {
+                Sums row;
+                for (const int x : columns)
                     cells.for_each_in({x, y, z}, [&](std::size_t other, const auto&) {
-                        add(id, other, width, lane, sums);
-                        lane = (lane + 1) % SUM_LANES;
+                        if (other != id) add(id, other, exponent, row);
                     });
-                }
+                for (std::size_t k = 0; k < axes_; ++k) sums.force[k] += row.force[k];
+                sums.energy += row.energy;
+                sums.squared_near = std::min(sums.squared_near, row.squared_near);
             }
         return sums;
     }
 
-    void add(std::size_t id, std::size_t other, const Width& width, std::size_t lane, Sums& sums) const
+    void add(std::size_t id, std::size_t other, float exponent, Sums& sums) const
     {
-        if (other == id) return;
         std::array<float, 3> difference{};
         float squared = 0;
         for (std::size_t k = 0; k < axes_; ++k) {
             const auto fixed = [&](std::size_t point) {
                 return static_cast<std::uint32_t>(points_.coordinates[point * axes_ + k] * 0x1p32);
             };
-            difference[k] = static_cast<float>(static_cast<std::int32_t>(fixed(other) - fixed(id))) * gaussians_.scale;
-            squared += difference[k] * difference[k];
+            difference[k] = static_cast<float>(static_cast<std::int32_t>(fixed(id) - fixed(other)));
+            squared = std::fma(difference[k], difference[k], squared);
         }
         sums.squared_near = std::min(sums.squared_near, squared);
-        if (!(squared < width.squared_cut)) return;
-        const float gaussian = power_of_two(squared * width.exponent);
-        for (std::size_t k = 0; k < axes_; ++k) sums.force[k][lane] -= difference[k] * gaussian;
-        sums.energy[lane] += gaussian;
+        const float t = squared * exponent;
+        if (!(t > static_cast<float>(CUT_EXPONENT))) return;
+        const float gaussian = power_of_two(t);
+        for (std::size_t k = 0; k < axes_; ++k) sums.force[k] = std::fma(difference[k], gaussian, sums.force[k]);
+        sums.energy += gaussian;
     }
 
     PointSet points_;

@@ -150,6 +150,39 @@ TEST(GaussianBlueNoiseForces, LetWavesDecayAsTheTransformOfTheGaussianSays)
     }
 }
 
+/// Pairs of points with nothing around them: their forces are single Gaussians, at distances up to beyond the cut-off.
+TEST(GaussianBlueNoiseForces, OfAPairErrByLessThanStated)
+{
+    constexpr std::size_t columns = 6, points = 576;
+    constexpr double side = 24, sigma = 0.3, step = 0.01, part = 1.0 / columns;
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto in_fixed_point = [](double c) { return std::floor(c * 0x1p32) * 0x1p-32; };
+    for (int repetition = 0; repetition < 20; ++repetition) {
+        PointSet set{2, {}};
+        for (std::size_t pair = 1; pair < columns * columns; ++pair) {
+            const double x = static_cast<double>(pair % columns) * part, y = static_cast<double>(pair / columns) * part;
+            const double distance = uniform(random) * 6 * sigma / side, angle = uniform(random) * std::numbers::pi / 2;
+            set.coordinates.insert(set.coordinates.end(), {x, y, in_fixed_point(x + distance * std::cos(angle)),
+                                                           in_fixed_point(y + distance * std::sin(angle))});
+        }
+        for (double& c : set.coordinates) c = in_fixed_point(c);
+        const std::size_t paired = set.size();
+        set.coordinates.resize(2 * points); // all others are in a corner
+        const PointSet moved =
+            GaussianBlueNoise(Device::open()).descend(set, {.iterations = 1, .sigma = sigma, .step = step}).points;
+        for (std::size_t i = 0; i < paired; i += 2) {
+            const double x = (set[i + 1][0] - set[i][0]) * side, y = (set[i + 1][1] - set[i][1]) * side;
+            const double squared = (x * x + y * y) / (sigma * sigma);
+            const double push = std::remainder(moved[i + 1][0] - set[i + 1][0], 1.0) * side * x +
+                                std::remainder(moved[i + 1][1] - set[i + 1][1], 1.0) * side * y;
+            const double gaussian = push / step / squared;
+            // Displacements are exact to 2^-53 of the torus' side.
+            EXPECT_NEAR(gaussian, std::exp(-squared / 2), 3e-7 + 0x1p-52 * side / step / std::sqrt(squared)) << squared;
+        }
+    }
+}
+
 TEST(GaussianBlueNoiseSampler, RefusesTorusesThatAreTooNarrow)
 {
     const SamplerSpec& spec = *find_sampler("gaussian-blue-noise");

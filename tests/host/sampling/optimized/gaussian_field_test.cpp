@@ -73,10 +73,11 @@ TEST(TorusMap, IsLinearBetweenMiddles)
 constexpr const char* wave_density = "1 + 0.8*cos(pi*x)";
 constexpr double wave_height = 0.8;
 
-/// The squared width of a cell's Gaussian, in squared mean distances: its exponent is -log2(e) / 2 over it.
-double squared_width(const contract::gaussian_blue_noise::DensityCell& cell)
+/// The squared width of a cell's Gaussian, in squared mean distances of so many points: its exponent is -log2(e) / 2
+/// over it, in squared units of 2^-32 of the torus' side.
+double squared_width(const contract::gaussian_blue_noise::DensityCell& cell, std::size_t points)
 {
-    return -0.5 * std::numbers::log2e / double{cell.exponent};
+    return -0.5 * std::numbers::log2e / double{cell.exponent} * 0x1p-64 * static_cast<double>(points);
 }
 
 /// A place's Gaussian has as much of the density under it as one of sigma mean distances has of an even one, and the
@@ -93,7 +94,7 @@ TEST(GaussianField, OfAWaveHasTheWidthsAndPullsOfItsBlur)
         const contract::gaussian_blue_noise::DensityCell& cell = field.cells[size * (size / 3) + i];
         // The formula's x goes from -1 to 1.
         const double phase = 2 * pi * (static_cast<double>(i) + 0.5) / static_cast<double>(size) - pi;
-        const double squared = squared_width(cell);
+        const double squared = squared_width(cell, points);
         const double blur = wave_height * std::exp(-2 * pi * pi * squared / (side * side));
         // Maps have cells of a quarter of the Gaussian and less, linear between their middles: an error of h^2 / 8 of
         // the second derivative, (2 pi / 64)^2 / 8 of the wave's height on the coarsest. What is under a Gaussian is
@@ -109,7 +110,6 @@ TEST(GaussianField, OfAWaveHasTheWidthsAndPullsOfItsBlur)
         const double pull = step * 2 * pi * squared * squared / (side * side);
         EXPECT_NEAR(cell.x, -pull * blur * 2 * pi * std::sin(phase), pull * 2 * pi * tolerance) << i;
         EXPECT_NEAR(cell.y, 0, 1e-12);
-        EXPECT_FLOAT_EQ(cell.squared_cut, static_cast<float>(gaussian_cut_off * gaussian_cut_off * squared));
         wide += squared > 1;
     }
     EXPECT_GT(wide, size / 4); // half of the wave is below its mean
@@ -123,7 +123,7 @@ TEST(GaussianField, OfAConstantDensityPullsNowhere)
         ASSERT_EQ(cell.x, 0);
         ASSERT_EQ(cell.y, 0);
         ASSERT_EQ(cell.excess, 0);
-        ASSERT_EQ(cell.exponent, static_cast<float>(-0.5 * std::numbers::log2e));
+        ASSERT_EQ(cell.exponent, gaussian_exponent(1e-3));
     }
 }
 
@@ -207,7 +207,8 @@ double pull_of_wave(const GaussianField& field, double x, double side)
     const double left = std::floor(x * size - 0.5), part = x * size - 0.5 - left, wave = 2 * pi / side;
     const auto at_middle = [&](double column) {
         const double wrapped = column < 0 ? column + size : column >= size ? column - size : column;
-        const double squared = squared_width(field.cells[static_cast<std::size_t>(wrapped)]);
+        const double squared =
+            squared_width(field.cells[static_cast<std::size_t>(wrapped)], static_cast<std::size_t>(side * side));
         return -2 * pi * squared * squared * wave_height * wave * std::sin(2 * pi * (wrapped + 0.5) / size - pi) *
                std::exp(-0.5 * wave * wave * squared);
     };
@@ -228,7 +229,7 @@ TEST(AdaptiveGaussians, MoveByTheForcesOfAllPairsAndOfTheDensity)
     const auto cell_number = [&](double c) { return static_cast<std::size_t>(c * field->shape.size); };
     for (std::size_t i = 0; i < points; ++i) {
         const std::size_t cell = cell_number(start[i][1]) * field->shape.size + cell_number(start[i][0]);
-        const double squared = squared_width(field->cells[cell]);
+        const double squared = squared_width(field->cells[cell], points);
         double force[2] = {};
         for (std::size_t j = 0; j < points; ++j)
             for (int image = 0; image < 9 && j != i; ++image) {
