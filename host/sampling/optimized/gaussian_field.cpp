@@ -107,25 +107,29 @@ struct BlurredDensity
 /// The numbers of the Gaussian at a place.
 struct PlaceNumbers
 {
-    double squared = 1;              ///< of the width, over sigma
-    double under = 1;                ///< points under it, over those where the density is the same everywhere
+    double squared = 1; ///< of the width, over sigma
+    double under = 1;   ///< points under it, over those where the density is the same everywhere
+    double enough = 1;  ///< the same, or as if the density were that of the place; 1 where it is wide enough
     double slope_x = 0, slope_y = 0; ///< of the density under it
 
-    PlaceNumbers(const BlurredDensity& density, double at_x, double at_y)
+    /// `own_deviation`: of the density of the place.
+    PlaceNumbers(const BlurredDensity& density, double own_deviation, double at_x, double at_y)
         : squared(density.squared), under(squared * (1 + density.deviation.between(at_x, at_y))),
-          slope_x(density.slope_x.between(at_x, at_y)), slope_y(density.slope_y.between(at_x, at_y))
+          enough(std::max(under, squared * (1 + own_deviation))), slope_x(density.slope_x.between(at_x, at_y)),
+          slope_y(density.slope_y.between(at_x, at_y))
     {}
 
-    /// Turns the numbers of a wider Gaussian into those of one between it and a narrower one: that with enough under
-    /// it.
+    /// Turns the numbers of a Gaussian that is wide enough into those of one between it and a narrower one that is not:
+    /// the narrowest that is wide enough.
     void narrow_towards(const PlaceNumbers& narrower)
     {
-        const double part = (1 - narrower.under) / (under - narrower.under);
+        const double part = (1 - narrower.enough) / (enough - narrower.enough);
         const auto between = [&](double low, double high) { return low * (1 - part) + high * part; };
         squared = between(narrower.squared, squared);
         slope_x = between(narrower.slope_x, slope_x);
         slope_y = between(narrower.slope_y, slope_y);
-        under = 1;
+        under = between(narrower.under, under);
+        enough = 1;
     }
 };
 
@@ -133,8 +137,10 @@ struct PlaceNumbers
 class WidthChooser
 {
 public:
-    WidthChooser(GaussianField& field, double sigma, double step, std::size_t points)
-        : field_(field), sigma_(sigma), step_(step), points_(static_cast<double>(points)), is_done_(field.cells.size())
+    /// `own`: the density as it is, with a value for each cell of the field.
+    WidthChooser(GaussianField& field, const TorusMap& own, double sigma, double step, std::size_t points)
+        : field_(field), own_(own), sigma_(sigma), step_(step), points_(static_cast<double>(points)),
+          is_done_(field.cells.size())
     {}
 
     /// Takes the cells that a Gaussian of this number is wide enough for, or all that are left. `deviation`: the
@@ -148,11 +154,12 @@ public:
         };
         for (std::size_t i = 0; i < field_.cells.size(); ++i) {
             if (is_done_[i]) continue;
-            const double blurred_there = deviation.between(middle(i % size), middle(i / size));
-            if (density.squared * (1 + blurred_there) < 1 && !is_last) continue;
-            PlaceNumbers numbers(density, middle(i % size), middle(i / size));
-            if (numbers.under > 1 && number > field_.shape.narrowest)
-                numbers.narrow_towards(PlaceNumbers(narrower_, middle(i % size), middle(i / size)));
+            const auto numbers_in = [&](const BlurredDensity& blurred) {
+                return PlaceNumbers(blurred, own_.values[i], middle(i % size), middle(i / size));
+            };
+            PlaceNumbers numbers = numbers_in(density);
+            if (numbers.enough < 1 && !is_last) continue;
+            if (numbers.enough > 1 && number > field_.shape.narrowest) numbers.narrow_towards(numbers_in(narrower_));
             is_done_[i] = true;
             field_.cells[i] = cell_of(numbers);
         }
@@ -172,6 +179,7 @@ private:
     }
 
     GaussianField& field_;
+    const TorusMap& own_;
     double sigma_, step_, points_;
     std::vector<bool> is_done_;
     BlurredDensity narrower_;
@@ -215,9 +223,9 @@ GaussianField gaussian_field(const Density& density, double sigma, double step, 
     const GaussianFieldShape& shape = field.shape;
     const double side = std::sqrt(static_cast<double>(points));
     field.cells.resize(std::size_t{shape.size} * shape.size);
-    WidthChooser chooser(field, sigma, step, points);
     const auto width = [&](int number) { return sigma * root_power(number, 4) / side; };
     const TorusMap deviation = resampled(deviations(density), static_cast<std::size_t>(density.width), shape.size);
+    WidthChooser chooser(field, deviation, sigma, step, points);
     BlurLadder ladder(deviation, width(shape.narrowest));
     for (int number = shape.narrowest; number <= shape.widest; ++number) {
         if (number > shape.narrowest) ladder.blur_to(width(number));

@@ -4,8 +4,10 @@
 // Ahmed, Ren, Wonka, Gaussian blue noise, 2022: points repel each other by their Gaussians, and the density attracts
 // them by the same Gaussians; sigma is larger where points are few. A place's Gaussian is as wide as it must be for the
 // density to have as many points under it as one of sigma mean distances has where the density is the same everywhere.
-// The forces of points and of density are in balance where both, blurred by that Gaussian, are alike, so that no place
-// has too many points or too few. As in the authors' program, no point moves to where the density is 0.
+// It is narrower where it would have as many if the density around were that of the place: on the dense side of a
+// border, where wide ones hardly resist that points lie on top of each other. The forces of points and of density are
+// in balance where both, blurred by that Gaussian, are alike, so that no place has too many points or too few. As in
+// the authors' program, no point moves to where the density is 0.
 //
 // Departures: widths follow from the density alone, between steps of a factor of 2^(1/4), not from the points again at
 // every step; and a point's own width counts for all of its pairs, not one between the widths of both. Forces are thus
