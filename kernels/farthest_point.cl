@@ -2,8 +2,8 @@
 //
 // Schloemer, Heck, Deussen, Farthest-point optimized point sets with maximized minimum distance, HPG 2011, the local
 // variant; see host/sampling/optimized/farthest_point.hpp. Cells of one color of the grid are worked on side by side,
-// the points of a cell one after the other, in order of their ids: no two of the cells see each other's points, so the
-// result does not depend on the schedule.
+// the points of a cell one after the other, in order of their ids: no two of the cells see or reach the same places, so
+// the result does not depend on the schedule, and is that of one point after the other.
 //
 // Points are sorted by grid cells, see point_grid.cl.
 
@@ -13,17 +13,26 @@
 #include "kernels/common/polygon.clh"
 
 #define WINDOW_SIDE (2 * NEIGHBOUR_REACH + 1)
-#define WINDOW_CELLS (WINDOW_SIDE * WINDOW_SIDE)
-#define MIDDLE_CELL (WINDOW_CELLS / 2)
 
-// A neighbour is known by its cell in the window and its place in the order of points.
+// Rows of a window go around the torus twice where the grid has three cells.
+#define MAX_SEGMENTS (3 * WINDOW_SIDE)
+
+// A neighbour is known by its segment of the window and its place in the order of points.
 #define INDEX_BITS 27
 
-/// The cells around a cell, and its borders.
+// The reach of the first batch of neighbours, of some 14 points in even sets: squared, in widths of cells.
+#define FIRST_REACH 1.7
+
+// Points of a row of cells are as far away as the row is, less what rounding does.
+#define ROW_SLACK 1e-9
+
+/// The cells around a cell, row by row, and their borders. The points of neighbouring cells of a row follow each other,
+/// up to the torus' border: a segment.
 typedef struct
 {
-    uint begin[WINDOW_CELLS], end[WINDOW_CELLS];
-    double2 repetition[WINDOW_CELLS];
+    uint begin[MAX_SEGMENTS], end[MAX_SEGMENTS];
+    double2 repetition[MAX_SEGMENTS];
+    uint first[WINDOW_SIDE + 1]; // segments of rows
     double2 low, high;
     double width; // of a cell
 } Window;
@@ -31,14 +40,22 @@ typedef struct
 Window window_around(uint cell_x, uint cell_y, uint grid_size, global const uint* starts)
 {
     Window window;
-    for (int slot = 0; slot < WINDOW_CELLS; ++slot) {
-        int turns_x, turns_y;
-        const uint x = turned_cell(cell_x, slot % WINDOW_SIDE - NEIGHBOUR_REACH, (int)grid_size, &turns_x);
-        const uint y = turned_cell(cell_y, slot / WINDOW_SIDE - NEIGHBOUR_REACH, (int)grid_size, &turns_y);
-        window.begin[slot] = starts[y * grid_size + x];
-        window.end[slot] = starts[y * grid_size + x + 1];
-        window.repetition[slot] = (double2)(turns_x, turns_y);
+    uint segment = 0;
+    for (int row = 0; row < WINDOW_SIDE; ++row) {
+        window.first[row] = segment;
+        int turns_y;
+        const uint y = turned_cell(cell_y, row - NEIGHBOUR_REACH, (int)grid_size, &turns_y);
+        for (int column = 0; column < WINDOW_SIDE; ++column) {
+            int turns_x;
+            const uint x = turned_cell(cell_x, column - NEIGHBOUR_REACH, (int)grid_size, &turns_x);
+            if (column == 0 || x == 0) {
+                window.begin[segment] = starts[y * grid_size + x];
+                window.repetition[segment++] = (double2)(turns_x, turns_y);
+            }
+            window.end[segment - 1] = starts[y * grid_size + x + 1];
+        }
     }
+    window.first[WINDOW_SIDE] = segment;
     const double width = 1.0 / grid_size;
     window.width = width;
     window.low = (double2)((int)cell_x - NEIGHBOUR_REACH, (int)cell_y - NEIGHBOUR_REACH) * width;
@@ -46,56 +63,86 @@ Window window_around(uint cell_x, uint cell_y, uint grid_size, global const uint
     return window;
 }
 
-/// The state of cutting a Voronoi cell by cells of the window.
+/// Some points of the window around a place, nearest first, and where those that are not among them begin.
 typedef struct
 {
-    double2 place;
-    uint own, left_out;
-    double squared_radius; // of what is left of the Voronoi cell
-} Cutting;
+    double squared[BATCH]; // distances
+    uint neighbour[BATCH], count;
+    double until; // squared distance
+} NearPoints;
 
-/// Cuts a Voronoi cell by the points of a cell of the window. False where it has too many vertices.
-bool cut_by_cell(const Window* window, global const double2* positions, uint slot, Cutting* cutting, Polygon* cell)
+double2 from_place(const Window* window, global const double2* positions, uint neighbour, double2 place)
 {
-    for (uint i = window->begin[slot]; i < window->end[slot]; ++i) {
-        const uint neighbour = slot << INDEX_BITS | i;
-        if (i == cutting->left_out || neighbour == cutting->own) continue;
-        const double2 to = positions[i] + window->repetition[slot] - cutting->place;
-        if (to.x * to.x + to.y * to.y >= 4 * cutting->squared_radius) continue;
-        if (!cut(cell, to.x, to.y, neighbour)) return false;
-        cutting->squared_radius = squared_radius_of(cell);
+    return positions[neighbour & ((1u << INDEX_BITS) - 1)] + window->repetition[neighbour >> INDEX_BITS] - place;
+}
+
+/// Is a row of the window nearer than the root of `squared`? That in the middle always is, as points of the cell in it
+/// may have moved out of it.
+bool is_row_near(const Window* window, int row, double y, double squared)
+{
+    const double low = window->low.y + row * window->width;
+    const double gap = max(low - y, y - (low + window->width)) - ROW_SLACK;
+    return row == NEIGHBOUR_REACH || gap <= 0 || gap * gap < squared;
+}
+
+/// The nearest of the points of the window, but for two, whose squared distances are at least `from` and less than
+/// `until`.
+void find_near(const Window* window, global const double2* positions, double2 place, uint own, uint left_out,
+               double from, double until, NearPoints* near)
+{
+    uint count = 0;
+    for (int row = 0; row < WINDOW_SIDE; ++row) {
+        if (!is_row_near(window, row, place.y, until)) continue;
+        for (uint segment = window->first[row]; segment < window->first[row + 1]; ++segment) {
+            const double2 corner = window->repetition[segment] - place;
+            const uint end = window->end[segment];
+            for (uint i = window->begin[segment]; i < end; ++i) {
+                const double2 to = positions[i] + corner;
+                const double squared = to.x * to.x + to.y * to.y;
+                if (!(squared >= from && squared < until)) continue;
+                const uint neighbour = segment << INDEX_BITS | i;
+                if (i == left_out || neighbour == own) continue;
+                uint k = count;
+                if (k == BATCH) {
+                    until = max(squared, near->squared[--k]);
+                    if (squared == until) continue;
+                } else {
+                    ++count;
+                }
+                for (; k > 0 && near->squared[k - 1] > squared; --k) {
+                    near->squared[k] = near->squared[k - 1];
+                    near->neighbour[k] = near->neighbour[k - 1];
+                }
+                near->squared[k] = squared;
+                near->neighbour[k] = neighbour;
+            }
+        }
     }
-    return true;
+    while (count > 0 && near->squared[count - 1] >= until) --count;
+    near->count = count;
+    near->until = until;
 }
 
-/// The place of a coordinate in a row of cells of the window.
-int window_column(double offset, double width)
-{
-    return clamp((int)floor(offset / width), 0, WINDOW_SIDE - 1);
-}
-
-/// The Voronoi cell of a place among the points of the window, but for one that is left out. False where it has too
-/// many vertices. Cells of the window come ring by ring around the place, until all others are too far away; that in the
-/// middle comes first, as its points may have moved out of it.
+/// The Voronoi cell of a place among the points of the window, but for one that is left out. False where no vertex is
+/// farther than the root of `least`, or there are too many of them. The nearest points cut first, some at a time.
 bool cell_without(const Window* window, global const double2* positions, double2 place, uint own, uint left_out,
-                  Polygon* cell)
+                  double least, Polygon* cell)
 {
     const double far = (window->high.x - window->low.x) + (window->high.y - window->low.y);
     *cell = square_around(far);
-    Cutting cutting = {place, own, left_out, 2 * far * far};
-    if (!cut_by_cell(window, positions, MIDDLE_CELL, &cutting, cell)) return false;
-    const int column = window_column(place.x - window->low.x, window->width);
-    const int row = window_column(place.y - window->low.y, window->width);
-    for (int ring = 0; ring < WINDOW_SIDE; ++ring) {
-        const double gap = (ring - 1) * window->width - RING_SLACK;
-        if (gap > 0 && gap * gap >= 4 * cutting.squared_radius) break;
-        for (int y = max(row - ring, 0); y <= min(row + ring, WINDOW_SIDE - 1); ++y) {
-            const bool is_whole = y == row - ring || y == row + ring;
-            for (int x = column - ring; x <= column + ring; x += is_whole || ring == 0 ? 1 : 2 * ring) {
-                const int slot = y * WINDOW_SIDE + x;
-                if (x < 0 || x >= WINDOW_SIDE || slot == MIDDLE_CELL) continue;
-                if (!cut_by_cell(window, positions, slot, &cutting, cell)) return false;
-            }
+    double squared_radius = 2 * far * far;
+    NearPoints near;
+    near.until = 0;
+    for (double until = FIRST_REACH * window->width * window->width; near.until < 4 * squared_radius;
+         until = 4 * squared_radius) {
+        const double from = near.until;
+        find_near(window, positions, place, own, left_out, from, until, &near);
+        if (near.until == from) return false; // more than a batch of points at one distance
+        for (uint k = 0; k < near.count && near.squared[k] < 4 * squared_radius; ++k) {
+            const double2 to = from_place(window, positions, near.neighbour[k], place);
+            if (!cut(cell, to.x, to.y, near.neighbour[k])) return false;
+            squared_radius = squared_radius_of(cell);
+            if (squared_radius <= least) return false;
         }
     }
     return true;
@@ -105,10 +152,11 @@ bool cell_without(const Window* window, global const double2* positions, double2
 double squared_near_of(const Window* window, global const double2* positions, uint site)
 {
     double near = INFINITY;
-    for (uint slot = 0; slot < WINDOW_CELLS; ++slot) {
-        for (uint i = window->begin[slot]; i < window->end[slot]; ++i) {
+    for (uint segment = 0; segment < window->first[WINDOW_SIDE]; ++segment) {
+        const double2 corner = window->repetition[segment] - positions[site];
+        for (uint i = window->begin[segment]; i < window->end[segment]; ++i) {
             if (i == site) continue;
-            const double2 to = positions[i] + window->repetition[slot] - positions[site];
+            const double2 to = positions[i] + corner;
             const double squared = to.x * to.x + to.y * to.y;
             near = squared < near ? squared : near;
         }
@@ -130,14 +178,13 @@ double2 farthest_place(const Window* window, global const double2* positions, ui
     double2 farthest = positions[site];
     double most = squared_near_of(window, positions, site);
     Polygon own;
-    if (!cell_without(window, positions, farthest, NO_NEIGHBOUR, site, &own)) return farthest;
+    if (!cell_without(window, positions, farthest, NO_NEIGHBOUR, site, 0, &own)) return farthest;
     for (uint edge = 0; edge < own.count; ++edge) {
         const uint neighbour = own.neighbour[edge];
         if (neighbour == NO_NEIGHBOUR) continue;
-        const double2 place =
-            positions[neighbour & ((1u << INDEX_BITS) - 1)] + window->repetition[neighbour >> INDEX_BITS];
+        const double2 place = from_place(window, positions, neighbour, (double2)(0, 0));
         Polygon cell;
-        if (!cell_without(window, positions, place, neighbour, site, &cell)) continue;
+        if (!cell_without(window, positions, place, neighbour, site, most, &cell)) continue;
         for (uint k = 0; k < cell.count; ++k) {
             const double squared = cell.x[k] * cell.x[k] + cell.y[k] * cell.y[k];
             const double2 centre = place + (double2)(cell.x[k], cell.y[k]);
@@ -149,11 +196,10 @@ double2 farthest_place(const Window* window, global const double2* positions, ui
     return farthest;
 }
 
-/// The nearest multiple of 2^-32 on the torus.
+/// The nearest multiple of 2^-32.
 double snapped(double coordinate)
 {
-    const double nearest = floor(coordinate * 4294967296.0 + 0.5) / 4294967296.0;
-    return nearest - floor(nearest);
+    return floor(coordinate * 4294967296.0 + 0.5) / 4294967296.0;
 }
 
 /// One work-item owns one cell of a color, and moves those of its points that have not moved in this sweep, the number of
@@ -162,10 +208,11 @@ kernel void move_to_farthest(global double2* positions, global const uint* ids, 
                              uint grid_size, uint color, uint sweep, global uint* last_sweeps)
 {
     const uint id = get_global_id(0);
-    const uint row = grid_size / COLORS;
+    const uint colors = min((uint)COLORS, grid_size);
+    const uint row = grid_size / colors;
     if (id >= row * row) return;
-    const uint cell_x = id % row * COLORS + color % COLORS;
-    const uint cell_y = id / row * COLORS + color / COLORS;
+    const uint cell_x = id % row * colors + color % colors;
+    const uint cell_y = id / row * colors + color / colors;
     const Window window = window_around(cell_x, cell_y, grid_size, starts);
     const uint cell = cell_y * grid_size + cell_x;
     for (uint site = starts[cell]; site < starts[cell + 1]; ++site) {
@@ -174,4 +221,6 @@ kernel void move_to_farthest(global double2* positions, global const uint* ids, 
         const double2 place = farthest_place(&window, positions, site);
         positions[site] = (double2)(snapped(place.x), snapped(place.y));
     }
+    // Until now they were where the window is, so that the points of the cell saw each other across the torus' borders.
+    for (uint site = starts[cell]; site < starts[cell + 1]; ++site) positions[site] -= floor(positions[site]);
 }

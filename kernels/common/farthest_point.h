@@ -8,10 +8,8 @@ CONTRACT(farthest_point)
 enum
 {
     NEIGHBOUR_REACH = 2, ///< cells on either side of a point's own in which its neighbours are looked for
-    COLORS = 3        ///< along each axis: cells of one color are so far apart that none is in the window of another
+    COLORS = 5,          ///< along each axis, or as many as cells: windows of one color have no cell in common
+    BATCH = 16           ///< neighbours that cut a Voronoi cell, before the next ones are looked for
 };
-
-/// Points of a ring of cells are as far away as the cells between are wide, less what rounding does.
-REAL(RING_SLACK, 1e-9)
 
 END_CONTRACT

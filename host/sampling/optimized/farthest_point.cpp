@@ -20,6 +20,9 @@ using contract::farthest_point::COLORS;
 
 constexpr double points_per_window_cell = 2.5;
 
+/// Cells of a color are few, and take long: small groups keep all processors at work.
+constexpr std::size_t cells_per_group = 8;
+
 struct FarthestBuffers
 {
     Buffer<std::uint32_t> last_sweeps; ///< in which each point moved last, by id
@@ -52,10 +55,11 @@ public:
     void move()
     {
         ++sweep_;
-        for (std::uint32_t color = 0; color < COLORS * COLORS; ++color) {
+        const std::uint32_t axis = std::min<std::uint32_t>(COLORS, grid_.cells_per_axis()), colors = axis * axis;
+        for (std::uint32_t color = 0; color < colors; ++color) {
             if (color > 0) grid_.sort();
-            move_.run(grid_.cells() / (COLORS * COLORS), group_size_, grid_.positions(), grid_.ids(), grid_.starts(),
-                      grid_.cells_per_axis(), color, sweep_, buffers_.last_sweeps);
+            move_.run(grid_.cells() / colors, std::min(group_size_, cells_per_group), grid_.positions(), grid_.ids(),
+                      grid_.starts(), grid_.cells_per_axis(), color, sweep_, buffers_.last_sweeps);
         }
     }
 
@@ -78,7 +82,7 @@ private:
 std::uint32_t farthest_point_grid(std::size_t points)
 {
     const double cells = std::sqrt(static_cast<double>(points) / points_per_window_cell);
-    return COLORS * std::max(1u, static_cast<std::uint32_t>(cells / int{COLORS} + 0.5));
+    return cells < int{COLORS} ? 3 : COLORS * static_cast<std::uint32_t>(cells / int{COLORS} + 0.5);
 }
 
 PointSet snapped_down(PointSet points)

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -25,43 +24,19 @@ struct WindowPoint
     double x, y; ///< with its repetition
 };
 
-constexpr int window_side = 2 * NEIGHBOUR_REACH + 1;
-
 /// The points around a cell, and its borders.
 struct PointWindow
 {
     std::vector<WindowPoint> points; ///< cell by cell
-    std::array<std::size_t, window_side * window_side + 1> begins;
-    double low_x, low_y, high_x, high_y, width;
+    double low_x, low_y, high_x, high_y;
 };
 
-/// The cells of a window in the order in which they cut the Voronoi cell of a place: that in the middle, whose points
-/// may have moved out of it, then ring by ring around the place.
-struct RingCell
+/// A point as a place sees it.
+struct SeenPoint
 {
-    int ring;
-    std::size_t slot;
+    double x, y, squared; ///< from the place, and the squared distance
+    std::size_t index;    ///< in the window
 };
-
-int window_column(double offset, double width)
-{
-    return std::clamp(static_cast<int>(std::floor(offset / width)), 0, window_side - 1);
-}
-
-std::vector<RingCell> ring_by_ring(const PointWindow& window, double x, double y)
-{
-    constexpr std::size_t middle = window_side * window_side / 2;
-    const int column = window_column(x - window.low_x, window.width),
-              row = window_column(y - window.low_y, window.width);
-    std::vector<RingCell> cells{{0, middle}};
-    for (int ring = 0; ring < window_side; ++ring)
-        for (std::size_t slot = 0; slot < window_side * window_side; ++slot) {
-            const int across = std::abs(static_cast<int>(slot % window_side) - column);
-            const int up = std::abs(static_cast<int>(slot / window_side) - row);
-            if (std::max(across, up) == ring && slot != middle) cells.push_back({ring, slot});
-        }
-    return cells;
-}
 
 class PlainFarthestState
 {
@@ -80,14 +55,17 @@ public:
     void move()
     {
         std::vector<bool> has_moved(points_.size());
-        for (int color = 0; color < COLORS * COLORS; ++color) {
+        const int colors = std::min(int{COLORS}, grid_size_);
+        for (int color = 0; color < colors * colors; ++color) {
             const PlainCells cells(points_, grid_size_); // points belong to their cells until all of a color have moved
-            for (int y = color / COLORS; y < grid_size_; y += COLORS)
-                for (int x = color % COLORS; x < grid_size_; x += COLORS)
+            for (int y = color / colors; y < grid_size_; y += colors)
+                for (int x = color % colors; x < grid_size_; x += colors)
                     cells.for_each_in({x, y, 0}, [&](std::size_t id, const auto&) {
                         if (!has_moved[id]) move_point(cells, {x, y, 0}, id);
                         has_moved[id] = true;
                     });
+            // Until now they were where the windows are: points of a cell see each other across the torus' borders.
+            for (double& c : points_.coordinates) c -= std::floor(c);
         }
     }
 
@@ -98,17 +76,13 @@ private:
     PointWindow window_around(const PlainCells& cells, const std::array<int, 3>& cell) const
     {
         PointWindow window;
-        std::size_t slot = 0;
         for (int y = -NEIGHBOUR_REACH; y <= NEIGHBOUR_REACH; ++y)
             for (int x = -NEIGHBOUR_REACH; x <= NEIGHBOUR_REACH; ++x) {
-                window.begins[slot++] = window.points.size();
                 cells.for_each_in({cell[0] + x, cell[1] + y, 0}, [&](std::size_t id, const std::array<int, 3>& turns) {
                     window.points.push_back({id, points_[id][0] + turns[0], points_[id][1] + turns[1]});
                 });
             }
-        window.begins[slot] = window.points.size();
         const double width = 1.0 / grid_size_;
-        window.width = width;
         window.low_x = (cell[0] - NEIGHBOUR_REACH) * width;
         window.low_y = (cell[1] - NEIGHBOUR_REACH) * width;
         window.high_x = (cell[0] + NEIGHBOUR_REACH + 1) * width;
@@ -116,24 +90,27 @@ private:
         return window;
     }
 
-    /// The Voronoi cell of a place among the points of the window without one. `own` is the place's point, if it has
-    /// one. Empty where it has too many vertices.
+    /// The Voronoi cell of a place among the points of the window without one; the nearest of them cut first. `own` is
+    /// the place's point, if it has one. Empty where it has too many vertices, or too many points are at one distance.
     static CutPolygon cell_without(const PointWindow& window, double x, double y, std::size_t own, std::size_t left_out)
     {
+        std::vector<SeenPoint> neighbours;
+        for (std::size_t i = 0; i < window.points.size(); ++i) {
+            const WindowPoint& point = window.points[i];
+            if (point.id == left_out || i == own) continue;
+            const double to_x = point.x - x, to_y = point.y - y;
+            neighbours.push_back({to_x, to_y, to_x * to_x + to_y * to_y, i});
+        }
+        std::ranges::stable_sort(neighbours, {}, &SeenPoint::squared);
         const double far = (window.high_x - window.low_x) + (window.high_y - window.low_y);
         CutPolygon cell = square_around(far);
         double squared_radius = 2 * far * far;
-        for (const auto& [ring, slot] : ring_by_ring(window, x, y)) {
-            const double gap = (ring - 1) * window.width - RING_SLACK;
-            if (gap > 0 && gap * gap >= 4 * squared_radius) break;
-            for (std::size_t i = window.begins[slot]; i < window.begins[slot + 1]; ++i) {
-                const WindowPoint& point = window.points[i];
-                const double to_x = point.x - x, to_y = point.y - y;
-                if (point.id == left_out || i == own || to_x * to_x + to_y * to_y >= 4 * squared_radius) continue;
-                cell = without_side(cell, to_x, to_y, static_cast<std::uint32_t>(i));
-                if (cell.size() > max_cut_vertices) return {};
-                squared_radius = squared_radius_of(cell);
-            }
+        for (std::size_t k = 0; k < neighbours.size() && neighbours[k].squared < 4 * squared_radius; ++k) {
+            const SeenPoint& n = neighbours[k];
+            if (k + BATCH < neighbours.size() && neighbours[k + BATCH].squared == n.squared) return {};
+            cell = without_side(cell, n.x, n.y, static_cast<std::uint32_t>(n.index));
+            if (cell.size() > max_cut_vertices) return {};
+            squared_radius = squared_radius_of(cell);
         }
         return cell;
     }
@@ -171,10 +148,7 @@ private:
                 farthest_y = y;
             }
         }
-        const auto snapped = [](double coordinate) {
-            const double nearest = std::floor(coordinate * 0x1p32 + 0.5) / 0x1p32;
-            return nearest - std::floor(nearest);
-        };
+        const auto snapped = [](double coordinate) { return std::floor(coordinate * 0x1p32 + 0.5) / 0x1p32; };
         points_.coordinates[2 * id] = snapped(farthest_x);
         points_.coordinates[2 * id + 1] = snapped(farthest_y);
     }

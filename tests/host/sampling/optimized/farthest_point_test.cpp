@@ -8,10 +8,13 @@
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/set_features.hpp"
+#include "tests/support/statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <random>
 
 namespace poissonlab {
@@ -44,6 +47,30 @@ TEST_P(FarthestPointSets, AreTheSameByKernelAndReference)
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, FarthestPointSets, ::testing::Values(7u, 30u));
 INSTANTIATE_TEST_SUITE_P(Sizes, FarthestPointSets, ::testing::Values(1u, 2u, 3u, 23u, 100u, 1000u, 3000u));
+
+/// No move makes the smallest distance smaller: as many points as there are move side by side, and across the borders
+/// of the torus, but none to where another one is going.
+TEST(FarthestPoint, NeverBringsPointsNearerToEachOther)
+{
+    for (const std::size_t points : {5u, 50u, 64u, 1000u, 3000u}) {
+        const auto records =
+            FarthestPointOptimization(Device::open()).optimize(random_start(points, 9), {.iterations = 30}).iterations;
+        // Places are rounded to multiples of 2^-32, and thirty times.
+        for (std::size_t i = 1; i < records.size(); ++i)
+            EXPECT_GE(records[i].relative_radius, records[i - 1].relative_radius - 1e-7) << points << ", " << i;
+        EXPECT_GT(records[1].relative_radius, points < 50 ? 0.1 : 0.4) << points;
+    }
+}
+
+/// Points that coincide part, and more of them than cut a cell at once stay where they are until a sweep has room.
+TEST(FarthestPoint, TakesPointsThatCoincide)
+{
+    PointSet set = random_start(200, 10);
+    for (std::size_t i = 0; i < 40; ++i) set.coordinates[i] = 0.25;
+    const LloydRequest request{.iterations = 4};
+    const LloydResult expected = reference::move_to_farthest(set, request);
+    EXPECT_EQ(FarthestPointOptimization(Device::open()).optimize(set, request).points, expected.points);
+}
 
 using Corner = std::array<double, 2>;
 
@@ -115,6 +142,49 @@ TEST(FarthestPoint, ReachesTheDistancesOfThePaper)
         EXPECT_NEAR(mean_nearest_distance(set) / max_min_distance(1024, 2), 0.932, 0.003);
         EXPECT_LT(sampler->iterations().size(), 500u);
     }
+}
+
+/// How much the periodogram of a ring is of the six directions of a hexagonal lattice, whichever these are: the
+/// squared size of the sum of P exp(6 i angle) over that of the sum of P, times the number of frequencies (a half of
+/// the ring, as the other half repeats it). It is 1 on average where powers are independent, with an exponential
+/// distribution, as those of sets without directions are.
+double six_directions(const PointSet& set, int ring)
+{
+    std::complex<double> sum;
+    double power = 0, count = 0;
+    for (int v = 0; v <= ring; ++v)
+        for (int u = -ring; u <= ring; ++u) {
+            if (std::lround(std::hypot(u, v)) != ring || (v == 0 && u < 0)) continue;
+            const double p = test::brute_force_power(set, {u, v, 0});
+            sum += std::polar(p, 6 * std::atan2(v, u));
+            power += p;
+            ++count;
+        }
+    return count * std::norm(sum) / (power * power);
+}
+
+/// The relative radius is above 0.85, and single sets have no direction nevertheless, as the paper says. What a test of
+/// that must find is in Lloyd relaxation that goes on until there are rows.
+TEST(FarthestPoint, HasNoDirections)
+{
+    constexpr std::size_t points = 512;
+    Device device = Device::open();
+    const auto directions = [&](const char* name, std::int64_t iterations) {
+        const SamplerSpec& spec = *find_sampler(name);
+        Parameters parameters(spec.parameters);
+        parameters.set("iterations", iterations);
+        const auto sampler =
+            spec.create(parameters, {points, 2, 3}, Engine::opencl, [&]() -> Device& { return device; });
+        std::vector<double> found;
+        for (std::uint32_t k = 0; k < 8; ++k) {
+            const PointSet set = sampler->sample(k);
+            for (int ring = 20; ring < 30; ++ring) found.push_back(six_directions(set, ring));
+        }
+        return test::mean_of(found);
+    };
+    const test::Mean farthest = directions("farthest-point", 1000), rows = directions("lloyd", 600);
+    EXPECT_NEAR(farthest.value, 1, test::z_bound(2) / std::sqrt(80.0)); // of 80 exponential numbers
+    EXPECT_GT(rows.value, 1 + test::z_bound(2) / std::sqrt(80.0));
 }
 
 }
