@@ -11,7 +11,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <random>
 
 namespace poissonlab {
@@ -21,6 +24,19 @@ PointSet random_target_start(std::size_t points, unsigned seed)
 {
     std::mt19937_64 random(seed);
     return test::random_points(points, 2, random);
+}
+
+/// Of 1,024 points; frequencies are whole, and what is asked of one is asked of a ring from half below to half above
+/// it.
+constexpr double half_a_ring = 0.5 / 32;
+
+std::vector<RadialBin> radial_bins(const PointSet& points)
+{
+    const std::vector<double> radial = test::radial_power(points, 128); // of 1, 2, ... cycles
+    std::vector<RadialBin> bins;
+    for (std::size_t k = 1; k <= radial.size(); ++k)
+        bins.push_back({.frequency = static_cast<double>(k), .power = radial[k - 1], .samples = 8 * k});
+    return bins;
 }
 
 TEST(TargetCurves, AreLinesBetweenValues)
@@ -80,12 +96,38 @@ TEST(TargetSpectrum, HasTheStepThatIsAskedFor)
     for (std::size_t i = 1; i < result.iterations.size(); ++i)
         EXPECT_LT(result.iterations[i].energy, result.iterations[i - 1].energy);
     EXPECT_LT(result.iterations.back().energy, 1e-3);
-    const std::vector<double> radial = test::radial_power(result.points, 128); // of 1, 2, ... cycles
-    for (std::size_t k = 1; k <= 16; ++k) EXPECT_LT(radial[k - 1], 0.1) << k;
-    std::vector<RadialBin> bins;
-    for (std::size_t k = 1; k <= radial.size(); ++k)
-        bins.push_back({.frequency = static_cast<double>(k), .power = radial[k - 1], .samples = 8 * k});
-    EXPECT_NEAR(effective_nyquist_frequency(bins, n, 2), 0.54 / std::sqrt(0.9), 0.03);
+    const std::vector<RadialBin> bins = radial_bins(result.points);
+    for (std::size_t k = 1; k <= 16; ++k) EXPECT_LT(bins[k - 1].power, 0.1) << k;
+    EXPECT_NEAR(effective_nyquist_frequency(bins, n, 2), 0.54 / std::sqrt(0.9), half_a_ring);
+}
+
+/// The farthest step that sets can have, sqrt(N / pi), has 0.595; behind it, power differs from 1 by no more than that
+/// of random points does: by 1 / (pi k) squared in ring k of one set, as there are 2 pi k frequencies, two by two
+/// alike. The oscillation of these is 10 sqrt(2 / pi (a + b)) between rings a and b.
+TEST(TargetSpectrum, HasTheFarthestStepAndTheOscillationOfNoise)
+{
+    constexpr std::size_t n = 1024;
+    const LloydResult result = follow_curve(random_target_start(n, 6), step_curve(0.5642, 0), 300);
+    const std::vector<RadialBin> bins = radial_bins(result.points);
+    EXPECT_NEAR(effective_nyquist_frequency(bins, n, 2), 0.595, half_a_ring);
+    EXPECT_LT(oscillation(bins, n, 2).value, 10 * std::sqrt(2 / (std::numbers::pi * (0.5642 * 32 + 63))));
+    for (std::size_t k = 1; k <= 17; ++k) EXPECT_LT(bins[k - 1].power, 0.1) << k;
+}
+
+/// A peak of 1 + 2 behind it lets the step be at 0.7 sqrt(N): the mean power comes to 0.1 at a frequency f with
+/// 3 (f^2 - 0.49) = 0.1 f^2. Where a step alone is asked for there, sets cannot follow.
+TEST(TargetSpectrum, HasASinglePeakWhereNoStepCanBe)
+{
+    constexpr std::size_t n = 1024;
+    const PointSet start = random_target_start(n, 7);
+    const LloydResult result = follow_curve(start, step_curve(0.7, 2), 300);
+    const std::vector<RadialBin> bins = radial_bins(result.points);
+    EXPECT_NEAR(effective_nyquist_frequency(bins, n, 2), 0.7 / std::sqrt(1 - 0.1 / 3), half_a_ring);
+    const auto highest = std::ranges::max_element(bins, {}, &RadialBin::power);
+    EXPECT_NEAR(highest->power, 3, 0.5);
+    EXPECT_NEAR(highest->frequency, 0.7 * 32, 1);
+    const LloydResult step = follow_curve(start, step_curve(0.7, 0), 300);
+    EXPECT_GT(step.iterations.back().energy, 3 * result.iterations.back().energy);
 }
 
 TEST(TargetSpectrumSampler, TakesCurvesFromTables)
