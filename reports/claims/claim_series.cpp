@@ -178,6 +178,31 @@ double mean_excess_anisotropy(const ReportSeries& series)
     return rings > 0 ? sum / rings - series.curve.background_db : 0;
 }
 
+Estimate mean_excess_with_error(const ReportSeries& series)
+{
+    const double mean = mean_excess_anisotropy(series);
+    double squares = 0, rings = 0;
+    for (const auto& bin : series.curve.bins) {
+        if (bin.samples < enough_samples) continue;
+        const double off = bin.anisotropy_db - series.curve.background_db - mean;
+        squares += off * off;
+        ++rings;
+    }
+    return {mean, rings > 1 ? std::optional(std::sqrt(squares / (rings - 1) / rings)) : std::nullopt};
+}
+
+const Estimate* estimate_of(const ReportSeries& series, const std::string& key)
+{
+    const auto& numbers = series.stored->measures.numbers;
+    const auto found = numbers.find(key);
+    return found == numbers.end() ? nullptr : &found->second;
+}
+
+bool has_estimated_spectrum(const ReportSeries& series)
+{
+    return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
+}
+
 double peak_anisotropy(const ReportSeries& series)
 {
     double largest = -1000;

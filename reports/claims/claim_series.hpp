@@ -85,6 +85,15 @@ std::optional<double> tiles_of_set(const ReportSeries& series);
 double mean_excess_anisotropy(const ReportSeries& series);
 double peak_anisotropy(const ReportSeries& series);
 
+/// The same mean with its standard error, from the scatter of rings.
+Estimate mean_excess_with_error(const ReportSeries& series);
+
+/// A measure by its key; nullptr where the series does not have it.
+const Estimate* estimate_of(const ReportSeries& series, const std::string& key);
+
+/// True for spectra that are estimates, not a single periodogram of sets that differ.
+bool has_estimated_spectrum(const ReportSeries& series);
+
 /// The highest radially averaged power, and its standard error.
 RadialBin power_peak(const ReportSeries& series);
 

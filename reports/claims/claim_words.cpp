@@ -25,6 +25,13 @@ std::string range_words(const std::vector<double>& values, int digits)
     return from == to ? from : from + " to " + to;
 }
 
+std::string with_error(const Estimate& estimate, int decimals)
+{
+    const std::string value = format_fixed(estimate.value, decimals);
+    if (!estimate.standard_error) return value;
+    return fmt::format("{} ± {}", value, format_significant(*estimate.standard_error, 1));
+}
+
 std::string percent_words(double share) { return format_significant(100 * share, 2) + " %"; }
 
 namespace {

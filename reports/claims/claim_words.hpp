@@ -19,6 +19,9 @@ std::string range_words(const std::vector<double>& values, int digits);
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
+/// "0.123 ± 0.004", or the value alone where its error is not known.
+std::string with_error(const Estimate& estimate, int decimals);
+
 /// Judges the strongest false plates of series against those that noise alone makes; `should_alias`: the claim says
 /// that they are stronger. std::nullopt if no series has a picture.
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,

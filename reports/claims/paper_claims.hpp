@@ -96,6 +96,12 @@ std::vector<PaperClaim> recommendations();
 /// Papers of 2006 and later about methods that optimise sets, and point sets that were published.
 std::vector<Paper> later_papers();
 
+/// The effective Nyquist frequencies and oscillations of the series of a method, not judged.
+PaperClaim nyquist_and_oscillation(const char* id, const char* says, const char* criterion, const char* sampler);
+
+/// The claims about spectra that sets are asked for (Heck and others 2013).
+std::vector<PaperClaim> claims_about_controlled_aliasing();
+
 /// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
 class Tally
 {

@@ -89,6 +89,39 @@ std::string name_of(const testing::TestParamInfo<ClaimCase>& info)
 
 INSTANTIATE_TEST_SUITE_P(All, PaperClaims, testing::ValuesIn(claim_cases()), name_of);
 
+TEST(PaperClaimList, ShowsNyquistFrequencyAndOscillationOfEachLaterMethod)
+{
+    MadeUpReport report;
+    for (const char* sampler :
+         {"farthest-point", "equal-areas", "target-spectrum", "sample-elimination", "gaussian-blue-noise"}) {
+        ReportSeries& series = report.add(sampler, {});
+        MadeUpReport::set_curve(series, {});
+        test::set_number(series, "effective_nyquist", 0.6789);
+        test::set_oscillation(series, 1.25);
+    }
+    for (const char* paper : {"schloemer-2011", "degoes-2012", "heck-2013", "yuksel-2015", "ahmed-2022"}) {
+        const auto shown = outcome(report, paper + std::string("-spectrum"));
+        ASSERT_TRUE(shown) << paper;
+        EXPECT_EQ(shown->agreement, Agreement::not_judged);
+        EXPECT_THAT(shown->measured, HasSubstr("N = 16,384: 0.679 ± 0.007 and 1.25")) << paper;
+    }
+    EXPECT_FALSE(outcome(MadeUpReport(), "ahmed-2022-spectrum"));
+}
+
+/// Two rings of 100 samples, 1 dB and 3 dB above chance, and one that is too small.
+TEST(PaperClaimList, AnisotropyHasTheErrorOfItsRings)
+{
+    MadeUpReport report;
+    ReportSeries& series = report.add("farthest-point", {});
+    series.curve.background_db = -10;
+    series.curve.bins = {{.frequency = 1, .power = 1, .anisotropy_db = 5, .samples = 8},
+                         {.frequency = 20, .power = 1, .anisotropy_db = -9, .samples = 100},
+                         {.frequency = 21, .power = 1, .anisotropy_db = -7, .samples = 100}};
+    const Estimate excess = mean_excess_with_error(series);
+    EXPECT_DOUBLE_EQ(excess.value, 2);
+    EXPECT_DOUBLE_EQ(excess.standard_error.value(), 1);
+}
+
 TEST(PaperClaimList, HasEachClaimOnceWithItsSection)
 {
     std::set<std::string> ids;

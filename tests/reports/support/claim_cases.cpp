@@ -41,7 +41,8 @@ void set_oscillation(ReportSeries& series, double value)
 
 ReportSeries& with_target(MadeUpReport& report, const std::string& target, double nyquist)
 {
-    ReportSeries& series = report.add("target-spectrum", {{"target", target}});
+    ReportSeries& series =
+        report.add("target-spectrum", {{"target", target}, {"frequency", target == "step" ? "0.55" : "0.7"}});
     MadeUpReport::set_curve(series, {});
     set_number(series, "effective_nyquist", nyquist);
     return series;
