@@ -185,8 +185,8 @@ std::string energy_guide(const ReportSeries& series)
 {
     if (series.stored->sampler == "gaussian-blue-noise")
         return "The Gaussians of all points at a point, on average, less those of points spread evenly: what the "
-               "method "
-               "makes smaller. Random points have about 1, no set less than 0.";
+               "method makes smaller. Random points have about 1, no set less than 0; where points follow a density, "
+               "its pull counts as well, and it may rise a little and end below 0.";
     if (series.stored->sampler == "target-spectrum")
         return "The mean squared difference between the radially averaged power of a set and the curve that it is to "
                "follow, over its rings: what the method makes smaller.";

@@ -47,7 +47,7 @@ SamplerSpec farthest_point_sampler()
              .help = "sweeps, at most, in which each point moves once",
              .maximum = 1'000'000,
              .symbol = "i",
-             .otherwise = std::int64_t{1000}},
+             .otherwise = std::int64_t{10000}},
             start_parameter(),
             {.key = "until_relative_radius",
              .help = "stop after the first sweep that reaches this relative radius",

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <random>
 
@@ -130,16 +131,17 @@ TEST(PowerDiagram, ExchangesAreaWithNeighboursAsSaid)
 
 TEST(EqualAreas, HaveThem)
 {
-    for (const std::size_t n : {3u, 50u, 1000u}) {
+    // From random points Newton's method has the farthest way to go: for a large set that is enough.
+    for (const auto& [n, moves] : std::map<std::size_t, std::size_t>{{3, 20}, {50, 20}, {1000, 20}, {16384, 1}}) {
         PowerDiagram diagram(Device::open(), n);
         const EqualAreas result = equalize_areas(
-            random_power_points(n, 10), 20,
+            random_power_points(n, 10), moves,
             [&](const PointSet& set, const std::vector<double>& weights) { return diagram.cells(set, weights); });
         const PowerCells cells = reference::power_cells(result.points, result.weights);
         double variance = 0;
         for (const double area : cells.areas) variance += std::pow(area * static_cast<double>(n) - 1, 2);
         EXPECT_LT(variance / static_cast<double>(n), 1e-8) << n;
-        ASSERT_EQ(result.iterations.size(), 21u);
+        ASSERT_EQ(result.iterations.size(), moves + 1);
         EXPECT_LT(result.iterations.back().energy, result.iterations.front().energy);
     }
 }

@@ -64,12 +64,15 @@ TEST_P(GaussianSets, AreTheSameByKernelAndReference)
 TEST_P(GaussianSets, MoveByTheForcesOfAllPairs)
 {
     const auto [dimension, points, sigma] = GetParam();
-    if (points > 1000) return;
+    if (points > 1600) GTEST_SKIP() << "a direct sum takes too long";
     const PointSet start = random_gaussian_start(points, dimension, 5);
     const GaussianRequest one = request(1);
     const LloydResult result = GaussianBlueNoise(Device::open()).descend(start, one);
     const auto axes = static_cast<std::size_t>(dimension);
     const double side = std::pow(static_cast<double>(points), 1.0 / dimension);
+    // Forces of some ten neighbours, each of a relative error of a few 2^-23, and what is cut off; in 3D, where wide
+    // Gaussians have a hundred neighbours, what the header states for that.
+    const double tolerance = dimension == 3 && sigma == 1 ? 2.3e-5 : 4e-6;
     double energy = 0, least = 1;
     for (std::size_t i = 0; i < points; ++i) {
         std::array<double, 3> force{};
@@ -90,8 +93,7 @@ TEST_P(GaussianSets, MoveByTheForcesOfAllPairs)
             }
         for (std::size_t k = 0; k < axes; ++k) {
             const double moved = std::remainder(result.points[i][k] - start[i][k], 1.0) * side;
-            // Forces of some ten neighbours, each of a relative error of a few 2^-23, and what is cut off.
-            EXPECT_NEAR(moved / one.step, force[k], 4e-6);
+            EXPECT_NEAR(moved / one.step, force[k], tolerance);
         }
     }
     EXPECT_NEAR(result.iterations[0].energy, gaussian_energy(energy, points, sigma, dimension), 1e-5);
