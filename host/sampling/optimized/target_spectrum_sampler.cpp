@@ -1,5 +1,6 @@
 // The sampler "target-spectrum": what the config can ask of it.
 #include "base/files/file_glob.hpp"
+#include "base/files/number_table.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "host/sampling/classics/plain_spec.hpp"
@@ -24,6 +25,35 @@ std::filesystem::path curve_file(const Parameters& parameters)
     return files.front();
 }
 
+/// The rows of a table, with two columns as people draw curves, or as in radial.csv: frequency and power come first.
+std::vector<std::vector<double>> curve_rows(const std::filesystem::path& file)
+{
+    constexpr const char* drawn = "frequency,power";
+    const std::string text = read_whole_file(file);
+    if (text.substr(0, text.find('\n')) == drawn) return read_number_table(file, drawn, "frequencies");
+    std::vector<std::vector<double>> rows;
+    for (const RadialBin& bin : read_radial_table(file)) rows.push_back({bin.frequency, bin.power});
+    return rows;
+}
+
+TargetCurve curve_of(const std::filesystem::path& file, double points)
+{
+    std::vector<double> frequencies, power;
+    double before = -1;
+    int line = 1;
+    for (const auto& row : curve_rows(file)) {
+        ++line;
+        if (!(std::isfinite(row[0]) && row[0] >= 0 && row[0] > before))
+            throw InputError::at({file.string(), line}, "frequencies must ascend, and not be negative");
+        if (!(std::isfinite(row[1]) && row[1] >= 0))
+            throw InputError::at({file.string(), line}, "power must be a number that is not negative");
+        before = row[0];
+        frequencies.push_back(row[0] / std::sqrt(points));
+        power.push_back(row[1]);
+    }
+    return {std::move(frequencies), std::move(power)};
+}
+
 TargetCurve target_of(const Parameters& parameters, std::size_t points)
 {
     if (parameters.text("target") != "curve")
@@ -32,12 +62,7 @@ TargetCurve target_of(const Parameters& parameters, std::size_t points)
     const double of_points = parameters.is_given("curve_points")
                                  ? static_cast<double>(parameters.integer("curve_points"))
                                  : static_cast<double>(points);
-    std::vector<double> frequencies, power;
-    for (const RadialBin& bin : read_radial_table(curve_file(parameters))) {
-        frequencies.push_back(bin.frequency / std::sqrt(of_points));
-        power.push_back(bin.power);
-    }
-    return {std::move(frequencies), std::move(power)};
+    return curve_of(curve_file(parameters), of_points);
 }
 
 /// Buffers on a device: none.
@@ -79,7 +104,7 @@ std::vector<ParameterSpec> target_parameters()
         {.key = "peak", .help = "height of the peak above 1", .maximum = 100, .otherwise = 2.0},
         {.key = "curve",
          .kind = Kind::paths,
-         .help = "a table such as radial.csv, relative to the folder of the config",
+         .help = "a table such as radial.csv, or of frequency,power alone, relative to the folder of the config",
          .unless_given = "needed with target = \"curve\""},
         {.key = "curve_points",
          .kind = Kind::integer,

@@ -155,6 +155,19 @@ TEST(TargetSpectrumSampler, TakesCurvesFromTables)
     const std::vector<double> radial = test::radial_power(sampler->sample(0), 64);
     for (std::size_t k = 2; k <= 6; ++k) EXPECT_NEAR(radial[k - 1], 0.05, 0.1) << k;
 
+    const auto drawn = [&](const char* rows) {
+        std::ofstream(folder.path() / "radial.csv") << "frequency,power\n" << rows;
+        return refusal(parameters);
+    };
+    EXPECT_EQ(drawn("0,0.05\n7,0.05\n8,1\n"), "accepted");
+    EXPECT_EQ(radial, test::radial_power(spec.create(parameters, {256, 2, 1}, Engine::reference, {})->sample(0),
+                                         64)); // the same curve
+    EXPECT_THAT(drawn("1,0\n1,1\n"), testing::HasSubstr("radial.csv:3: frequencies must ascend"));
+    EXPECT_THAT(drawn("-1,0\n"), testing::HasSubstr("radial.csv:2: frequencies must ascend"));
+    EXPECT_THAT(drawn("nan,0\n"), testing::HasSubstr("radial.csv:2: "));
+    EXPECT_THAT(drawn("1,0\n2,-1\n"), testing::HasSubstr("radial.csv:3: power must be a number"));
+    EXPECT_THAT(drawn("1,inf\n"), testing::HasSubstr("radial.csv:2: "));
+
     Parameters step(spec.parameters);
     set(step, "peak", 2.0);
     EXPECT_THAT(refusal(step), testing::HasSubstr("peak = 2: goes with target = \"single-peak\" only"));
