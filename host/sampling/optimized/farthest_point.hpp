@@ -4,11 +4,11 @@
 // Graphics 2011, the local variant: a point moves to the farthest of the Voronoi vertices around its neighbours, as
 // they are without it, if that is farther from all of them than the point is. Coordinates are multiples of 2^-32.
 //
-// So that many points can move side by side, the torus is a grid of cells in five by five colors; those of one color are
-// at work together, each with the points that lie in it at that time. A point looks at the 5 x 5 cells around its own, of
-// 2.5 points each, which no other cell of its color looks at, and moves to centres of circles that are inside of these
-// only: the result is that of one point after the other, and the smallest distance never falls. In sets of a few points,
-// or very uneven ones, moves are missed by that; later sweeps make up for it.
+// So that many points can move side by side, the torus is a grid of cells in five by five colors; those of one color
+// are at work together, each with the points that lie in it at that time. A point looks at the 5 x 5 cells around its
+// own, of 2.5 points each, which no other cell of its color looks at, and moves to centres of circles that are inside
+// of these only: the result is that of one point after the other, and the smallest distance never falls. In sets of a
+// few points, or very uneven ones, moves are missed by that; later sweeps make up for it.
 #pragma once
 
 #include "host/sampling/lloyd_relaxation.hpp"
