@@ -149,9 +149,9 @@ Later saturated_power_is(const ClaimSeries& report, int dimension, double publis
 /// What papers show as a curve.
 PaperClaim drawn_spectrum(const char* id, const char* sampler)
 {
-    return nyquist_and_oscillation(id, "The spectrum, whose effective Nyquist frequency and oscillation are:",
-                                   "shown beside those of other methods: numbers of the paper were not at hand",
-                                   sampler);
+    return nyquist_and_oscillation(
+        id, "The spectrum is blue noise, with an effective Nyquist frequency and an oscillation.",
+        "shown beside those of other methods: numbers of the paper were not at hand", sampler);
 }
 
 Paper farthest_points()

@@ -95,7 +95,7 @@ std::vector<PaperClaim> claims_about_controlled_aliasing()
              "A step of the spectrum from 0 to 1 lies at √(N/π) at most, an effective Nyquist frequency of 0.595.",
              "sets that descend to a step there or before have at most that, by three standard errors and half a ring",
              [](const ClaimSeries& report) { return nyquist_beside_the_step(report, "step", true); }},
-            {"heck-2013-peak", "", "A single peak behind it lets the step be farther.",
+            {"heck-2013-peak", "", "A single peak behind a step lets the step be farther.",
              "sets that descend to a single peak behind a farther step have more, by three standard errors",
              [](const ClaimSeries& report) { return nyquist_beside_the_step(report, "single-peak", false); }},
             {"heck-2013-oscillation", "", "Behind a step the spectrum is flat, so that aliasing is noise.",
