@@ -2,170 +2,157 @@
 //
 // Dissertation, section 4.2.4.1; the list of open cells after Ebeida et al. 2012. The plain twin of these kernels is
 // host/sampling/reference/dart_throwing.cpp; host/sampling/dart_throwing.cpp runs them, batch after batch:
-//   throw_darts        split the open cells, drop covered ones, draw darts in the others, keep those that no point of
-//                      earlier batches rejects
-//   link_darts         chain the darts that share a level 0 cell
-//   resolve_conflicts  (in rounds) a dart is rejected when a rival, an earlier dart in conflict with it, is accepted, and
-//                      accepted when all its rivals are rejected: exactly what throwing them one by one would give
-//   insert_points      put the accepted darts into the grid and into the output
+//   throw_darts  split the open cells, drop covered ones, draw darts in the others, keep those that no point of earlier
+//                batches rejects
+// and then those of darts_in_order.cl or of darts_in_rounds.cl, which settle the darts of the batch among themselves.
 // Lists are filled through atomic counters, so their order may differ from run to run; no result depends on it.
 //
-// Needs DIMENSION (2 or 3), REACH (points in conflict are at most so many level 0 cells apart), and LARGE_DISKS (see
-// common/torus.clh).
+// Needs what common/dart_grid.clh needs.
 
-#include "kernels/common/dart_throwing.h"
+#include "kernels/common/dart_grid.clh"
 #include "kernels/common/philox.clh"
-#include "kernels/common/torus.clh"
 
 #define CHILDREN (1 << DIMENSION)
-#define WINDOW (2 * REACH + 1)
-#if DIMENSION == 2
-#define MAX_NEAR (WINDOW * WINDOW)
-#else
-#define MAX_NEAR (WINDOW * WINDOW * WINDOW)
-#endif
 
-// The numbers of a dart.
-#define TIME_WORD DIMENSION
-#define CELL_WORD (DIMENSION + 1)
+// Points that can matter to a cell, padded so that they fill vectors of eight.
+#define NEAR_ROOM ((MAX_NEAR + 7) / 8 * 8)
 
-// Three arrays hold the state of each level 0 cell:
-//   masks      MASK_WORDS words: bit b is set when the point in cell b of the window around this cell is near enough
-//              to matter here; cells are numbered x fastest, the cell itself is in the middle
-//   positions  DIMENSION words: the point in the cell (a cell has room for one); undefined when there is none
-//   slots      1 + the number of the first dart in the cell's chain. Darts are numbered through all batches, so that
-//              numbers of earlier batches stand for an empty chain, and nothing needs clearing.
-
-// States of a dart.
-#define UNDECIDED 0u
-#define ACCEPTED 1u
-#define REJECTED 2u
-
-typedef struct { uint c[DIMENSION]; } Cell;
-
-uint cell_index(const Cell* cell, uint grid_size)
+/// Points that can matter to the parents of a work-item. (The axes are not a power of two apart, which caches dislike.)
+typedef struct
 {
-    uint index = cell->c[DIMENSION - 1];
-    for (int k = DIMENSION - 2; k >= 0; --k) index = index * grid_size + cell->c[k];
-    return index;
-}
+    uint c[DIMENSION][THROW_RUN * NEAR_ROOM + 16];
+} Near;
 
-Cell cell_at(uint index, uint grid_size)
+/// An open cell that darts are thrown into, or whose children they are thrown into. Child c takes half (c >> k & 1)
+/// along axis k. A cell that is not split is its own and only child, number 0.
+typedef struct
 {
     Cell cell;
-    FOR_EACH_AXIS(k) {
-        cell.c[k] = index % grid_size;
-        index /= grid_size;
-    }
-    return cell;
-}
+    uint base;                 // the index of its level 0 cell
+    uint near_begin, near_end; // the points that can matter to it
+    uint open;                 // children, as bits
+} Parent;
 
-/// (cell + offset) modulo grid_size, for |offset| <= REACH, which never exceeds grid_size.
-uint wrapped(uint cell, int offset, uint grid_size)
-{
-    const int c = (int)cell + offset;
-    return (uint)(c < 0 ? c + (int)grid_size : c >= (int)grid_size ? c - (int)grid_size : c);
-}
-
-/// The index of the first cell of the grid row that is row number `row` of the window around `cell`.
-uint window_row(const Cell* cell, uint row, uint grid_size)
-{
-    uint index = wrapped(cell->c[1], (int)(row % WINDOW) - REACH, grid_size);
-#if DIMENSION == 3
-    index += wrapped(cell->c[2], (int)(row / WINDOW) - REACH, grid_size) * grid_size;
-#endif
-    return index * grid_size;
-}
-
-/// The index of cell number `b` of the window around `cell`.
-uint window_cell(const Cell* cell, uint b, uint grid_size)
-{
-    return window_row(cell, b / WINDOW, grid_size) + wrapped(cell->c[0], (int)(b % WINDOW) - REACH, grid_size);
-}
-
-/// The lowest coordinate of a cell of a level, as CellHierarchy::lower_bound: cell * step / 2^(32 + level).
-ulong lower_bound(ulong cell, int level, ulong step)
-{
-    return (cell * (step >> 32) + ((cell * (step & 0xffffffffu)) >> 32)) >> level;
-}
-
-/// Is the position nearer to one of the points than the minimum distance?
-bool conflicts(const Position* position, const Position* near, uint near_count, ulong squared_min_distance)
-{
-    for (uint i = 0; i < near_count; ++i) {
-        if (squared_distance(&near[i], position) < squared_min_distance) return true;
-    }
-    return false;
-}
-
-/// The box of a cell and its two halves along each axis: child c takes half (c >> k & 1) along axis k. A cell that is
-/// not split is its own and only child, number 0.
+/// The box of a parent in two halves along each axis, or in one, number 0.
 typedef struct
 {
     uint low[DIMENSION][2];
     uint extent[DIMENSION][2]; // the box holds low, low + 1, ..., low + extent
 } Halves;
 
-Halves halves_of(const Cell* cell, int level, bool split, ulong step)
+ALWAYS_INLINE void halve(const Cell* cell, const struct Batch* batch, Halves* halves)
 {
-    Halves halves;
-    FOR_EACH_AXIS(k) {
-        const ulong low = lower_bound(cell->c[k], level, step);
-        const ulong high = lower_bound((ulong)cell->c[k] + 1, level, step);
-        const ulong middle = split ? lower_bound(2 * (ulong)cell->c[k] + 1, level + 1, step) : high;
-        halves.low[k][0] = (uint)low;
-        halves.extent[k][0] = (uint)(middle - low - 1);
-        halves.low[k][1] = (uint)middle;
-        halves.extent[k][1] = (uint)(high - middle - 1);
+    const int level = batch->level - (int)batch->is_split;
+    FOR_EACH_AXIS(k)
+    {
+        const ulong low = lower_bound(cell->c[k], level, batch->step);
+        const ulong high = lower_bound((ulong)cell->c[k] + 1, level, batch->step);
+        const ulong middle = batch->is_split ? lower_bound(2 * (ulong)cell->c[k] + 1, batch->level, batch->step) : high;
+        halves->low[k][0] = (uint)low;
+        halves->extent[k][0] = (uint)(middle - low - 1);
+        halves->low[k][1] = (uint)middle;
+        halves->extent[k][1] = (uint)(high - middle - 1);
     }
-    return halves;
 }
 
-/// The children that the disk of a point covers, as bits. Distances to the halves serve all children at once.
-ALWAYS_INLINE uint covered_by(const Position* point, const Halves* halves, ulong squared_min_distance)
+/// Is the position nearer to one of the points that can matter to the parent than the minimum distance?
+ALWAYS_INLINE bool conflicts(const Position* position, const Parent* parent, const Near* near,
+                             ulong squared_min_distance)
 {
-    ulong farthest[DIMENSION][2];
-    FOR_EACH_AXIS(k) {
-        farthest[k][0] = square(axis_farthest(point->c[k], halves->low[k][0], halves->extent[k][0]));
-        farthest[k][1] = square(axis_farthest(point->c[k], halves->low[k][1], halves->extent[k][1]));
-    }
-    uint covered = 0;
-    _Pragma("unroll") for (uint c = 0; c < CHILDREN; ++c) {
-        ulong sum = 0;
-        FOR_EACH_AXIS(k) sum += farthest[k][c >> k & 1];
-        covered |= (uint)(sum < squared_min_distance) << c;
-    }
-    return covered;
-}
-
-/// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is
-/// exact.
-bool has_room(const Halves* halves, const Position* near, uint near_count, ulong squared_min_distance)
-{
-    for (int corner = 0; corner < CHILDREN; ++corner) {
-        Position position;
-        FOR_EACH_AXIS(k) position.c[k] = halves->low[k][0] + ((corner >> k & 1) ? halves->extent[k][0] : 0u);
-        if (!conflicts(&position, near, near_count, squared_min_distance)) return true;
+    for (uint i = parent->near_begin; i < parent->near_end; i += 8) {
+        ulong8 sum = 0;
+        FOR_EACH_AXIS(k)
+        {
+            const long8 difference = convert_long8(as_int8(vload8(0, &near->c[k][i]) - position->c[k]));
+            sum += as_ulong8(difference * difference);
+        }
+        if (any(sum < squared_min_distance)) return true;
     }
     return false;
 }
 
-/// The number of darts for a uniform word: how many thresholds it reaches.
-uint dart_count(uint word, constant const uint* thresholds, uint threshold_count)
+/// Squares of axis_farthest() of eight points.
+ALWAYS_INLINE void squared_farthest(const uint* coordinates, uint low, uint extent, ulong8* squares)
 {
-    uint count = 0;
-    while (count < threshold_count && word >= thresholds[count]) ++count;
-    return count;
+    const uint8 forward = vload8(0, coordinates) - low;
+    const uint8 back = forward - extent;
+    uint8 farthest = max(min(forward, -forward), min(back, -back));
+#if LARGE_DISKS
+    const uint8 antipode = 0x80000000u;
+    farthest = select(farthest, antipode, (forward ^ antipode) <= extent);
+#endif
+    *squares = convert_ulong8(farthest) * convert_ulong8(farthest);
 }
 
-uint4 random_words(const Cell* cell, uint batch, uint number, uint2 key)
+/// Closes the children that one of the parent's points covers. Distances to the halves serve all children at once.
+ALWAYS_INLINE void close_covered(Parent* parent, const Halves* halves, const Near* near, uint is_split,
+                                 ulong squared_min_distance)
 {
-#if DIMENSION == 2
-    const uint4 counter = (uint4)(cell->c[0], cell->c[1], 0, batch << 16 | number);
-#else
-    const uint4 counter = (uint4)(cell->c[0], cell->c[1], cell->c[2], batch << 16 | number);
-#endif
-    return philox(counter, key);
+    for (uint i = parent->near_begin; i < parent->near_end && parent->open != 0; i += 8) {
+        ulong8 squares[DIMENSION][2];
+        FOR_EACH_AXIS(k) squared_farthest(&near->c[k][i], halves->low[k][0], halves->extent[k][0], &squares[k][0]);
+        if (!is_split) {
+            ulong8 sum = 0;
+            FOR_EACH_AXIS(k) sum += squares[k][0];
+            if (any(sum < squared_min_distance)) parent->open = 0;
+            continue;
+        }
+        FOR_EACH_AXIS(k) squared_farthest(&near->c[k][i], halves->low[k][1], halves->extent[k][1], &squares[k][1]);
+        long8 covered = 0;
+        UNROLLED(uint c = 0; c < CHILDREN; ++c)
+        {
+            ulong8 sum = 0;
+            FOR_EACH_AXIS(k) sum += squares[k][c >> k & 1];
+            covered |= (sum < squared_min_distance) & (long)(1 << c);
+        }
+        const long4 folded = covered.lo | covered.hi;
+        const long2 twice = folded.lo | folded.hi;
+        parent->open &= ~(uint)(twice.lo | twice.hi);
+    }
+}
+
+/// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is
+/// exact.
+bool has_room(const Parent* parent, const Halves* halves, const Near* near, ulong squared_min_distance)
+{
+    for (int corner = 0; corner < CHILDREN; ++corner) {
+        Position position;
+        FOR_EACH_AXIS(k) position.c[k] = halves->low[k][0] + ((corner >> k & 1) ? halves->extent[k][0] : 0u);
+        if (!conflicts(&position, parent, near, squared_min_distance)) return true;
+    }
+    return false;
+}
+
+/// The mask of a cell from word `w` on, as far as 64 bits hold it.
+ALWAYS_INLINE ulong mask_part(global const uint* mask, uint w)
+{
+    return w + 1 < MASK_WORDS ? mask[w] | (ulong)mask[w + 1] << 32 : mask[w];
+}
+
+/// Lists the points that can matter to the parent from number `begin` on, a multiple of eight. To fill the last eight,
+/// the last point comes again.
+ALWAYS_INLINE void look_around(Parent* parent, const Cell* base, uint grid_size, global const uint* masks,
+                               global const uint* positions, uint begin, Near* near)
+{
+    bool is_inside = grid_size > 2 * REACH; // the window does not leave the grid
+    FOR_EACH_AXIS(k) is_inside &= base->c[k] - REACH < grid_size - 2 * REACH;
+    const uint corner = parent->base - REACH * (DIMENSION == 2 ? grid_size + 1 : (grid_size + 1) * grid_size + 1);
+    uint end = begin;
+    UNROLLED(uint w = 0; w < MASK_WORDS; w += 2)
+    {
+        for (ulong mask = mask_part(&masks[parent->base * MASK_WORDS], w); mask != 0; mask &= mask - 1) {
+            const uint b = 32 * w + (63 - (uint)clz(mask & (0ul - mask)));
+            const uint row = b / WINDOW;
+            const uint slice = DIMENSION == 2 ? 0 : row / WINDOW * (grid_size - WINDOW); // rows before it
+            const uint cell =
+                is_inside ? corner + (slice + row) * grid_size + b % WINDOW : window_cell(base, b, grid_size);
+            FOR_EACH_AXIS(k) near->c[k][end] = positions[cell * DIMENSION + k];
+            ++end;
+        }
+    }
+    parent->near_begin = begin;
+    parent->near_end = end;
+    for (; end % 8 != 0; ++end) FOR_EACH_AXIS(k) near->c[k][end] = near->c[k][end - 1];
 }
 
 /// A list that throw_darts appends to: a part is staged in local memory, so that global counters are touched once a
@@ -181,15 +168,34 @@ typedef struct
     uint words;
 } List;
 
-void append(const List* list, const uint* entry)
+/// Where `count` entries of a list go.
+typedef struct
 {
-    const uint at = atomic_inc(list->staged_count);
+    uint staged, direct; // the first entry's number in either area
+} Place;
+
+Place reserve(const List* list, uint count)
+{
+    Place place;
+    place.staged = atomic_add(list->staged_count, count);
+    place.direct = 0;
+    if (place.staged + count > list->staged_capacity) {
+        // Entries beyond the staging area's end; the host sees the count and repeats the batch where they do not fit.
+        place.direct = atomic_add(list->target_count, place.staged + count - max(place.staged, list->staged_capacity));
+    }
+    return place;
+}
+
+/// Writes entry number `number` of a place.
+void put(const List* list, const Place* place, uint number, const uint* entry)
+{
+    const uint at = place->staged + number;
     if (at < list->staged_capacity) {
         for (uint w = 0; w < list->words; ++w) list->staged[at * list->words + w] = entry[w];
         return;
     }
-    const uint direct = atomic_inc(list->target_count);
-    if (direct >= list->target_capacity) return; // the host sees the count and repeats the batch with more room
+    const uint direct = place->direct + (at - max(place->staged, list->staged_capacity));
+    if (direct >= list->target_capacity) return;
     for (uint w = 0; w < list->words; ++w) list->target[direct * list->words + w] = entry[w];
 }
 
@@ -203,92 +209,193 @@ void copy_staged(const List* list, uint begin)
     }
 }
 
-/// One work-item owns one open cell ("parent"). Needs: masks and positions for all points of earlier batches; counters
-/// OPEN_CELLS and DARTS zero.
-///
-/// `parents` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their slots
-/// and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts for
-/// DART_WORDS each, group for GROUP_WORDS.
-kernel void throw_darts(struct Batch batch, global const uint* parents, global uint* masks, global uint* slots,
-                        global const uint* positions, constant const uint* thresholds, global uint* open_cells,
-                        global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
-                        local uint* group)
+/// Darts to draw, at most eight, then all at once.
+typedef struct
 {
-    const uint grid_size = batch.grid_size;
-    const ulong squared_min_distance = batch.squared_min_distance;
-    const List cells_list = {staged_cells, batch.staged_capacity, &group[0],
-                             open_cells,   batch.open_capacity,   &counters[OPEN_CELLS], DIMENSION};
-    const List darts_list = {staged_darts, batch.staged_capacity, &group[1],
-                             darts,        batch.dart_capacity,   &counters[DARTS], DART_WORDS};
-    if (get_local_id(0) == 0) group[0] = group[1] = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
+    uint count;
+    uint parent[8], number[8];
+    ulong cell[DIMENSION][8];
+} Pending;
 
-    const uint id = get_global_id(0);
-    if (id < batch.parents) {
-        Cell parent;
-        if (batch.number <= 1) {
-            parent = cell_at(id, grid_size);
-        } else {
-            FOR_EACH_AXIS(k) parent.c[k] = parents[id * DIMENSION + k];
-        }
-        const int parent_level = batch.level - (int)batch.is_split;
-        Cell base;
-        FOR_EACH_AXIS(k) base.c[k] = parent.c[k] >> parent_level;
-        const uint base_index = cell_index(&base, grid_size);
-        if (batch.number == 0) {
-            slots[base_index] = 0;
-            for (uint w = 0; w < MASK_WORDS; ++w) masks[base_index * MASK_WORDS + w] = 0;
-        }
+/// Eight Philox blocks of the cells and the last counter words.
+ALWAYS_INLINE void random_blocks(ulong cells[DIMENSION][8], const ulong8* last, const struct Batch* batch,
+                                 EightBlocks* blocks)
+{
+    blocks->word[2] = 0;
+    FOR_EACH_AXIS(k) blocks->word[k] = vload8(0, cells[k]);
+    blocks->word[3] = *last;
+    philox8(blocks, (uint2)(batch->key_x, batch->key_y));
+}
 
-        const Halves halves = halves_of(&parent, parent_level, batch.is_split, batch.step);
+/// lower_bound() of eight cells. (A macro: PoCL warns of functions that take vectors wider than registers.)
+#define LOWER_BOUNDS(cells, batch)                                                                                     \
+    (((cells) * ((batch)->step >> 32) + ((cells) * ((batch)->step & 0xffffffffu) >> 32)) >> (ulong)(batch)->level)
 
-        // The points that can matter to it, and the children that they cover.
-        Position near[MAX_NEAR];
-        uint near_count = 0;
-        uint open = batch.is_split ? (1u << CHILDREN) - 1 : 1u;
-        for (uint w = 0; w < MASK_WORDS; ++w) {
-            for (uint mask = masks[base_index * MASK_WORDS + w]; mask != 0 && open != 0; mask &= mask - 1) {
-                const uint lowest_bit = 31 - clz(mask & (0u - mask));
-                const uint cell = window_cell(&base, 32 * w + lowest_bit, grid_size);
-                FOR_EACH_AXIS(k) near[near_count].c[k] = positions[cell * DIMENSION + k];
-                open &= ~covered_by(&near[near_count], &halves, squared_min_distance);
-                ++near_count;
-            }
-        }
-        if (batch.is_last_level && open != 0 && !has_room(&halves, near, near_count, squared_min_distance)) open = 0;
+/// Draws the darts, and lists those that no point rejects.
+ALWAYS_INLINE void draw(Pending* pending, const struct Batch* batch, const Parent* parents, const Near* near,
+                        const List* darts)
+{
+    const ulong8 last = convert_ulong8(vload8(0, pending->number)) | (ulong)batch->number << 16;
+    EightBlocks blocks;
+    random_blocks(pending->cell, &last, batch, &blocks);
+    uint times[8], places[DIMENSION][8];
+    vstore8(convert_uint8(blocks.word[0]), 0, times);
+    FOR_EACH_AXIS(k)
+    {
+        const ulong8 cells = vload8(0, pending->cell[k]);
+        const ulong8 low = LOWER_BOUNDS(cells, batch);
+        const ulong8 width = LOWER_BOUNDS(cells + 1, batch) - low;
+        vstore8(convert_uint8(low + ((blocks.word[k + 1] & 0xffffffffu) * width >> 32)), 0, places[k]);
+    }
+    for (uint i = 0; i < pending->count; ++i) {
+        const Parent* parent = &parents[pending->parent[i]];
+        Position position;
+        FOR_EACH_AXIS(k) position.c[k] = places[k][i];
+        if (conflicts(&position, parent, near, batch->squared_min_distance)) continue;
+        uint dart[DART_WORDS];
+        FOR_EACH_AXIS(k) dart[k] = position.c[k];
+        dart[TIME_WORD] = times[i];
+        dart[CELL_WORD] = parent->base;
+        const Place place = reserve(darts, 1);
+        put(darts, &place, 0, dart);
+    }
+    pending->count = 0;
+}
 
-        // The open children, and the darts in each.
-        if (open != 0) {
-            const uint2 key = (uint2)(batch.key_x, batch.key_y);
-            uint count_words[CHILDREN];
-            for (int c = 0; c < CHILDREN; c += 4) {
-                vstore4(random_words(&parent, batch.number, 0xfffc + c / 4, key), 0, &count_words[c]);
-            }
-            for (; open != 0; open &= open - 1) {
-                const uint c = 31 - clz(open & (0u - open));
-                Cell child = parent;
-                if (batch.is_split) FOR_EACH_AXIS(k) child.c[k] = 2 * parent.c[k] + (c >> k & 1);
-                if (batch.number > 0) append(&cells_list, child.c);
-                const uint count = dart_count(count_words[c], thresholds, batch.thresholds);
-                for (uint number = 0; number < count; ++number) {
-                    const uint4 words = random_words(&child, batch.number, number, key);
-                    const uint offsets[3] = {words.y, words.z, words.w};
-                    Position position;
-                    FOR_EACH_AXIS(k) {
-                        const uint side = c >> k & 1;
-                        const ulong width = (ulong)halves.extent[k][side] + 1;
-                        position.c[k] = halves.low[k][side] + (uint)((offsets[k] * width) >> 32);
+/// Counts the darts of the children of eight parents: of child c, in counts[c % 4] of block c / 4. A uniform word of
+/// theirs stands for as many as there are thresholds that it reaches.
+ALWAYS_INLINE void count_darts(const struct Batch* batch, const Parent* parents, uint block,
+                               constant const uint* thresholds, uint counts[4][8])
+{
+    ulong cells[DIMENSION][8];
+    UNROLLED(uint i = 0; i < 8; ++i) FOR_EACH_AXIS(k) cells[k][i] = parents[i].cell.c[k];
+    const ulong8 last = batch->number << 16 | (0xfffc + block);
+    EightBlocks blocks;
+    random_blocks(cells, &last, batch, &blocks);
+    UNROLLED(uint w = 0; w < 4; ++w)
+    {
+        if (w > 0 && !batch->is_split) break;
+        const uint8 word = convert_uint8(blocks.word[w]);
+        int8 count = 0;
+        for (uint t = 0; t < batch->thresholds; ++t) count -= word >= thresholds[t];
+        vstore8(as_uint8(count), 0, counts[w]);
+    }
+}
+
+/// What a work-item reads of the grid.
+typedef struct
+{
+    global const uint* masks;
+    global const uint* positions;
+} Grid;
+
+/// Finds the points around the parent, and which of its children are open.
+ALWAYS_INLINE void look_at(Parent* parent, const struct Batch* batch, const Grid* grid, uint near_begin, Near* near)
+{
+    Cell base;
+    FOR_EACH_AXIS(k) base.c[k] = parent->cell.c[k] >> (batch->level - (int)batch->is_split);
+    parent->base = cell_index(&base, batch->grid_size);
+    parent->open = batch->is_split ? (1u << CHILDREN) - 1 : 1u;
+    look_around(parent, &base, batch->grid_size, grid->masks, grid->positions, near_begin, near);
+    Halves halves;
+    halve(&parent->cell, batch, &halves);
+    close_covered(parent, &halves, near, batch->is_split, batch->squared_min_distance);
+    if (batch->is_last_level && parent->open != 0 && !has_room(parent, &halves, near, batch->squared_min_distance)) {
+        parent->open = 0;
+    }
+}
+
+/// The lists that throw_darts makes.
+typedef struct
+{
+    List cells, darts;
+} Lists;
+
+/// Lists the open children of the parents, whose number is `open_count`, and throws darts into them. Parents come in
+/// eights; those beyond the last have no open children.
+ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count, const Near* near,
+                              const struct Batch* batch, constant const uint* thresholds, const Lists* lists)
+{
+    const bool lists_cells = batch->number > 0;
+    const Place place = reserve(&lists->cells, lists_cells ? open_count : 0);
+    uint listed = 0;
+    Pending pending;
+    pending.count = 0;
+    UNROLLED(uint i = 0; i < 8; ++i)
+    {
+        pending.number[i] = 0;
+        FOR_EACH_AXIS(k) pending.cell[k][i] = 0;
+    }
+    for (uint p = 0; p < count; p += 8) {
+        for (uint block = 0; block < (DIMENSION == 3 && batch->is_split ? 2 : 1); ++block) {
+            uint counts[4][8];
+            count_darts(batch, &parents[p], block, thresholds, counts);
+            for (uint q = 0; q < 8; ++q) {
+                for (uint open = parents[p + q].open >> 4 * block & 15; open != 0; open &= open - 1) {
+                    const uint in_block = 31 - clz(open & (0u - open));
+                    const uint child = 4 * block + in_block;
+                    Cell cell;
+                    FOR_EACH_AXIS(k) { cell.c[k] = (parents[p + q].cell.c[k] << batch->is_split) + (child >> k & 1); }
+                    if (lists_cells) put(&lists->cells, &place, listed++, cell.c);
+                    for (uint number = 0; number < counts[in_block][q]; ++number) {
+                        pending.parent[pending.count] = p + q;
+                        pending.number[pending.count] = number;
+                        FOR_EACH_AXIS(k) pending.cell[k][pending.count] = cell.c[k];
+                        if (++pending.count == 8) draw(&pending, batch, parents, near, &lists->darts);
                     }
-                    if (conflicts(&position, near, near_count, squared_min_distance)) continue;
-                    uint dart[DART_WORDS];
-                    FOR_EACH_AXIS(k) dart[k] = position.c[k];
-                    dart[TIME_WORD] = words.x;
-                    dart[CELL_WORD] = base_index;
-                    append(&darts_list, dart);
                 }
             }
         }
     }
+    if (pending.count > 0) draw(&pending, batch, parents, near, &lists->darts);
+}
+
+/// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
+/// batches; counters OPEN_CELLS and DARTS zero.
+///
+/// `parent_cells` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their
+/// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
+/// for DART_WORDS each, group for GROUP_WORDS.
+kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
+                        global const uint* positions, constant const uint* thresholds, global uint* open_cells,
+                        global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
+                        local uint* group)
+{
+    const Lists lists = {
+        {staged_cells, batch.staged_capacity, &group[0], open_cells, batch.open_capacity, &counters[OPEN_CELLS],
+         DIMENSION},
+        {staged_darts, batch.staged_capacity, &group[1], darts, batch.dart_capacity, &counters[DARTS], DART_WORDS}};
+    if (get_local_id(0) == 0) group[0] = group[1] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+
+    const uint first = min((uint)get_global_id(0) * THROW_RUN, batch.parents);
+    const uint count = min((uint)THROW_RUN, batch.parents - first);
+    const Grid grid = {masks, positions};
+    Parent parents[THROW_RUN];
+    Near near;
+    uint near_end = 0;
+    uint open_count = 0;
+    for (uint p = 0; p < count; ++p) {
+        Parent* parent = &parents[p];
+        if (batch.number <= 1) {
+            parent->cell = cell_at(first + p, batch.grid_size);
+        } else {
+            FOR_EACH_AXIS(k) parent->cell.c[k] = parent_cells[(first + p) * DIMENSION + k];
+        }
+        if (batch.number == 0) {
+            parent->base = first + p;
+            parent->near_begin = parent->near_end = 0;
+            parent->open = 1;
+            slots[first + p] = 0;
+            UNROLLED(uint w = 0; w < MASK_WORDS; ++w) masks[(first + p) * MASK_WORDS + w] = 0;
+        } else {
+            look_at(parent, &batch, &grid, near_end, &near);
+            near_end = (parent->near_end + 7) / 8 * 8;
+        }
+        open_count += popcount(parent->open);
+    }
+    for (uint p = count; p % 8 != 0; ++p) parents[p].open = 0;
+    if (open_count > 0) throw_into(parents, count, open_count, &near, &batch, thresholds, &lists);
 
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
@@ -296,161 +403,6 @@ kernel void throw_darts(struct Batch batch, global const uint* parents, global u
         group[3] = atomic_add(&counters[DARTS], min(group[1], batch.staged_capacity));
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    copy_staged(&cells_list, group[2]);
-    copy_staged(&darts_list, group[3]);
-}
-
-/// One work-item owns one dart. `first` is the number of the batch's first dart. Also clears the counters of the batch,
-/// which the host has read.
-kernel void link_darts(global const uint* darts, uint dart_count, uint first, global uint* slots, global uint* next,
-                       global uint* states, global uint* counters)
-{
-    const uint id = get_global_id(0);
-    if (id == 0) counters[OPEN_CELLS] = counters[DARTS] = counters[WAITING_ROUND] = 0;
-    if (id >= dart_count) return;
-    next[id] = atomic_xchg(&slots[darts[id * DART_WORDS + CELL_WORD]], first + id + 1);
-    states[id] = UNDECIDED;
-}
-
-Position position_of(global const uint* darts, uint dart)
-{
-    Position position;
-    FOR_EACH_AXIS(k) position.c[k] = darts[dart * DART_WORDS + k];
-    return position;
-}
-
-/// The order of darts of equal time: by position.
-bool is_earlier_twin(global const uint* darts, uint a, uint b)
-{
-    FOR_EACH_AXIS(k) {
-        const uint a_k = darts[a * DART_WORDS + k];
-        const uint b_k = darts[b * DART_WORDS + k];
-        if (a_k != b_k) return a_k < b_k;
-    }
-    return a < b; // the same dart twice: whichever is taken, the result is the same
-}
-
-/// Lists the rivals of dart `id` that are not rejected, as far as there is room, and returns how many there are. In
-/// small grids a chain is met more than once; a rival that is listed twice does no harm.
-ALWAYS_INLINE uint list_rivals(uint id, global const uint* darts, uint first, global const uint* slots, global const uint* next,
-                 uint grid_size, ulong squared_min_distance, global const uint* states, global uint* list)
-{
-    const Position position = position_of(darts, id);
-    const uint time = darts[id * DART_WORDS + TIME_WORD];
-    const Cell cell = cell_at(darts[id * DART_WORDS + CELL_WORD], grid_size);
-    uint column[WINDOW];
-    for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(cell.c[0], i - REACH, grid_size);
-
-    // The chains around, without branches: which cells have one is hard to predict.
-    uint chains[MAX_NEAR];
-    uint chain_count = 0;
-    for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
-        const uint row = window_row(&cell, j, grid_size);
-        for (int i = 0; i < WINDOW; ++i) {
-            chains[chain_count] = slots[row + column[i]];
-            chain_count += chains[chain_count] > first;
-        }
-    }
-
-    uint count = 0;
-    for (uint c = 0; c < chain_count; ++c) {
-        for (uint link = chains[c]; link > first; link = next[link - 1 - first]) {
-            const uint other = link - 1 - first;
-            const Position other_position = position_of(darts, other);
-            const uint other_time = darts[other * DART_WORDS + TIME_WORD];
-            const bool in_conflict = squared_distance(&other_position, &position) < squared_min_distance;
-            if (!(in_conflict & (other_time <= time))) continue;
-            if (other_time == time && !is_earlier_twin(darts, other, id)) continue;
-            if (states[other] == REJECTED) continue;
-            if (count < MAX_RIVALS) list[count] = other;
-            ++count;
-        }
-    }
-    return count;
-}
-
-/// One work-item owns one dart, its next state and its list of rivals. The states that the round before left are only
-/// read, so rounds need no atomics. Needs: link_darts is done. Rounds count from 0.
-kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint first, uint round,
-                              global const uint* slots, global const uint* next, uint grid_size,
-                              ulong squared_min_distance, global uint* rivals, global const uint* states,
-                              global uint* next_states, global uint* counters)
-{
-    const uint id = get_global_id(0);
-    if (id >= dart_count) return;
-    uint state = states[id];
-    if (state == UNDECIDED) {
-        global uint* list = &rivals[id * RIVAL_WORDS + 1];
-        uint count = round == 0 ? MAX_RIVALS + 1 : rivals[id * RIVAL_WORDS];
-        if (count > MAX_RIVALS) {
-            count = list_rivals(id, darts, first, slots, next, grid_size, squared_min_distance, states, list);
-            rivals[id * RIVAL_WORDS] = count;
-        }
-        bool waits = count > MAX_RIVALS;
-        for (uint i = 0; i < min(count, (uint)MAX_RIVALS) && state == UNDECIDED; ++i) {
-            const uint rival = states[list[i]];
-            if (rival == ACCEPTED) state = REJECTED;
-            waits = waits || rival == UNDECIDED;
-        }
-        if (state == UNDECIDED && !waits) state = ACCEPTED;
-        if (state == UNDECIDED) counters[WAITING_ROUND] = round + 1;
-    }
-    next_states[id] = state;
-}
-
-/// Sets the mask bits that stand for the point in `cell`, in all cells that its disk reaches.
-ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, uint grid_size, ulong step, ulong squared_min_distance,
-               global volatile uint* masks)
-{
-    // Squared distances to the columns, rows and slices of the window.
-    uint column[WINDOW];
-    for (int i = 0; i < WINDOW; ++i) column[i] = wrapped(cell->c[0], i - REACH, grid_size);
-    ulong squared_gap[DIMENSION][WINDOW];
-    FOR_EACH_AXIS(k) {
-        for (int i = 0; i < WINDOW; ++i) {
-            const uint other = wrapped(cell->c[k], i - REACH, grid_size);
-            const uint low = (uint)lower_bound(other, 0, step);
-            const uint extent = (uint)(lower_bound((ulong)other + 1, 0, step) - low - 1);
-            squared_gap[k][i] = square(axis_nearest(point->c[k], low, extent));
-        }
-    }
-    for (uint j = 0; j < MAX_NEAR / WINDOW; ++j) {
-        const uint row = window_row(cell, j, grid_size);
-        ulong row_gap = squared_gap[1][j % WINDOW];
-#if DIMENSION == 3
-        row_gap += squared_gap[2][j / WINDOW];
-#endif
-        for (uint i = 0; i < WINDOW; ++i) {
-            if (row_gap + squared_gap[0][i] >= squared_min_distance) continue;
-            const uint seen_from_there = MAX_NEAR - 1 - (j * WINDOW + i);
-            global volatile uint* mask = &masks[(row + column[i]) * MASK_WORDS];
-            atomic_or(&mask[seen_from_there / 32], 1u << seen_from_there % 32);
-        }
-    }
-}
-
-/// One work-item owns `run` darts in a row. Accepted darts become points: in the grid, and appended to `points`
-/// (POINT_WORDS).
-kernel void insert_points(global const uint* darts, uint dart_count, uint run, global const uint* states,
-                          uint grid_size, ulong step, ulong squared_min_distance, global volatile uint* masks,
-                          global uint* positions, global uint* points, global uint* counters)
-{
-    const uint begin = min((uint)get_global_id(0) * run, dart_count);
-    const uint end = min(begin + run, dart_count);
-    uint count = 0;
-    for (uint i = begin; i < end; ++i) count += states[i] == ACCEPTED;
-    if (count == 0) return;
-
-    uint at = atomic_add(&counters[POINTS], count);
-    for (uint i = begin; i < end; ++i) {
-        if (states[i] != ACCEPTED) continue;
-        const Position position = position_of(darts, i);
-        const uint index = darts[i * DART_WORDS + CELL_WORD];
-        FOR_EACH_AXIS(k) positions[index * DIMENSION + k] = position.c[k];
-        const Cell cell = cell_at(index, grid_size);
-        mark_disk(&position, &cell, grid_size, step, squared_min_distance, masks);
-        FOR_EACH_AXIS(k) points[at * POINT_WORDS + k] = position.c[k];
-        points[at * POINT_WORDS + TIME_WORD] = darts[i * DART_WORDS + TIME_WORD];
-        ++at;
-    }
+    copy_staged(&lists.cells, group[2]);
+    copy_staged(&lists.darts, group[3]);
 }

@@ -8,10 +8,14 @@ namespace poissonlab {
 const std::vector<KernelFile>& kernel_files()
 {
     static const KernelConstant dimension{"DIMENSION", {"2", "3"}};
+    static const KernelConstant reach{"REACH", {"2", "3"}};
+    static const KernelConstant large_disks{"LARGE_DISKS", {"0", "1"}};
     static const std::vector<KernelFile> files{
         {"averaged_tiles.cl", {}},
         {"beatty_tiling.cl", {}},
-        {"dart_throwing.cl", {dimension, {"REACH", {"2", "3"}}, {"LARGE_DISKS", {"0", "1"}}}},
+        {"dart_throwing.cl", {dimension, reach, large_disks}},
+        {"darts_in_order.cl", {dimension, reach, large_disks}},
+        {"darts_in_rounds.cl", {dimension, reach, large_disks}},
         {"farthest_point.cl", {}},
         {"gaussian_blue_noise.cl", {dimension, {"ADAPTIVE", {"0", "1"}}}},
         {"gradient_domain.cl", {}},

@@ -186,7 +186,9 @@ SamplerSpec dart_sampler(const DartMethod& method)
     };
     spec.most_points = most_points;
     spec.device_memory = [memory = method.memory](const Parameters& given, const SampleRequest& request,
-                                                  const DeviceInfo&) { return memory(darts_of(given, request)); };
+                                                  const DeviceInfo& device) {
+        return memory(darts_of(given, request), device);
+    };
     spec.create = [method](const Parameters& given, const SampleRequest& request, Engine engine,
                            const DeviceProvider& device) -> std::unique_ptr<Sampler> {
         return std::make_unique<DartSampler>(method, given, request, engine, device);

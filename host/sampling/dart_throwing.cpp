@@ -4,28 +4,20 @@
 
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
-#include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "kernels/common/dart_throwing.h"
 
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
 namespace poissonlab {
 namespace {
 
-/// Resolution rounds that are enqueued before the host looks whether all darts are decided, and each time
-/// after that.
-constexpr std::uint32_t first_rounds = 6;
-constexpr std::uint32_t further_rounds = 3;
-
-/// Darts that one work-item of insert_points owns.
-constexpr std::uint32_t insertion_run = 16;
-
-/// An accepted dart, as insert_points writes it.
+/// An accepted dart, as the kernels write it.
 template <int D>
 struct Point
 {
@@ -50,78 +42,60 @@ std::size_t most_open_cells(std::size_t cells, int dimension)
     return dimension == 2 ? cells : six_deviations_above(1.605 * static_cast<double>(cells));
 }
 
-}
-
-struct DartBuffers
+/// The buffers that a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than the
+/// first.
+NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, DartSettling settling,
+                           unsigned compute_units)
 {
-    using Words = Buffer<std::uint32_t>;
-
-    Words thresholds;                               ///< of the batch at hand
-    Words slots, masks, positions;                  ///< a level 0 cell each
-    Words parents, open;                            ///< open cells before and after a batch
-    Words darts, next, states, next_states, rivals; ///< a dart of the batch each
-    Words points, counters;
-
-    /// The buffers that a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than
-    /// the first.
-    NeededBuffers needed(const DartThrowingRequest& request)
-    {
-        using namespace contract::dart_throwing;
-        const int d = request.dimension;
-        const CellHierarchy hierarchy = cell_hierarchy(request.min_distance, d);
-        const std::size_t cells = lattice_cells(hierarchy.size, d);
-        const std::size_t axes = static_cast<std::size_t>(d);
-        const std::size_t most = most_darts(cells, d);
-        return {{thresholds, poisson_thresholds(darts_per_cell(1, d)).size()},
-                {slots, cells},
-                {masks, cells * MASK_WORDS(d, hierarchy.reach)},
-                {positions, cells * axes},
-                {points, packing_bound(request.min_distance, d) * POINT_WORDS(d)},
-                {counters, COUNTERS},
-                {parents, most_open_cells(cells, d) * axes},
-                {open, most_open_cells(cells, d) * axes},
-                {darts, std::max(cells, most) * DART_WORDS(d)},
-                {next, most},
-                {states, most},
-                {next_states, most},
-                {rivals, most * RIVAL_WORDS}};
-    }
-};
-
-namespace {
+    using namespace contract::dart_throwing;
+    const int d = request.dimension;
+    const DartTorus torus(request.min_distance, d);
+    const std::size_t cells = lattice_cells(torus.hierarchy.size, d);
+    const std::size_t axes = static_cast<std::size_t>(d);
+    const std::size_t most = most_darts(cells, d);
+    NeededBuffers buffers{{b.thresholds, poisson_thresholds(darts_per_cell(1, d)).size()},
+                          {b.masks, cells * MASK_WORDS(d, torus.hierarchy.reach)},
+                          {b.positions, cells * axes},
+                          {b.points, packing_bound(request.min_distance, d) * POINT_WORDS(d)},
+                          {b.counters, COUNTERS},
+                          {b.parents, most_open_cells(cells, d) * axes},
+                          {b.open, most_open_cells(cells, d) * axes},
+                          {b.darts, std::max(cells, most) * DART_WORDS(d)}};
+    for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
+        buffers.push_back(buffer);
+    return buffers;
+}
 
 template <int D>
 class Throwing
 {
 public:
-    Throwing(Device& device, DartBuffers& buffers, const DartThrowingRequest& request, std::size_t group_size)
+    Throwing(Device& device, DartBuffers& buffers, const DartThrowingRequest& request, std::size_t group_size,
+             DartSettling settling)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          hierarchy_(cell_hierarchy(request.min_distance, D)),
-          squared_min_distance_(squared_threshold(request.min_distance))
+          torus_(request.min_distance, D),
+          throw_(device.kernel(dart_program("dart_throwing.cl", torus_), "throw_darts")),
+          settler_(make_dart_settler(device, settling, torus_, group_size))
     {
-        const KernelProgram program = kernel_program(
-            "dart_throwing.cl",
-            {{"DIMENSION", D}, {"REACH", hierarchy_.reach}, {"LARGE_DISKS", request.min_distance > 0.25}});
-        throw_ = device.kernel(program, "throw_darts");
-        link_ = device.kernel(program, "link_darts");
-        resolve_ = device.kernel(program, "resolve_conflicts");
-        insert_ = device.kernel(program, "insert_points");
-        reserve(device, buffers_.needed(request));
+        reserve(device, dart_buffers(buffers, request, settling, device.info().compute_units));
         buffers_.counters.write(std::array<std::uint32_t, COUNTERS>{});
     }
 
     PointSet run()
     {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::size_t parent_count = lattice_cells(hierarchy_.size, D);
+        std::size_t parent_count = lattice_cells(torus_.hierarchy.size, D);
         int level = 0;
         for (std::uint32_t batch = 0; point_count() < target && parent_count > 0; ++batch) {
             write_thresholds(batch);
-            const bool split = splits_cells(batch) && level < hierarchy_.last_level;
+            const bool split = splits_cells(batch) && level < torus_.hierarchy.last_level;
             if (split) ++level;
             const auto [open_count, dart_count] = throw_batch(parent_count, level, split, batch);
-            resolve(dart_count);
-            insert(dart_count);
+            settler_->settle(buffers_, dart_count);
+            std::uint32_t total = 0;
+            buffers_.counters.read({&total, 1}, POINTS);
+            batch_ends_.push_back(total);
+            if (total < target) settler_->prepare_batch(buffers_);
             if (batch == 0) continue; // all cells stay open, and the kernel lists none
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
@@ -152,23 +126,26 @@ private:
     Counts throw_batch(std::size_t parent_count, int level, bool split, std::uint32_t number)
     {
         DartBuffers& b = buffers_;
+        using contract::dart_throwing::THROW_RUN;
+        const std::size_t items = (parent_count + THROW_RUN - 1) / THROW_RUN;
+        const std::size_t group_size = std::max<std::size_t>(1, group_size_ / THROW_RUN);
         const std::size_t staged = group_size_ * (std::size_t{1} << D);
         for (;;) {
-            const contract::dart_throwing::Batch batch{.step = hierarchy_.step,
-                                                       .squared_min_distance = squared_min_distance_,
-                                                       .grid_size = hierarchy_.size,
+            const contract::dart_throwing::Batch batch{.step = torus_.hierarchy.step,
+                                                       .squared_min_distance = torus_.squared_min_distance,
+                                                       .grid_size = torus_.hierarchy.size,
                                                        .number = number,
                                                        .parents = u32(parent_count),
                                                        .level = level,
                                                        .is_split = split,
-                                                       .is_last_level = !split && level == hierarchy_.last_level,
+                                                       .is_last_level = !split && level == torus_.hierarchy.last_level,
                                                        .key_x = request_.stream[0],
                                                        .key_y = request_.stream[1],
                                                        .thresholds = threshold_count_,
                                                        .open_capacity = u32(b.open.size() / D),
                                                        .dart_capacity = u32(b.darts.size() / dart_words),
                                                        .staged_capacity = u32(staged)};
-            throw_.run(parent_count, group_size_, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
+            throw_.run(items, group_size, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
                        b.darts, b.counters, local_words(staged * D), local_words(staged * dart_words),
                        local_words(contract::dart_throwing::GROUP_WORDS));
             std::array<std::uint32_t, 2> counts;
@@ -178,43 +155,6 @@ private:
             reserve(device_, b.open, counts[0] * D);
             reserve(device_, b.darts, counts[1] * dart_words);
         }
-    }
-
-    /// Decides all darts of the batch.
-    void resolve(std::size_t dart_count)
-    {
-        DartBuffers& b = buffers_;
-        for (Buffer<std::uint32_t>* list : {&b.next, &b.states, &b.next_states}) reserve(device_, *list, dart_count);
-        reserve(device_, b.rivals, dart_count * contract::dart_throwing::RIVAL_WORDS);
-        if (first_dart_ + dart_count >= UINT32_MAX) throw DeviceError("dart throwing: more than 2^32 darts");
-        // At least one work-item, which clears the counters.
-        link_.run(std::max<std::size_t>(dart_count, 1), group_size_, b.darts, u32(dart_count), u32(first_dart_),
-                  b.slots, b.next, b.states, b.counters);
-        std::uint32_t rounds = 0;
-        for (std::uint32_t waiting = dart_count > 0 ? 0 : 1; waiting == rounds;) {
-            const std::uint32_t end = rounds + (rounds == 0 ? first_rounds : further_rounds);
-            for (; rounds < end; ++rounds) {
-                resolve_.run(dart_count, group_size_, b.darts, u32(dart_count), u32(first_dart_), rounds, b.slots,
-                             b.next, hierarchy_.size, squared_min_distance_, b.rivals, b.states, b.next_states,
-                             b.counters);
-                std::swap(b.states, b.next_states);
-            }
-            b.counters.read({&waiting, 1}, WAITING_ROUND);
-        }
-        first_dart_ += dart_count;
-    }
-
-    /// Makes points of the accepted darts of the batch.
-    void insert(std::size_t dart_count)
-    {
-        if (dart_count == 0) return;
-        DartBuffers& b = buffers_;
-        insert_.run((dart_count + insertion_run - 1) / insertion_run, group_size_, b.darts, u32(dart_count),
-                    insertion_run, b.states, hierarchy_.size, hierarchy_.step, squared_min_distance_, b.masks,
-                    b.positions, b.points, b.counters);
-        std::uint32_t total = 0;
-        b.counters.read({&total, 1}, POINTS);
-        batch_ends_.push_back(total);
     }
 
     /// The points in dart order: batch after batch, and within a batch by time.
@@ -245,29 +185,30 @@ private:
     DartBuffers& buffers_;
     const DartThrowingRequest& request_;
     std::size_t group_size_;
-    CellHierarchy hierarchy_;
-    std::uint64_t squared_min_distance_;
-    Kernel throw_, link_, resolve_, insert_;
+    DartTorus torus_;
+    Kernel throw_;
+    std::unique_ptr<DartSettler> settler_;
     std::uint32_t threshold_count_ = 0;
-    std::size_t first_dart_ = 0;          ///< number of the batch's first dart
-    std::vector<std::size_t> batch_ends_; ///< number of points after each batch that had darts
+    std::vector<std::size_t> batch_ends_; ///< number of points after each batch
 };
 
 }
 
-DartThrower::DartThrower(Device device, std::size_t work_group_size)
-    : DeviceMethod(std::move(device), work_group_size, std::make_shared<DartBuffers>())
+DartThrower::DartThrower(Device device, std::size_t work_group_size, std::optional<DartSettling> settling)
+    : DeviceMethod(std::move(device), work_group_size, std::make_shared<DartBuffers>()),
+      settling_(settling.value_or(settling_for(device_.info())))
 {}
 
 PointSet DartThrower::throw_darts(const DartThrowingRequest& request)
 {
-    return request.dimension == 2 ? Throwing<2>(device_, *buffers_, request, work_group_size_).run()
-                                  : Throwing<3>(device_, *buffers_, request, work_group_size_).run();
+    return request.dimension == 2 ? Throwing<2>(device_, *buffers_, request, work_group_size_, settling_).run()
+                                  : Throwing<3>(device_, *buffers_, request, work_group_size_, settling_).run();
 }
 
-DeviceMemory DartThrower::memory(const DartThrowingRequest& request)
+DeviceMemory DartThrower::memory(const DartThrowingRequest& request, const DeviceInfo& device)
 {
-    return memory_of(DartBuffers{}.needed(request));
+    DartBuffers buffers;
+    return memory_of(dart_buffers(buffers, request, settling_for(device), device.compute_units));
 }
 
 }

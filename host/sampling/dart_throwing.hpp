@@ -8,6 +8,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "host/sampling/darts/dart_settler.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
@@ -30,17 +31,21 @@ namespace reference {
 PointSet throw_darts(const DartThrowingRequest& request);
 }
 
-/// The same, by kernels/dart_throwing.cl: the same bytes as the reference on every device.
-class DartThrower : DeviceMethod<struct DartBuffers>
+/// The same, by kernels/dart_throwing.cl and either way of DartSettling: the same bytes as the reference on every
+/// device.
+class DartThrower : DeviceMethod<DartBuffers>
 {
 public:
-    /// `work_group_size` 0: the default.
-    explicit DartThrower(Device device, std::size_t work_group_size = 0);
+    /// `work_group_size` 0: the default. `settling` empty: the faster way for the device.
+    explicit DartThrower(Device device, std::size_t work_group_size = 0, std::optional<DartSettling> settling = {});
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
-    /// The memory that throw_darts() takes, nearly: chance decides how many darts a batch has.
-    static DeviceMemory memory(const DartThrowingRequest& request);
+    /// The memory that throw_darts() takes on a device, nearly: chance decides how many darts a batch has.
+    static DeviceMemory memory(const DartThrowingRequest& request, const DeviceInfo& device);
+
+private:
+    DartSettling settling_;
 };
 
 /// The sampler "dart-throwing": relative_radius, or stop = "saturation" with min_distance.

@@ -243,7 +243,7 @@ PointSet VoronoiDarts::throw_darts(const DartThrowingRequest& request)
     return VoronoiThrowing(device_, *buffers_, request, work_group_size_).run();
 }
 
-DeviceMemory VoronoiDarts::memory(const DartThrowingRequest& request)
+DeviceMemory VoronoiDarts::memory(const DartThrowingRequest& request, const DeviceInfo&)
 {
     return memory_of(VoronoiDartBuffers{}.needed(request));
 }

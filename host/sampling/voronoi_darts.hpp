@@ -61,8 +61,8 @@ public:
 
     PointSet throw_darts(const DartThrowingRequest& request);
 
-    /// The memory that throw_darts() takes, nearly.
-    static DeviceMemory memory(const DartThrowingRequest& request);
+    /// The memory that throw_darts() takes, nearly, on any device.
+    static DeviceMemory memory(const DartThrowingRequest& request, const DeviceInfo&);
 };
 
 /// The sampler "voronoi-darts": relative_radius, or stop = "saturation" with min_distance.

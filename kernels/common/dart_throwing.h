@@ -1,4 +1,5 @@
-// The contract of dart_throwing.cl and its host code, host/sampling/dart_throwing.cpp.
+// The contract of dart_throwing.cl, darts_in_order.cl and darts_in_rounds.cl and their host code,
+// host/sampling/dart_throwing.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"
@@ -30,7 +31,14 @@ enum Counter
     DARTS,
     POINTS,
     WAITING_ROUND, ///< 1 + the last round in which a dart had to wait for another round
+    KEYS,          ///< that slabs have sorted
     COUNTERS
+};
+
+/// Parents of a work-item of throw_darts, a multiple of eight.
+enum
+{
+    THROW_RUN = 16
 };
 
 /// Words of local memory that a work-group of throw_darts counts in.
@@ -54,6 +62,18 @@ struct Batch
     uint thresholds;
     uint open_capacity, dart_capacity;
     uint staged_capacity; ///< of cells, and of darts, in local memory
+};
+
+/// The arguments of settle_darts.
+struct Slabs
+{
+    ulong squared_min_distance;
+    uint slabs;
+    uint grid_size; ///< cells of level 0 along each axis
+    uint row_words; ///< that a row of cells has in `accepted`
+    uint darts;
+    uint bucket_bits; ///< 2^bucket_bits intervals of time, from 1 to 31
+    uint is_rest;     ///< only darts that are undecided
 };
 
 END_CONTRACT

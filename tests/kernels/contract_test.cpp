@@ -55,6 +55,8 @@ TEST(Contract, OfDartThrowing)
     const std::size_t layout[] = {LAYOUT_OF(Batch, staged_capacity)};
     EXPECT_THAT(on_device("kernels/common/dart_throwing.h", layout_of("Batch", "staged_capacity")),
                 ElementsAreArray(layout));
+    const std::size_t slabs[] = {LAYOUT_OF(Slabs, is_rest)};
+    EXPECT_THAT(on_device("kernels/common/dart_throwing.h", layout_of("Slabs", "is_rest")), ElementsAreArray(slabs));
     const std::size_t constants[] = {DART_WORDS(3), POINT_WORDS(3), MASK_WORDS(3, 2), RIVAL_WORDS, COUNTERS};
     EXPECT_THAT(on_device("kernels/common/dart_throwing.h",
                           {"DART_WORDS", "POINT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),

@@ -54,7 +54,10 @@ TEST_P(DartThrowing, KernelGivesTheReferencesBytesAndKeepsTheDistance)
     if (!GetParam().saturate) {
         EXPECT_EQ(expected.size(), GetParam().points);
     }
-    EXPECT_EQ(DartThrower(Device::open()).throw_darts(request()), expected);
+    for (const DartSettling settling : {DartSettling::in_order, DartSettling::in_rounds}) {
+        EXPECT_EQ(DartThrower(Device::open(), 0, settling).throw_darts(request()), expected)
+            << (settling == DartSettling::in_order ? "in order" : "in rounds");
+    }
     // The oracle is exact up to the final rounding, and so is the distance that was asked for.
     EXPECT_GE(test::brute_force_min_distance(expected), request().min_distance);
 }
@@ -76,7 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
                       DartThrowingCase{2, 9, 0.77, 13, true}, DartThrowingCase{2, 100, 0.77, 14, true},
                       DartThrowingCase{2, 3000, 0.77, 15, true}, DartThrowingCase{3, 1, 0.70, 16, false},
                       DartThrowingCase{3, 60, 0.65, 18, false}, DartThrowingCase{3, 2000, 0.75, 19, false},
-                      DartThrowingCase{3, 20, 0.80, 20, true}, DartThrowingCase{3, 500, 0.80, 21, true}));
+                      DartThrowingCase{3, 6000, 0.75, 22, false}, DartThrowingCase{3, 20, 0.80, 20, true},
+                      DartThrowingCase{3, 500, 0.80, 21, true}));
 
 TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
 {
@@ -86,8 +90,10 @@ TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
         const PointSet expected = reference::throw_darts(request);
         for (const unsigned threads : {1u, 2u}) {
             for (const std::size_t group : {1u, 7u, 32u, 128u}) {
-                EXPECT_EQ(DartThrower(Device::open({}, threads), group).throw_darts(request), expected)
-                    << threads << " threads, groups of " << group;
+                for (const DartSettling settling : {DartSettling::in_order, DartSettling::in_rounds}) {
+                    EXPECT_EQ(DartThrower(Device::open({}, threads), group, settling).throw_darts(request), expected)
+                        << threads << " threads, groups of " << group;
+                }
             }
         }
     }
@@ -95,12 +101,14 @@ TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
 
 TEST(DartThrowingOnDevices, ReusedBuffersKeepNothingOfEarlierSets)
 {
-    DartThrower thrower(Device::open());
     const DartThrowingRequest large = request_for(2, 3000, 0.70, 1);
     const DartThrowingRequest small = request_for(2, 200, 0.72, 2);
     const DartThrowingRequest other = request_for(3, 700, 0.72, 2);
-    for (const auto* request : {&large, &small, &other, &large, &other}) {
-        EXPECT_EQ(thrower.throw_darts(*request), reference::throw_darts(*request));
+    for (const DartSettling settling : {DartSettling::in_order, DartSettling::in_rounds}) {
+        DartThrower thrower(Device::open(), 0, settling);
+        for (const auto* request : {&large, &small, &other, &large, &other}) {
+            EXPECT_EQ(thrower.throw_darts(*request), reference::throw_darts(*request));
+        }
     }
 }
 

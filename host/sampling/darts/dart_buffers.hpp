@@ -1,0 +1,29 @@
+// What dart throwing keeps on the device.
+#pragma once
+
+#include "host/device/needed_buffers.hpp"
+
+#include <cstdint>
+
+namespace poissonlab {
+
+struct DartBuffers
+{
+    using Words = Buffer<std::uint32_t>;
+
+    Words thresholds;              ///< of the batch at hand
+    Words masks, positions, slots; ///< a level 0 cell each
+    Words parents, open;           ///< open cells before and after a batch
+    Words darts, states, next;     ///< a dart of the batch each
+    Words points, counters;
+
+    // In order only.
+    Words accepted;             ///< a bit of a level 0 cell each
+    Words buckets;              ///< an interval of time of a slab each
+    Buffer<std::uint64_t> keys; ///< a dart of a slab each
+
+    // In rounds only.
+    Words next_states, rivals; ///< a dart of the batch each
+};
+
+}

@@ -1,0 +1,60 @@
+// How the darts of a batch are settled among themselves: which of them become points.
+#pragma once
+
+#include "host/device/device.hpp"
+#include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/darts/dart_buffers.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace poissonlab {
+
+/// The ways to do it, whose results are the same.
+enum class DartSettling
+{
+    in_order,  ///< by kernels/darts_in_order.cl: a few work-items, one dart after the other
+    in_rounds, ///< by kernels/darts_in_rounds.cl: a work-item a dart, again and again
+};
+
+/// The faster way for a device.
+DartSettling settling_for(const DeviceInfo& device);
+
+/// The torus in which darts have a minimum distance.
+struct DartTorus
+{
+    DartTorus(double min_distance, int dimension);
+
+    int dimension;
+    CellHierarchy hierarchy;
+    std::uint64_t squared_min_distance; ///< units of 2^-64
+    bool has_large_disks;               ///< so large that they wrap around
+};
+
+/// A program of dart throwing: the file with the constants of the torus.
+KernelProgram dart_program(const std::string& file, const DartTorus& torus);
+
+class DartSettler
+{
+public:
+    virtual ~DartSettler() = default;
+
+    /// Appends the accepted ones of `dart_count` darts to the points, puts them into the grid, and clears the counters
+    /// of the batch.
+    virtual void settle(DartBuffers& buffers, std::size_t dart_count) = 0;
+
+    /// Makes ready for another batch.
+    virtual void prepare_batch(DartBuffers&) {}
+};
+
+/// A settler for batches of one set. `group_size` work-items are a group where the way has no reason for another
+/// number.
+std::unique_ptr<DartSettler> make_dart_settler(Device& device, DartSettling settling, const DartTorus& torus,
+                                               std::size_t group_size);
+
+/// The buffers that settling takes beside those of throwing, for batches of up to `most_darts`.
+NeededBuffers settling_buffers(DartBuffers& buffers, DartSettling settling, const DartTorus& torus,
+                               unsigned compute_units, std::size_t most_darts);
+
+}
