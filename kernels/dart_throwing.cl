@@ -335,7 +335,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                     const uint in_block = 31 - clz(open & (0u - open));
                     const uint child = 4 * block + in_block;
                     Cell cell;
-                    FOR_EACH_AXIS(k) { cell.c[k] = (parents[p + q].cell.c[k] << batch->is_split) + (child >> k & 1); }
+                    FOR_EACH_AXIS(k) cell.c[k] = (parents[p + q].cell.c[k] << batch->is_split) + (child >> k & 1);
                     if (lists_cells) put(&lists->cells, &place, listed++, cell.c);
                     for (uint number = 0; number < counts[in_block][q]; ++number) {
                         pending.parent[pending.count] = p + q;
@@ -394,7 +394,10 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
         }
         open_count += popcount(parent->open);
     }
-    for (uint p = count; p % 8 != 0; ++p) parents[p].open = 0;
+    for (uint p = count; p % 8 != 0; ++p) {
+        parents[p] = parents[0];
+        parents[p].open = 0;
+    }
     if (open_count > 0) throw_into(parents, count, open_count, &near, &batch, thresholds, &lists);
 
     barrier(CLK_LOCAL_MEM_FENCE);

@@ -99,23 +99,16 @@ ALWAYS_INLINE bool is_hit(const Seen* dart, const Slab* slab, ulong squared_min_
     uint rows[ROWS];
     ulong bits[WINDOW_WORDS];
     UNROLLED(uint w = 0; w < WINDOW_WORDS; ++w) bits[w] = 0;
-#if DIMENSION == 3
     uint y[WINDOW];
     UNROLLED(int i = 0; i < WINDOW; ++i) y[i] = wrapped(dart->c[1], i - REACH, slab->grid_size);
-#endif
     UNROLLED(int l = 0; l < WINDOW; ++l)
     {
         uint layer;
         const ulong kept = own_layer(slab, dart->layer, l - REACH, &layer) ? (1u << WINDOW) - 1 : 0;
-        UNROLLED(int i = 0; i < ROWS / WINDOW || i == 0; ++i)
+        UNROLLED(int i = 0; i < ROWS / WINDOW; ++i)
         {
-#if DIMENSION == 3
-            const int j = l * WINDOW + i;
+            const int j = l * (ROWS / WINDOW) + i;
             rows[j] = row_of(slab, layer, y[i]);
-#else
-            const int j = l;
-            rows[j] = layer;
-#endif
             global const uint* words = &accepted[rows[j] * slab->row_words + dart->c[0] / 32];
             const ulong word = words[0] | (ulong)words[1] << 32;
             bits[j / ROWS_A_WORD] |= (word >> dart->c[0] % 32 & kept) << j % ROWS_A_WORD * WINDOW;
@@ -151,8 +144,8 @@ void accept(const Seen* dart, const Slab* slab, uint time, global uint* accepted
     point[TIME_WORD] = time;
 }
 
-/// The darts that wait in a slab: chains of them, one for each of its cells, and the layers next to own ones that have
-/// any on either side.
+/// The darts that wait in a slab: chains of them, one for each of its cells, ghosts included. None waits in a layer
+/// between `below` and `above`: most darts are there.
 typedef struct
 {
     global uint* heads;
