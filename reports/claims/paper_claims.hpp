@@ -3,8 +3,8 @@
 // papers that came after it.
 //
 // A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
-// series. Criteria are standard errors where there are some, and else numbers that are stated. Seconds of 2006 are shown
-// beside today's and not judged; frames a second are, as the text promises them.
+// series. Criteria are standard errors where there are some, and else numbers that are stated. Seconds of 2006 are
+// shown beside today's and not judged; frames a second are, as the text promises them.
 #pragma once
 
 #include "reports/claims/claim_series.hpp"
