@@ -63,6 +63,7 @@ struct Drawing
     double width = 1;
     double height = 1;
     std::vector<Shape> shapes;
+    bool keeps_tones = false;      ///< PNG files mix light, not bytes, so that a screen shows as much ink as there is
     double millimetres_a_unit = 0; ///< SVG documents have this size on paper, and no ground; 0: any size
 };
 
@@ -77,8 +78,9 @@ constexpr int max_drawing_pixels = 32'768;
 std::string drawing_svg(const Drawing& drawing);
 
 /// A PNG whose bytes depend on the drawing and its size only: grey if all its colours are, else RGB. Pixels are square;
-/// the last row may reach beyond the drawing and is white there. With polygons, pixels are the mean of 4 x 4 samples,
-/// each of the colour of the last shape there, so that polygons with an edge in common have no seam. Memory grows with
+/// the last row may reach beyond the drawing and is white there. With polygons, and
+/// where tones are kept, pixels are the mean of 4 x 4 samples, each of the colour of the last shape there, so that
+/// polygons with an edge in common have no seam. Memory grows with
 /// the width, not with the height. Throws InputError for fewer than 1 or more than max_drawing_pixels pixels on a side,
 /// StorageError, and std::logic_error for colours, sizes and coordinates as above.
 void write_drawing_png(const std::filesystem::path& path, const Drawing& drawing, int pixels_wide);

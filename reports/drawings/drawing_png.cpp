@@ -2,10 +2,13 @@
 //
 // Polygons may share edges, where Cairo's own smoothing, which blends one over the other, would leave seams. So where
 // there are some, every shape is sampled in 4 x 4 places a pixel: a sample takes the colour of the last shape that it
-// lies in, and pixels are the mean of their samples. Elsewhere Cairo smoothes, which is faster.
+// lies in, and pixels are the mean of their samples. Elsewhere Cairo smoothes, which is faster. Both take means of sRGB
+// bytes, which makes the edges of black shapes on white darker than they are: where tones matter, pixels are the mean
+// of the light of their samples.
 #include "reports/drawings/drawing.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/images/srgb_light.hpp"
 
 #include <fmt/format.h>
 
@@ -82,11 +85,28 @@ void write_means(cairo_surface_t* surface, int row, std::uint8_t* pixel, int col
     }
 }
 
-constexpr int smooth_samples = 4; // a pixel in each direction, where there are polygons
+constexpr int smooth_samples = 4; // a pixel in each direction, where there are polygons, and where tones are kept
 
-/// The colour of a pixel.
+/// The same with means of light.
+void write_means_of_light(cairo_surface_t* surface, int row, std::uint8_t* pixel, int columns, int channels)
+{
+    constexpr int count = smooth_samples * smooth_samples;
+    const std::array<float, 256>& light = light_of_bytes();
+    for (int x = 0; x < columns; ++x, pixel += channels)
+        for (int channel = 0; channel < channels; ++channel) {
+            float sum = 0; // of whole numbers below 2^20
+            for (int i = 0; i < count; ++i) {
+                const std::uint32_t color =
+                    row_of(surface, row + i / smooth_samples)[x * smooth_samples + i % smooth_samples];
+                sum += light[color >> (16 - 8 * channel) & 0xff];
+            }
+            pixel[channel] = byte_of_light(sum / count);
+        }
+}
+
 int samples_a_side(const Drawing& drawing)
 {
+    if (drawing.keeps_tones) return smooth_samples;
     const auto is_polygon = [](const Shape& shape) { return std::holds_alternative<Polygon>(shape.form); };
     return std::ranges::any_of(drawing.shapes, is_polygon) ? smooth_samples : 1;
 }
@@ -96,7 +116,8 @@ class Painter
 {
 public:
     Painter(const Drawing& drawing, const PngLayout& layout)
-        : layout_(layout), samples_(band_rows / layout.rows_at_once), scale_(samples_ * (layout.width / drawing.width)),
+        : layout_(layout), keeps_tones_(drawing.keeps_tones), samples_(band_rows / layout.rows_at_once),
+          scale_(samples_ * (layout.width / drawing.width)),
           surface_(surface_of(std::min(layout.width, widest_surface) * samples_, band_rows)),
           cairo_(cairo_create(surface_.get()), &cairo_destroy)
     {
@@ -118,7 +139,9 @@ public:
     {
         for (int left = 0; left < layout_.width; left += widest_surface) {
             paint_samples(left * samples_, top * samples_, (top + rows) * samples_);
-            const auto write = samples_ > 1 ? write_means<smooth_samples> : write_means<1>;
+            const auto write = keeps_tones_   ? write_means_of_light
+                               : samples_ > 1 ? write_means<smooth_samples>
+                                              : write_means<1>;
             for (int row = 0; row < rows; ++row)
                 write(surface_.get(), row * samples_,
                       pixels + (static_cast<std::ptrdiff_t>(row) * layout_.width + left) * layout_.channels,
@@ -229,6 +252,7 @@ private:
     }
 
     PngLayout layout_;
+    bool keeps_tones_;
     int samples_;  ///< a pixel in each direction
     double scale_; ///< samples a unit
     CairoSurface surface_;

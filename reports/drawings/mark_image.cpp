@@ -7,7 +7,8 @@ namespace poissonlab {
 Drawing draw_marks(const MarkPicture& picture, const std::filesystem::path& folder)
 {
     const double scale = picture.pixels / picture.width;
-    Drawing drawing{scale * picture.width, scale * picture.height, {}};
+    Drawing drawing{
+        .width = scale * picture.width, .height = scale * picture.height, .shapes = {}, .keeps_tones = true};
     const auto place = [&](double x, double y) { return DrawingPoint{scale * x, scale * (picture.height - y)}; };
     if (!picture.ground.empty())
         drawing.shapes.push_back({Image{{0, 0}, drawing.width, read_png(folder / picture.ground)}, {}, {}});

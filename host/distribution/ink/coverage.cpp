@@ -1,5 +1,6 @@
 #include "host/distribution/ink/coverage.hpp"
 
+#include "base/images/srgb_light.hpp"
 #include "base/programs/interrupt.hpp"
 
 #include <algorithm>
@@ -188,6 +189,10 @@ double stroke_in_pixel(const std::array<double, 5>& stroke, double x, double y)
     const ConvexPolygon between_ends = clipped(clipped(pixel, backwards, 0), along, length);
     return begin + end + polygon_area(clipped(clipped(between_ends, across, radius), other, radius));
 }
+
+std::uint8_t shown_byte(double part) { return byte_of_light(static_cast<float>(65535 * (1 - part))); }
+
+double shown_part(std::uint8_t byte) { return 1 - static_cast<double>(light_of_bytes()[byte]) / 65535; }
 
 Coverage coverage_of(const MarkGroup& marks, int width, int height, double scale)
 {

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace poissonlab {
@@ -37,6 +38,13 @@ struct Coverage
     double laid = 0;           ///< the area of all marks inside the picture, in pixels
     double covered = 0;        ///< the sum of `parts`
 };
+
+/// The byte that makes a screen show the light of a pixel of which this part is covered: 1 - part, encoded as sRGB.
+std::uint8_t shown_byte(double part);
+
+/// The part that is covered as a viewer sees it, who decodes shown_byte() as sRGB: within 0.0045 of what it was, and
+/// exact for nothing and for all.
+double shown_part(std::uint8_t byte);
 
 /// The covered part of each pixel of a picture, `scale` pixels to a unit of the marks. Throws Interrupted.
 Coverage coverage_of(const MarkGroup& marks, int width, int height, double scale);

@@ -1,9 +1,9 @@
 #include "host/texture/mapping/texture_map.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/images/srgb_light.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
-#include "host/texture/mapping/texture_light.hpp"
 
 #include <fmt/format.h>
 

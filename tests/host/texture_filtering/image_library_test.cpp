@@ -1,6 +1,6 @@
 // Filtering of endless textures against OpenImageIO, which knows nothing of tiles: its box filter makes the levels of
 // an explicit texture, and its interpolation looks them up.
-#include "host/texture/mapping/texture_light.hpp"
+#include "base/images/srgb_light.hpp"
 #include "runtime/texture_tiles.h"
 #include "tests/host/texture/mapped_noise.hpp"
 

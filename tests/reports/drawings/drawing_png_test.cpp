@@ -97,6 +97,30 @@ TEST(DrawingPng, IsExactOnTheGrid)
     }
 }
 
+/// Small dots where tones are kept: their picture, decoded as sRGB, has as much ink as their areas are, whatever part
+/// of their pixels is grey. 400 dots are sampled at 16 places a pixel: each area errs as disk_error() says, at random.
+TEST(DrawingPng, KeepsTones)
+{
+    Drawing drawing{100, 100, {}};
+    drawing.keeps_tones = true;
+    constexpr double radius = 1.3;
+    for (int i = 0; i < 400; ++i)
+        drawing.shapes.push_back(
+            {Disk{{5 * (i % 20) + 2.5 + 0.37 * std::sin(9.1 * i), 5.0 * (i / 20) + 2.5}, radius}, black, {}});
+    const auto picture = test::drawn(drawing, 100);
+    double ink = 0;
+    for (const auto& pixel : picture.pixels) {
+        const double v = pixel[0] / 255.0;
+        ink += 1 - (v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+    }
+    EXPECT_NEAR(ink / (400 * std::numbers::pi * radius * radius), 1, disk_error(radius, 1) / std::sqrt(400.0));
+    // By means of bytes it would be far darker.
+    drawing.keeps_tones = false;
+    double darker = 0;
+    for (const auto& pixel : test::drawn(drawing, 100).pixels) darker += 1 - std::pow(pixel[0] / 255.0, 2.2);
+    EXPECT_GT(darker, 1.1 * ink);
+}
+
 TEST(DrawingPng, HasNoSeams)
 {
     // A fan of triangles that fills a square: no white where they meet, whatever is drawn first.

@@ -85,6 +85,21 @@ TEST(Coverage, IsExactForDisksThatTouch)
     EXPECT_NEAR(coverage.covered, 8 * pi + pi * 2.25 / 2, 1e-10);
 }
 
+/// A viewer decodes sRGB (IEC 61966-2-1): the part that is covered comes back, within half of the largest step between
+/// two bytes, (1 - f(254 / 255)) / 2.
+TEST(Coverage, IsShownAsItIs)
+{
+    const auto light = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    EXPECT_EQ(shown_byte(0), 255);
+    EXPECT_EQ(shown_byte(1), 0);
+    EXPECT_EQ(shown_byte(0.5), 188);
+    for (int i = 0; i <= 1000; ++i) {
+        const double part = i / 1000.0, seen = 1 - light(shown_byte(part) / 255.0);
+        EXPECT_NEAR(seen, part, 0.5 * (1 - light(254.0 / 255)));
+        EXPECT_NEAR(shown_part(shown_byte(part)), seen, 0.5 / 65535 + 1e-12);
+    }
+}
+
 /// The union of two disks, by the lens that they have in common.
 TEST(Coverage, CountsWhatOverlapsOnce)
 {

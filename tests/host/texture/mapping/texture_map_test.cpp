@@ -2,8 +2,8 @@
 // are means of whole boxes of its pixels.
 #include "host/texture/mapping/texture_map.hpp"
 
+#include "base/images/srgb_light.hpp"
 #include "host/device/device.hpp"
-#include "host/texture/mapping/texture_light.hpp"
 #include "runtime/texture_tiles.h"
 #include "tests/host/texture/mapped_noise.hpp"
 #include "tests/support/errors.hpp"

@@ -1,4 +1,4 @@
-#include "host/texture/mapping/texture_light.hpp"
+#include "base/images/srgb_light.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Bytes of sRGB as light, and back: what averages are taken of.
+// Bytes of sRGB as light, and back: averages are taken of light, and light is written as bytes that screens show.
 //
 // IEC 61966-2-1. Light is a whole number of 65535ths, so that no last bit of a power decides anything.
 #pragma once
