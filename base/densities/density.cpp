@@ -7,12 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 
-Density density_of_values(int width, int height, const std::vector<double>& values, const std::string& name)
+Density density_of_values(int width, int height, std::vector<double> values, const std::string& name)
 {
-    Density density{width, height, {}};
+    Density density{width, height, {}, clamp_rounding(values, name)};
     double largest = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!(values[i] >= 0) || std::isinf(values[i]))
@@ -30,8 +31,10 @@ Density density_of_values(int width, int height, const std::vector<double>& valu
 
 Density density_of_picture(const LinearPicture& picture, std::string_view channel, const std::string& name)
 {
-    const PixelValues values = picture_values(picture, channel, name);
-    return density_of_values(values.width, values.height, values.values, name);
+    PixelValues values = picture_values(picture, channel, name);
+    Density density = density_of_values(values.width, values.height, std::move(values.values), name);
+    if (density.note.empty()) density.note = values.note;
+    return density;
 }
 
 }

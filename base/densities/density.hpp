@@ -21,6 +21,7 @@ struct Density
     int width = 0;
     int height = 0;
     std::vector<std::uint64_t> weights;
+    std::string note{}; ///< for users, where numbers below 0 became 0: "name: 3 pixels below 0 ..."
 
     /// The weight at a place of the rectangle, whose sides are 1 here: 0 <= x, y < 1.
     std::uint64_t at(double x, double y) const
@@ -31,9 +32,9 @@ struct Density
 };
 
 /// The density of numbers for all pixels, row by row from the bottom: each over the largest one times full_weight,
-/// rounded down. Throws InputError, a sentence that starts with `name` and the pixel, for one that is negative or not
-/// finite, and where all are 0.
-Density density_of_values(int width, int height, const std::vector<double>& values, const std::string& name);
+/// rounded down. Those of clamp_rounding() are 0, and the note says so. Throws InputError, a sentence that starts with
+/// `name` and the pixel, for others that are negative or not finite, and where all are 0.
+Density density_of_values(int width, int height, std::vector<double> values, const std::string& name);
 
 /// The luminance of a pixel, by column and row from the top left: that of Rec. 709, which is that of sRGB as well. A
 /// picture without three colours is grey: its first channel.

@@ -40,6 +40,23 @@ double luminance(const LinearPicture& picture, int column, int row)
     return colors < 3 ? channel(0) : 0.2126 * channel(0) + 0.7152 * channel(1) + 0.0722 * channel(2);
 }
 
+std::string clamp_rounding(std::vector<double>& values, const std::string& name)
+{
+    constexpr double most_of_mean = 0.1, most_of_sum = 1e-3;
+    double above = 0, below = 0, least = 0;
+    std::size_t count = 0;
+    for (const double value : values) {
+        (value < 0 ? below : above) += value; // what is no number spoils the sum of those above
+        least = std::min(least, value);
+        count += value < 0 ? 1 : 0;
+    }
+    const double mean = (above + below) / static_cast<double>(values.size());
+    if (count == 0 || !(least >= -most_of_mean * mean && below >= -most_of_sum * above)) return {};
+    for (double& value : values) value = value < 0 ? 0 : value;
+    return fmt::format("{}: {} pixel{} below 0, by up to {:.2g} of the mean, {} taken as 0: rounding of the file", name,
+                       count, count == 1 ? "" : "s", -least / mean, count == 1 ? "is" : "are");
+}
+
 PixelValues picture_values(const LinearPicture& picture, std::string_view channel, const std::string& name)
 {
     const bool is_ink = channel == "ink", is_light = channel == "light";
@@ -54,8 +71,11 @@ PixelValues picture_values(const LinearPicture& picture, std::string_view channe
             if (is_ink && value > 1 + rounding)
                 throw InputError(fmt::format("{}: {}: luminance {}: must be at most 1 for ink", name,
                                              pixel_name(picture.width, picture.height, values.values.size()), value));
-            values.values.push_back(is_ink ? std::max(1 - value, 0.0) : value); // of what is no number: itself
+            values.values.push_back(value);
         }
+    if (!is_ink) return values;
+    values.note = clamp_rounding(values.values, name);
+    for (double& value : values.values) value = std::max(1 - value, 0.0); // of what is no number: itself
     return values;
 }
 
@@ -64,7 +84,8 @@ PixelValues middle_of(PixelValues values, double zoom)
     if (zoom == 1) return values;
     PixelValues part{std::max(1, static_cast<int>(std::lround(values.width / zoom))),
                      std::max(1, static_cast<int>(std::lround(values.height / zoom))),
-                     {}};
+                     {},
+                     values.note};
     const int left = (values.width - part.width) / 2, bottom = (values.height - part.height) / 2;
     for (int row = 0; row < part.height; ++row)
         for (int column = 0; column < part.width; ++column)

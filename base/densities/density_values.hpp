@@ -17,6 +17,7 @@ struct PixelValues
     int width = 0;
     int height = 0;
     std::vector<double> values;
+    std::string note{}; ///< as that of Density
 
     double at(int column, int row) const
     {
@@ -25,9 +26,16 @@ struct PixelValues
     }
 };
 
-/// The numbers of a picture. `channel` says what of it: "light", its luminance; "ink", 1 - luminance; or the name of a
-/// channel. Throws InputError, one line with the picture's name, for an unknown channel, and for ink of pixels that are
-/// brighter than 1. Pixels are named by column and row from the top left.
+/// Sets numbers to 0 that rounding left below it, as lossy compression does (DWA in OpenEXR) and resampling: those down
+/// to a tenth of the mean below 0, if all of them together are at most a thousandth of the sum of the others. Returns a
+/// note for users that begins with the name, or nothing where no number changes. Others are left for those to refuse
+/// who want none below 0.
+std::string clamp_rounding(std::vector<double>& values, const std::string& name);
+
+/// The numbers of a picture. `channel` says what of it: "light", its luminance; "ink", 1 - luminance, which is at least
+/// 0 but for clamp_rounding(); or the name of a channel. Throws InputError, one line with the picture's name, for an
+/// unknown channel, and for ink of pixels that are brighter than 1. Pixels are named by column and row from the top
+/// left.
 PixelValues picture_values(const LinearPicture& picture, std::string_view channel, const std::string& name);
 
 /// The numbers of a formula in the middles of pixels: see density_of_formula(), which refuses some of them. Throws

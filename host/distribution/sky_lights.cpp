@@ -45,6 +45,21 @@ std::array<double, 2> circle_point(double part)
 /// The cosine of the polar angle of the border above a row.
 double border_cosine(int row, int height) { return circle_point(row / (2.0 * height))[0]; }
 
+/// The colour of a pixel, as bright as that.
+std::vector<double> pixel_power(const LinearPicture& map, int column, int row, double luminance_of_light)
+{
+    constexpr std::array<double, 3> shares{0.2126, 0.7152, 0.0722}; // of luminance
+    const std::size_t colors = map.channels.size() - (map.alpha ? 1 : 0) < 3 ? 1 : 3;
+    std::vector<double> power;
+    double whole = 0;
+    for (std::size_t c = 0; c < colors; ++c) {
+        power.push_back(std::max(0.0, static_cast<double>(map.at(column, row, c))));
+        whole += power.back() * (colors == 1 ? 1 : shares.at(c));
+    }
+    for (double& of_color : power) of_color *= luminance_of_light / whole;
+    return power;
+}
+
 /// The cosine of the polar angle at a height of the map.
 double height_cosine(std::uint64_t place, int height)
 {
@@ -97,16 +112,15 @@ double sky_luminance(const LinearPicture& map)
     double sum = 0;
     for (int row = 0; row < map.height; ++row) {
         double in_row = 0;
-        for (int column = 0; column < map.width; ++column) in_row += luminance(map, column, row);
+        for (int column = 0; column < map.width; ++column) in_row += std::max(0.0, luminance(map, column, row));
         sum += in_row * solid_angle(row, map.width, map.height);
     }
     return sum;
 }
 
-std::vector<SkyLight> sky_lights(const LinearPicture& map, std::span<const std::uint64_t> places)
+std::vector<SkyLight> sky_lights(const LinearPicture& map, std::span<const std::uint64_t> places, SeenFrom seen_from)
 {
     const double each = sky_luminance(map) / (static_cast<double>(places.size()) / 2);
-    const std::size_t colors = map.channels.size() - (map.alpha ? 1 : 0);
     std::vector<SkyLight> lights;
     lights.reserve(places.size() / 2);
     for (std::size_t i = 0; i < places.size(); i += 2) {
@@ -115,11 +129,9 @@ std::vector<SkyLight> sky_lights(const LinearPicture& map, std::span<const std::
         const auto [cosine, sine] = circle_point(static_cast<double>(places[i]) / place_units / map.width);
         const auto column = static_cast<int>(places[i] >> 32);
         const int row = map.height - 1 - static_cast<int>(places[i + 1] >> 32);
-        SkyLight light{{away * cosine, away * sine, z}, {}};
-        const double scale = each / luminance(map, column, row);
-        for (std::size_t c = 0; c < std::min<std::size_t>(colors, 3); ++c)
-            light.power.push_back(map.at(column, row, c) * scale);
-        lights.push_back(std::move(light));
+        // From inside, the angle is half a turn less the other one.
+        const double x = seen_from == SeenFrom::inside ? -cosine : cosine;
+        lights.push_back({{away * x, away * sine, z}, pixel_power(map, column, row, each)});
     }
     return lights;
 }

@@ -78,12 +78,13 @@ TEST_F(DistributeWarp, TakesFormulasAndMethods)
     for (std::size_t i = 0; i < points.size(); ++i) EXPECT_GE(points[i][0], 0.5);
 }
 
-/// All light comes from the upper left quarter: x, y and z of the direction are positive.
+/// All light comes from the upper left quarter: seen from outside, x, y and z of the direction are positive. Seen from
+/// inside, the left border is -x: x is negative, and all else is the same.
 TEST_F(DistributeWarp, WritesLightsOfEnvironmentMaps)
 {
     write_picture("sky.png", 4, 2, {255, 0, 0, 0, 0, 0, 0, 0});
     const Outcome outcome = run({"--density", "sky.png", "--environment", "--points", "16", "--tiles", "tiles.ptiles",
-                                 "--out", "places.txt", "--lights", "lights.csv"});
+                                 "--out", "places.txt", "--lights", "lights.csv", "--seen-from", "outside"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     std::istringstream lines(content_of(folder_.path() / "lights.csv"));
     std::string line;
@@ -96,6 +97,15 @@ TEST_F(DistributeWarp, WritesLightsOfEnvironmentMaps)
         EXPECT_NEAR(power, 3.14159265358979 / 2 / 16, 1e-12); // an eighth of the sphere
     }
     EXPECT_EQ(count, 16);
+    const std::string outside = content_of(folder_.path() / "lights.csv");
+    const Outcome inside = run({"--density", "sky.png", "--environment", "--points", "16", "--tiles", "tiles.ptiles",
+                                "--out", "places.txt", "--lights", "lights.csv"});
+    ASSERT_EQ(inside.status, 0) << inside.error;
+    std::string mirrored;
+    for (const char c : content_of(folder_.path() / "lights.csv"))
+        if (c != '-') mirrored += c;
+    EXPECT_EQ(mirrored, outside);
+    EXPECT_EQ(std::ranges::count(content_of(folder_.path() / "lights.csv"), '-'), 16);
 }
 
 TEST_F(DistributeWarp, RefusesWhatItCannotDo)
@@ -111,6 +121,8 @@ TEST_F(DistributeWarp, RefusesWhatItCannotDo)
     expect_error(with({"--density", "half.png", "--density-from", "Z"}), "must be light, ink or a channel");
     expect_error(with({"--density", "x+1", "--density-from", "ink"}), "is for pictures");
     expect_error(with({"--density", "half.png", "--lights", "l.csv"}), "--lights: goes with --environment");
+    expect_error(with({"--density", "x+1", "--seen-from", "above"}), "--seen-from above: must be inside or outside");
+    expect_error(with({"--density", "x+1", "--seen-from", "outside"}), "--seen-from: goes with --lights");
     expect_error(with({"--density", "half.png", "--density-from", "ink", "--environment"}), "takes the light");
     expect_error(with({"--density", "x+1", "--engine", "fast"}), "--engine \"fast\": must be one of");
     expect_error(with({"--density", "x+1", "--method", "dart-trowing"}), "did you mean");

@@ -119,7 +119,7 @@ void lights_of_a_sky(benchmark::State& state)
         const Density density = sky_density(map, "sky");
         const PixelPlaces places = warp_points(density, even_points(tiles, 3200, 2, 1, 1, place, Seam::closed), place);
         write_places(folder.path() / "places.npy", places, 1024, "");
-        std::ofstream(folder.path() / "lights.csv") << lights_text(sky_lights(map, places));
+        std::ofstream(folder.path() / "lights.csv") << lights_text(sky_lights(map, places, SeenFrom::inside));
     }
 }
 

@@ -106,10 +106,17 @@ void check(const DistributeOptions& o)
     check_point_target(o.command, o.out);
 }
 
+void say_note(const DistributeOptions& o, const std::string& note)
+{
+    if (!note.empty() && !o.quiet) fmt::print(stderr, "poissonlab: note: {}\n", note);
+}
+
 Density read_density(const DistributeOptions& o)
 {
     try {
-        return density_of_text(o.density, o.density_from, 1, 1);
+        Density density = density_of_text(o.density, o.density_from, 1, 1);
+        say_note(o, density.note);
+        return density;
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: --density {}", o.command, error.what()));
     }

@@ -44,7 +44,10 @@ void check_engine(const DistributeOptions& o);
 void check_points(const DistributeOptions& o);
 void check_output(const DistributeOptions& o, const std::filesystem::path& file);
 
-/// The density, over a square where it is a formula.
+/// Tells users what was taken as 0, on standard error, where there is such a note and they want to hear it.
+void say_note(const DistributeOptions& o, const std::string& note);
+
+/// The density, over a square where it is a formula; its note is said.
 Density read_density(const DistributeOptions& o);
 
 /// The method that the options name, or the default.

@@ -17,10 +17,16 @@ constexpr auto distribute_warp_notes =
 pixels by y, pixels of a row by x, in exact integers. Coordinates are in units of the longest side, y upwards.
 Formulas are over a square; "gauss-and-waves" is that of the dissertation's figure 4.44. Methods other than tiles make
 their points for a square, and those in the picture's proportions are taken.
-With --environment the picture is an environment map, twice as wide as high, or the formula one of longitude x and
-latitude y, -1/2 to 1/2: densities are luminance times solid angle.
---lights writes the lights at the points, `x y z` of the direction (z up, x in the middle of the left border), then the
-power of each colour: all have the same luminance, together that of the map.
+With --environment the picture is an environment map, twice as wide as high, or the formula one of longitude x, -1 at
+the left border to 1, and latitude y, -1/2 to 1/2: densities are luminance times solid angle.
+--lights writes the lights at the points, `x y z` of the direction (z up), then the power of each colour: all have the
+same luminance, together that of the map. --seen-from says which way round a map goes:
+  inside       from the middle of the sphere, as photographs are, and as Blender takes them: columns to the right turn
+               clockwise seen from +z; the middle column is +x, a quarter to the left of it +y
+  outside      as a globe, and as pbrt-v3 takes them: columns to the right turn counterclockwise seen from +z; the left
+               border is +x, a quarter to the right of it +y
+Pixels that a file's rounding left below 0 (lossy DWA in .exr) are taken as 0, and a note says how many: down to a tenth
+of the mean below it, all together at most a thousandth of the light. Pictures with more below 0 are refused.
   poissonlab distribute warp --density photo.jpg --density-from ink --points 13000 --out dots.ply
   poissonlab distribute warp --density gauss-and-waves --points 2048 --out blob.npy
   poissonlab distribute warp --density sky.exr --environment --points 288 --lights lights.csv --out places.txt)help";
@@ -29,6 +35,7 @@ struct WarpOptions : DistributeOptions
 {
     bool is_environment = false;
     std::filesystem::path lights;
+    std::string seen_from = "inside";
 };
 
 void warp(const WarpOptions& o)
@@ -37,15 +44,23 @@ void warp(const WarpOptions& o)
     if (!o.is_environment && !o.lights.empty()) throw InputError(o.command + ": --lights: goes with --environment");
     if (o.is_environment && o.density_from != "light")
         throw InputError(o.command + ": --environment: takes the light; leave --density-from out");
+    const auto seen = std::ranges::find(seen_from_names, o.seen_from);
+    if (seen == seen_from_names.end())
+        throw InputError(
+            fmt::format("{}: --seen-from {}: must be inside or outside", o.command, printable(o.seen_from)));
+    const auto seen_from = static_cast<SeenFrom>(seen - seen_from_names.begin());
+    if (seen_from == SeenFrom::outside && o.lights.empty())
+        throw InputError(o.command + ": --seen-from: goes with --lights");
     std::optional<LinearPicture> map;
     if (o.is_environment) map = sky_map(o.density);
     const Density density = map ? sky_density(*map, o.density) : read_density(o);
+    if (map) say_note(o, density.note);
     const EvenMethod method = read_even_method(o);
     const DistributionPlace place = make_place(o);
     const SquarePoints points =
         even_points(method, o.points, density.width, density.height, o.seed, place, map ? Seam::closed : Seam::open);
     const PixelPlaces places = warp_points(density, points, place);
-    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places)));
+    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places, seen_from)));
     write_places(o.out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
                  fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of the "
                              "longest side of {} x {} pixels, y upwards",
@@ -60,7 +75,8 @@ Command distribute_warp_command()
     o->command = "distribute warp";
     const std::vector<Option> own{
         {"--environment", &o->is_environment, "The picture is an environment map: weights are by solid angle"},
-        {"--lights", &o->lights, "With it: the lights as directions and powers (.csv)", "FILE"}};
+        {"--lights", &o->lights, "With it: the lights as directions and powers (.csv)", "FILE"},
+        {"--seen-from", &o->seen_from, "Of the map, for lights: inside (the default) or outside", "NAME"}};
     return {"warp", "Move even points by the inverse cumulative distribution of a density",
             joined({density_options(*o), even_point_options(*o), own, output_options(*o)}), distribute_warp_notes,
             action_on(o, warp)};

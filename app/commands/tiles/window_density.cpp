@@ -39,6 +39,7 @@ WindowDensity::WindowDensity(const std::string& text, const std::string& from, c
         throw InputError(fmt::format("{} {}: must be a number for tiles in space", option, shortened(text)));
     try {
         density_ = density_of_text(text, from, size_[0], size_[1]);
+        if (!density_->note.empty()) fmt::print(stderr, "poissonlab: note: {}\n", density_->note);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", option, error.what()));
     }

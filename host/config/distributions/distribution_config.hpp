@@ -31,11 +31,22 @@ struct EvenMethodChoice
     std::optional<SamplerChoice> sampler; ///< neither: the default
 };
 
+/// From where an environment map is seen: see host/distribution/sky_lights.hpp.
+enum class SeenFrom
+{
+    inside,
+    outside
+};
+
+/// Their names, in this order.
+inline const std::vector<std::string> seen_from_names{"inside", "outside"};
+
 /// kind = "warp": see host/sampling/warp/warp.hpp.
 struct WarpSettings
 {
     DensityChoice density;
     bool is_environment = false;
+    SeenFrom seen_from = SeenFrom::inside;
     std::size_t points = 0;
     EvenMethodChoice method;
 };

@@ -209,6 +209,7 @@ DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& 
         fmt::format("{} x {} pixels", density.width, density.height),
         fmt::format("{} points, asked for {}", points.size(), settings.points),
         fmt::format("tile of {} points, starts {} and {}", settings.tile.points, settings.tile.x, settings.tile.y)};
+    if (!density.note.empty()) result.facts.push_back(density.note);
     MarkPicture picture;
     picture.width = density.width;
     picture.height = density.height;

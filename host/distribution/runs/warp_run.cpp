@@ -92,6 +92,8 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
     DistributionResult result;
     result.facts = {fmt::format("{} x {} pixels", density.width, density.height),
                     fmt::format("{} points", places.size() / 2), method_words(settings.method)};
+    if (map) result.facts.push_back("seen from " + seen_from_names.at(static_cast<std::size_t>(settings.seen_from)));
+    if (!density.note.empty()) result.facts.push_back(density.note);
     const PngPixels ground = ground_of(density);
     write_png(files.add("density.png"), {ground.width, ground.height, 1},
               [&](int first, int) { return &ground.values[ground.at(0, first, 0)]; });
@@ -104,7 +106,7 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
                  "");
     result.files.push_back("points.npy");
     if (map) {
-        write_whole_file(files.add("lights.csv"), lights_text(sky_lights(*map, places)));
+        write_whole_file(files.add("lights.csv"), lights_text(sky_lights(*map, places, settings.seen_from)));
         result.files.push_back("lights.csv");
         result.numbers.push_back(
             {"luminance", "Luminance", sky_luminance(*map), "of the whole map, times solid angle"});

@@ -56,7 +56,7 @@ TEST(SkyLights, OfAnEvenSkyAreEven)
     const LinearPicture map = map_of(32, 16, std::vector<float>(32 * 16 * 3, 0.25f));
     SquarePoints points;
     const PixelPlaces places = places_of(map, 40, points);
-    const std::vector<SkyLight> lights = sky_lights(map, places);
+    const std::vector<SkyLight> lights = sky_lights(map, places, SeenFrom::outside);
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const auto [x, y, z] = lights[i].direction;
         EXPECT_NEAR(z, 2 * (points[2 * i + 1] / 0x1p32) - 1, 1e-9);
@@ -72,7 +72,7 @@ TEST(SkyLights, HaveTheLuminanceOfTheMapTogether)
 {
     const LinearPicture map = random_map(24);
     SquarePoints points;
-    const std::vector<SkyLight> lights = sky_lights(map, places_of(map, 30, points));
+    const std::vector<SkyLight> lights = sky_lights(map, places_of(map, 30, points), SeenFrom::inside);
     double expected = 0;
     for (int row = 0; row < 24; ++row)
         for (int column = 0; column < 48; ++column)
@@ -87,6 +87,103 @@ TEST(SkyLights, HaveTheLuminanceOfTheMapTogether)
         sum += each;
     }
     EXPECT_NEAR(sum, expected, 1e-12 * expected);
+}
+
+using Direction = std::array<double, 3>;
+
+double dot(const Direction& a, const Direction& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// A sky with a broad light from the east, a narrower one above, and twilight.
+double known_sky(const Direction& from)
+{
+    const Direction east{std::sqrt(0.5), std::sqrt(0.5), 0}, above{0, -0.6, 0.8};
+    return 0.1 + std::exp(6 * (dot(from, east) - 1)) + 2 * std::exp(20 * (dot(from, above) - 1));
+}
+
+/// Polar angle, and longitude counterclockwise from +x.
+Direction direction_at(double polar, double longitude)
+{
+    return {std::sin(polar) * std::cos(longitude), std::sin(polar) * std::sin(longitude), std::cos(polar)};
+}
+
+/// The irradiance of a surface under the sky, by a sum over the sphere without any map.
+double irradiance(const Direction& normal)
+{
+    constexpr int rows = 400;
+    double sum = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < 2 * rows; ++k) {
+            const double polar = std::numbers::pi * (i + 0.5) / rows;
+            const Direction from = direction_at(polar, std::numbers::pi * (k + 0.5) / rows);
+            sum += known_sky(from) * std::max(0.0, dot(from, normal)) * std::sin(polar);
+        }
+    return sum * std::numbers::pi * std::numbers::pi / rows / rows;
+}
+
+/// The map of the sky by the rule of Blender (u from the left is 1/2 - atan2(y, x) / (2 pi)), or the other way round.
+LinearPicture map_of_known_sky(SeenFrom seen_from)
+{
+    constexpr int height = 128;
+    std::vector<float> values;
+    for (int row = 0; row < height; ++row)
+        for (int column = 0; column < 2 * height; ++column) {
+            const double u = (column + 0.5) / (2 * height);
+            const double longitude = 2 * std::numbers::pi * (seen_from == SeenFrom::inside ? 0.5 - u : u);
+            const double light = known_sky(direction_at(std::numbers::pi * (row + 0.5) / height, longitude));
+            values.insert(values.end(), 3, static_cast<float>(light));
+        }
+    return map_of(2 * height, height, values);
+}
+
+/// Lights give surfaces the irradiance of the sky. Each stands for a cell of 1/100 of the light's columns and rows, in
+/// parts of the sphere at most some 0.1 wide where the sky is darkest: a cosine's mean over it differs from that in its
+/// middle by at most 0.1^2 / 2. Taken the other way round, the map gives something else.
+TEST(SkyLights, GiveSurfacesTheirIrradiance)
+{
+    constexpr std::uint32_t side = 100;
+    SquarePoints points;
+    for (std::uint32_t i = 0; i < side * side; ++i)
+        for (const std::uint32_t k : {i % side, i / side})
+            points.push_back(static_cast<std::uint32_t>((k + 0.5) / side * 0x1p32));
+    for (const SeenFrom seen_from : {SeenFrom::inside, SeenFrom::outside}) {
+        const LinearPicture map = map_of_known_sky(seen_from);
+        const PixelPlaces places = reference::warp_points(WarpTable(sky_density(map, "map")), points);
+        const auto given = [&](const Direction& normal, SeenFrom taken_as) {
+            double sum = 0;
+            for (const SkyLight& light : sky_lights(map, places, taken_as))
+                sum += light.power[0] * std::max(0.0, dot(light.direction, normal));
+            return sum;
+        };
+        const SeenFrom other = seen_from == SeenFrom::inside ? SeenFrom::outside : SeenFrom::inside;
+        for (const Direction& normal : {Direction{1, 0, 0}, Direction{0, 1, 0}, Direction{0, 0, 1}, Direction{-1, 0, 0},
+                                        Direction{0, -1, 0}, Direction{0.48, 0.6, -0.64}}) {
+            const double right = irradiance(normal);
+            EXPECT_NEAR(given(normal, seen_from), right, 0.005 * right);
+        }
+        EXPECT_GT(std::abs(given({1, 0, 0}, other) / irradiance({1, 0, 0}) - 1), 0.2);
+    }
+}
+
+/// What compression leaves below 0 gives no light; each light's colours are at least 0, and its luminance is that of
+/// the others.
+TEST(SkyLights, HaveNoPowerBelowNothing)
+{
+    LinearPicture map = random_map(16);
+    map.values[0] = -0.5f;                                                        // one colour of a bright pixel
+    for (int i = 3; i < 9; ++i) map.values[static_cast<std::size_t>(i)] = -0.01f; // two pixels
+    const Density density = sky_density(map, "map.exr");
+    EXPECT_THAT(density.note, HasSubstr("map.exr: 2 pixels below 0, by up to"));
+    SquarePoints points;
+    const PixelPlaces places = places_of(map, 30, points);
+    double sum = 0;
+    for (const SkyLight& light : sky_lights(map, places, SeenFrom::inside)) {
+        for (const double power : light.power) EXPECT_GE(power, 0);
+        double each = 0;
+        for (std::size_t c = 0; c < 3; ++c) each += rec_709[c] * light.power[c];
+        EXPECT_NEAR(each, sky_luminance(map) / 900, 1e-12 * sky_luminance(map));
+        sum += each;
+    }
+    EXPECT_NEAR(sum, sky_luminance(map), 1e-9 * sum);
 }
 
 TEST(SkyLights, ComeFromMapsTwiceAsWideAsHigh)

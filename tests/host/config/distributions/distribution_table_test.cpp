@@ -34,6 +34,11 @@ TEST(DistributionTable, ReadsAWarp)
     const WarpSettings& settings = std::get<WarpSettings>(read[0].settings);
     EXPECT_EQ(settings.points, 12);
     EXPECT_FALSE(settings.is_environment);
+    const auto sky = distributions_of("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\nenvironment = true\n"
+                                      "seen_from = \"outside\"");
+    EXPECT_EQ(std::get<WarpSettings>(sky.at(0).settings).seen_from, SeenFrom::outside);
+    expect_refusal("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\nseen_from = \"outside\"",
+                   "c.toml:6: seen_from = \"outside\": goes with environment = true");
     ASSERT_TRUE(settings.method.sampler);
     EXPECT_EQ(settings.method.sampler->parameters.number("relative_radius"), 0.7);
 }
