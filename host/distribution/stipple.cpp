@@ -6,6 +6,7 @@
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/ink/line_directions.hpp"
+#include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/self_similar_tile.hpp"
 #include "tiles/poisson/tile_lookup.hpp"
 
@@ -98,16 +99,38 @@ void add_marks(const InkPicture& picture, const StippleSettings& settings, Stipp
     }
 }
 
-/// The least relative radius of even points that marks are made of: before they are warped.
-double even_radius(const InkPicture& picture, const StippleSettings& settings, const Stippling& stippling)
+Density constant_density(int width, int height)
 {
-    if (settings.by_ranks && !settings.method.tiles.empty()) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    return {width, height, std::vector<std::uint64_t>(pixels, full_weight)};
+}
+
+/// The least relative radius of so many points, 4,096 at most, that are relaxed where the ink is constant: they differ
+/// from set to set by a hundredth or so.
+double relaxed_radius(const StippleSettings& settings, std::size_t points, int width, int height,
+                      const DistributionPlace& place)
+{
+    constexpr std::size_t enough_points = 4096;
+    const Density constant = constant_density(width, height);
+    const SquarePoints even =
+        even_points(chosen_method(settings.method), std::min(points, enough_points), width, height, 1, place);
+    const PixelPlaces places = relaxed_places(constant, warp_points(constant, even, place), settings.iterations, place);
+    return std::min(1.0, local_spacing(constant, places).least);
+}
+
+/// The least relative radius of even points that marks are made of: before they are warped.
+double even_radius(const InkPicture& picture, const StippleSettings& settings, const Stippling& stippling,
+                   const DistributionPlace& place)
+{
+    if (settings.by == MarkPlaces::gaussian)
+        return relaxed_radius(settings, stippling.asked, picture.ink.width, picture.ink.height, place);
+    if (settings.by == MarkPlaces::ranks && !settings.method.tiles.empty()) {
         const PoissonTileSet tiles = ranked_tiles(settings);
         // Distances are of the marks that were asked for, which are as many as the tiles' scale says.
         return relative_radius_of(tiles.squared_min_distance, tiles.parameters) *
                std::sqrt(static_cast<double>(stippling.places.size()) / 2 / static_cast<double>(stippling.asked));
     }
-    if (settings.by_ranks) {
+    if (settings.by == MarkPlaces::ranks) {
         // Points from the first quarter of the tile's to all of them, whichever are nearest to each other.
         const SelfSimilarChoice tile;
         const auto ranked = ranked_points(self_similar_points({tile.x, tile.y}, tile.points), 0);
@@ -122,12 +145,12 @@ double even_radius(const InkPicture& picture, const StippleSettings& settings, c
         }
         return least;
     }
-    const Density constant{picture.density.width, picture.density.height,
-                           std::vector<std::uint64_t>(picture.density.weights.size(), full_weight)};
+    const Density constant = constant_density(picture.ink.width, picture.ink.height);
     const PixelPlaces places = reference::warp_points(WarpTable(constant), stippling.even);
     return std::min(1.0, local_spacing(constant, places).least);
 }
 
+/// Tones are those that a viewer of the coverage's picture is shown.
 double tone_error(const PixelValues& ink, const Coverage& coverage)
 {
     double sum = 0;
@@ -138,8 +161,9 @@ double tone_error(const PixelValues& ink, const Coverage& coverage)
             int pixels = 0;
             for (int y = y0; y < std::min(ink.height, y0 + tone_window); ++y)
                 for (int x = x0; x < std::min(ink.width, x0 + tone_window); ++x, ++pixels)
-                    difference += coverage.parts[static_cast<std::size_t>(y) * static_cast<std::size_t>(ink.width) +
-                                                 static_cast<std::size_t>(x)] -
+                    difference += shown_part(shown_byte(
+                                      coverage.parts[static_cast<std::size_t>(y) * static_cast<std::size_t>(ink.width) +
+                                                     static_cast<std::size_t>(x)])) -
                                   ink.at(x, y);
             sum += std::abs(difference) / pixels;
         }
@@ -183,7 +207,7 @@ Stippling stipple(const InkPicture& picture, const StippleSettings& settings, st
     const auto points = static_cast<std::size_t>(count);
     Stippling stippling;
     stippling.asked = points;
-    if (settings.by_ranks) {
+    if (settings.by == MarkPlaces::ranks) {
         stippling.places = settings.method.tiles.empty()
                                ? ranked_places(picture.density, points, seed)
                                : tiled_places(picture.density, ranked_tiles(settings), points, seed);
@@ -191,6 +215,8 @@ Stippling stipple(const InkPicture& picture, const StippleSettings& settings, st
         stippling.even = even_points(chosen_method(settings.method), points, picture.density.width,
                                      picture.density.height, seed, place);
         stippling.places = warp_points(picture.density, stippling.even, place);
+        if (settings.by == MarkPlaces::gaussian)
+            stippling.places = relaxed_places(picture.density, stippling.places, settings.iterations, place);
     }
     if (stippling.places.empty()) throw InputError("no marks: the ranks of so few points are all left out");
     stippling.mark_area = picture.total / (static_cast<double>(stippling.places.size()) / 2);
@@ -200,18 +226,18 @@ Stippling stipple(const InkPicture& picture, const StippleSettings& settings, st
 }
 
 TonesOfMarks tones_of(const InkPicture& picture, const StippleSettings& settings, const Stippling& stippling,
-                      const Coverage& coverage)
+                      const Coverage& coverage, const DistributionPlace& place)
 {
     TonesOfMarks tones;
     const double length = stippling.mark_width * (settings.has_strokes ? settings.slenderness : 1);
     const double around = std::numbers::pi / 4 * length * length; // the disk that holds a mark
     if (stippling.places.size() >= 4) {
-        const double radius = even_radius(picture, settings, stippling);
+        const double radius = even_radius(picture, settings, stippling, place);
         tones.darkest_ink = densest_disks * radius * radius * stippling.mark_area / around;
     }
     const auto dark = std::ranges::count_if(picture.ink.values, [&](double ink) { return ink > tones.darkest_ink; });
     tones.too_dark = static_cast<double>(dark) / static_cast<double>(picture.ink.values.size());
-    tones.overlap = coverage.laid > 0 ? 1 - coverage.covered / coverage.laid : 0;
+    tones.overlap = coverage.laid > 0 ? std::max(0.0, 1 - coverage.covered / coverage.laid) : 0; // rounding
     tones.error = tone_error(picture.ink, coverage);
     return tones;
 }
@@ -223,7 +249,7 @@ void write_coverage(const std::filesystem::path& file, const Coverage& coverage)
     const auto wide = static_cast<std::size_t>(coverage.width);
     for (std::size_t row = static_cast<std::size_t>(coverage.height); row-- > 0;)
         for (std::size_t column = 0; column < wide; ++column)
-            grey.push_back(static_cast<std::uint8_t>(std::lround(255 * (1 - coverage.parts[row * wide + column]))));
+            grey.push_back(shown_byte(coverage.parts[row * wide + column]));
     write_png(file, {coverage.width, coverage.height, 1},
               [&](int first, int) { return &grey[static_cast<std::size_t>(first) * wide]; });
 }

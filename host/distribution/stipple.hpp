@@ -32,7 +32,7 @@ InkPicture read_ink(const StippleSettings& settings);
 
 struct Stippling
 {
-    SquarePoints even;     ///< the points before they were warped; by ranks empty
+    SquarePoints even;     ///< the points before they were warped; of ranks empty
     PixelPlaces places;    ///< the middles of marks
     std::size_t asked = 0; ///< marks: by ranks there are some more or fewer
     double mark_area = 0;
@@ -54,14 +54,16 @@ struct TonesOfMarks
     double darkest_ink = 0; ///< beyond which marks overlap even where the ink is constant
     double too_dark = 0;    ///< the part of the pixels that have more
     double overlap = 0;     ///< the part of the laid ink that lies on other ink
-    double error = 0;       ///< mean difference of coverage and ink over windows of 32 pixels
+    double error =
+        0; ///< mean difference of ink, as a screen shows it, and of the ink asked for, over windows of 32 pixels
 };
 
-/// Tones of a stippling; `coverage` has the picture's pixels.
+/// Tones of a stippling; `coverage` has the picture's pixels. `place` is where it was made.
 TonesOfMarks tones_of(const InkPicture& picture, const StippleSettings& settings, const Stippling& stippling,
-                      const Coverage& coverage);
+                      const Coverage& coverage, const DistributionPlace& place);
 
-/// Writes pixels as grey: black where they are covered. Throws StorageError.
+/// Writes pixels as grey: black where they are covered, and encoded as sRGB, so that a screen shows as much light as is
+/// not covered. Throws StorageError.
 void write_coverage(const std::filesystem::path& file, const Coverage& coverage);
 
 /// The picture of the marks, whose size in units makes rounding to 0.01 of them small against a mark.

@@ -123,8 +123,8 @@ void lights_of_a_sky(benchmark::State& state)
     }
 }
 
-/// A picture of 1,024 x 1,024 pixels in memory becomes 40,000 dots, by warping or by ranks; pictures are not drawn.
-void stipple_40000_dots(benchmark::State& state, bool by_ranks)
+/// A picture of 1,024 x 1,024 pixels in memory becomes 40,000 dots; pictures are not drawn.
+void stipple_40000_dots(benchmark::State& state, MarkPlaces by)
 {
     static Device device = Device::open();
     const DistributionPlace place{Engine::opencl, []() -> Device& { return device; }};
@@ -135,7 +135,7 @@ void stipple_40000_dots(benchmark::State& state, bool by_ranks)
     }
     StippleSettings settings;
     settings.points = 40'000;
-    settings.by_ranks = by_ranks;
+    settings.by = by;
     settings.method.tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
     stipple(picture, settings, 1, place); // builds kernels
     for (auto _ : state) benchmark::DoNotOptimize(stipple(picture, settings, 1, place).marks.disks.size());
@@ -226,8 +226,18 @@ constexpr auto nearest_2d = nearest<2>, nearest_3d = nearest<3>;
 BENCHMARK(warp_plainly)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(warp_by_kernel)->Repetitions(15)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lights_of_a_sky)->Repetitions(5)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(stipple_40000_dots, warping, false)->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_CAPTURE(stipple_40000_dots, ranks, true)->Repetitions(9)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(stipple_40000_dots, warping, MarkPlaces::warping)
+    ->Repetitions(9)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(stipple_40000_dots, ranks, MarkPlaces::ranks)
+    ->Repetitions(9)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(stipple_40000_dots, gaussian, MarkPlaces::gaussian)
+    ->Repetitions(3)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BENCHMARK_CAPTURE(perlin_2d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(perlin_2d, rows, true)->Repetitions(9)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(perlin_3d, random, false)->Repetitions(9)->Unit(benchmark::kMicrosecond);

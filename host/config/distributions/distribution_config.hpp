@@ -109,21 +109,33 @@ struct RankSettings
     double zoom = 1; ///< the picture shows the middle, one over this of each side; the density follows
 };
 
+/// How marks find their places: warped even points, ranks, or warped points that Gaussian blue noise makes even again.
+enum class MarkPlaces
+{
+    warping,
+    ranks, ///< of the tiles, or of the self-similar tile
+    gaussian
+};
+
+/// Their names, in this order.
+inline const std::vector<std::string> mark_places{"warping", "ranks", "gaussian"};
+
 /// kind = "stippling" and "hatching": see host/distribution/stipple.hpp. Either `points` or `mark_width` is
 /// 0.
 struct StippleSettings
 {
-    std::string image;           ///< a picture, or a formula of its ink
-    std::string from = "ink";    ///< of a picture
-    double ink = 1;              ///< the part of it that is printed
-    std::size_t points = 0;      ///< marks
-    double mark_width = 0;       ///< diameter of dots, or width of strokes, in pixels of the picture
-    bool by_ranks = false;       ///< of the tiles, or of the self-similar tile, instead of warping
-    double zoom = 1;             ///< the picture shows the middle, one over this of each side
-    EvenMethodChoice method;     ///< by ranks: tiles or nothing
-    bool has_strokes = false;    ///< instead of dots
-    std::optional<double> angle; ///< of strokes, radians; none: along the picture's lines
-    double slenderness = 8;      ///< of strokes: length over width
+    std::string image;        ///< a picture, or a formula of its ink
+    std::string from = "ink"; ///< of a picture
+    double ink = 1;           ///< the part of it that is printed
+    std::size_t points = 0;   ///< marks
+    double mark_width = 0;    ///< diameter of dots, or width of strokes, in pixels of the picture
+    MarkPlaces by = MarkPlaces::warping;
+    std::size_t iterations = 200; ///< of Gaussian blue noise
+    double zoom = 1;              ///< the picture shows the middle, one over this of each side
+    EvenMethodChoice method;      ///< by ranks: tiles or nothing
+    bool has_strokes = false;     ///< instead of dots
+    std::optional<double> angle;  ///< of strokes, radians; none: along the picture's lines
+    double slenderness = 8;       ///< of strokes: length over width
 };
 
 /// kind = "icons": see host/distribution/icons.hpp.

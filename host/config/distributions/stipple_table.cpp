@@ -14,6 +14,7 @@ constexpr double most_slender = 100;
 constexpr double widest_mark = 10'000;
 constexpr double least_ink = 0.001;
 constexpr double most_zoom = 1000;
+constexpr std::int64_t most_iterations = 1'000'000;
 
 void read_image(const ConfigTable& table, DistributionConfig& config, StippleSettings& settings)
 {
@@ -46,11 +47,16 @@ void read_count(const ConfigTable& table, const char* width_key, DistributionCon
 
 void read_placing(const ConfigTable& table, StippleSettings& settings)
 {
-    settings.by_ranks = read_word(table, "by", {"warping", "ranks"}) == 1;
+    settings.by = usual_mark_places;
+    if (find(table, "by")) settings.by = static_cast<MarkPlaces>(read_word(table, "by", mark_places));
+    settings.iterations = static_cast<std::size_t>(
+        read_integer(table, "iterations", 1, most_iterations, static_cast<std::int64_t>(settings.iterations)));
+    if (const ConfigNode* node = find(table, "iterations"); node && settings.by != MarkPlaces::gaussian)
+        throw invalid_node("iterations", *node, "is for by = \"gaussian\"");
     settings.zoom = read_number(table, "zoom", 1, most_zoom, settings.zoom);
     settings.method = read_even_method_choice(table);
-    if (const ConfigNode* method = find(table, "method"); method && settings.by_ranks)
-        throw invalid_node("method", *method, "is for by = \"warping\"");
+    if (const ConfigNode* method = find(table, "method"); method && settings.by == MarkPlaces::ranks)
+        throw invalid_node("method", *method, "does not go with by = \"ranks\"");
 }
 
 void finish(DistributionConfig& config, const char* word, StippleSettings settings)
@@ -64,8 +70,8 @@ void finish(DistributionConfig& config, const char* word, StippleSettings settin
 
 void read_stippling(const ConfigTable& table, DistributionConfig& config)
 {
-    check_keys(table,
-               {"kind", "label", "image", "image_from", "ink", "points", "dot", "by", "zoom", "tiles", "method"});
+    check_keys(table, {"kind", "label", "image", "image_from", "ink", "points", "dot", "by", "iterations", "zoom",
+                       "tiles", "method"});
     StippleSettings settings;
     read_image(table, config, settings);
     read_count(table, "dot", config, settings);
@@ -75,8 +81,8 @@ void read_stippling(const ConfigTable& table, DistributionConfig& config)
 
 void read_hatching(const ConfigTable& table, DistributionConfig& config)
 {
-    check_keys(table, {"kind", "label", "image", "image_from", "ink", "points", "stroke", "by", "zoom", "tiles",
-                       "method", "angle", "slenderness"});
+    check_keys(table, {"kind", "label", "image", "image_from", "ink", "points", "stroke", "by", "iterations", "zoom",
+                       "tiles", "method", "angle", "slenderness"});
     StippleSettings settings;
     settings.has_strokes = true;
     read_image(table, config, settings);

@@ -1,8 +1,11 @@
 // Pictures in dots and strokes: numbers in proportion to ink, tones, and the same places by both engines.
 #include "host/distribution/stipple.hpp"
 
+#include "host/distribution/relaxed_places.hpp"
+#include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +50,7 @@ Print print(const StippleSettings& settings)
     print.picture = read_ink(settings);
     print.stippling = stipple(print.picture, settings, 3, stippled_on(Engine::opencl));
     print.coverage = coverage_of(print.stippling.marks, print.picture.ink.width, print.picture.ink.height, 1);
-    print.tones = tones_of(print.picture, settings, print.stippling, print.coverage);
+    print.tones = tones_of(print.picture, settings, print.stippling, print.coverage, stippled_on(Engine::opencl));
     return print;
 }
 
@@ -132,7 +135,7 @@ TEST(Stippling, GivesTheSamePlacesByBothEngines)
 TEST(Stippling, TakesRanksInstead)
 {
     StippleSettings settings = dots_of("0.2 + 0.2*(x>0)", 4000);
-    settings.by_ranks = true;
+    settings.by = MarkPlaces::ranks;
     settings.method = {};
     const Print ranked = print(settings);
     const auto n = static_cast<double>(ranked.stippling.marks.disks.size());
@@ -142,12 +145,98 @@ TEST(Stippling, TakesRanksInstead)
     EXPECT_EQ(read_ink(settings).ink.width, 256);
 }
 
+/// Gaussian blue noise keeps the numbers that warping puts into the steps of a wedge: only dots at the borders between
+/// them may be on the other side.
+TEST(Stippling, KeepsTonesByGaussians)
+{
+    StippleSettings settings = dots_of("rint((x+1)*5.5 - 0.5)/20 + 0.02*(y+1)", 11'000);
+    settings.by = MarkPlaces::gaussian;
+    const Print relaxed = print(settings);
+    ASSERT_EQ(relaxed.stippling.marks.disks.size(), 11'000);
+    std::array<double, 11> counts{}, inks{};
+    const auto step = [&](double x) { return static_cast<std::size_t>((2 * std::floor(x) + 1) / 1024 * 5.5); };
+    for (const auto& dot : relaxed.stippling.marks.disks) ++counts.at(step(dot[0]));
+    for (int y = 0; y < 1024; ++y)
+        for (int x = 0; x < 1024; ++x) inks.at(step(x)) += relaxed.picture.ink.at(x, y);
+    const double allowed = 4 * std::sqrt(2 * std::sqrt(11'000.0) / 4);
+    for (std::size_t i = 0; i < counts.size(); ++i)
+        EXPECT_NEAR(counts[i], inks[i] / relaxed.stippling.mark_area, allowed) << i;
+}
+
+/// Mean and standard deviation of nearest distances of some dots, by comparing all, in parts of the largest that the
+/// ink there allows.
+std::array<double, 2> nearest_distances(const Print& of)
+{
+    double sum = 0, squares = 0;
+    const auto& dots = of.stippling.marks.disks;
+    constexpr std::size_t count = 2000;
+    for (std::size_t i = 0; i < count; ++i) {
+        double least = 1e9;
+        for (std::size_t k = 0; k < dots.size(); ++k)
+            if (k != i) least = std::min(least, std::hypot(dots[k][0] - dots[i][0], dots[k][1] - dots[i][1]));
+        const double ink = of.picture.ink.at(static_cast<int>(dots[i][0]), static_cast<int>(dots[i][1]));
+        const double part = least * std::sqrt(std::sqrt(3.0) / 2 * ink / of.stippling.mark_area);
+        sum += part / count;
+        squares += part * part / count;
+    }
+    return {sum, std::sqrt(squares - sum * sum)};
+}
+
+/// Where ink changes from row to row, warping stretches distances: dots clump and overlap. Gaussian blue noise makes
+/// them even again.
+TEST(Stippling, GetsEvenByGaussians)
+{
+    StippleSettings settings = dots_of("0.22 + 0.18*sin(20*(x^2+y^2))", 8'000);
+    const Print warped = print(settings);
+    settings.by = MarkPlaces::gaussian;
+    const Print relaxed = print(settings);
+    const auto [mean_before, deviation_before] = nearest_distances(warped);
+    const auto [mean, deviation] = nearest_distances(relaxed);
+    EXPECT_GT(mean, mean_before);
+    EXPECT_LT(deviation, deviation_before);
+    EXPECT_LT(relaxed.tones.overlap, warped.tones.overlap);
+    EXPECT_LT(relaxed.tones.error, warped.tones.error);
+}
+
+/// Pictures need not be square: points stay inside. Both engines move them alike. Too few points stay where they are.
+TEST(Stippling, KeepsGaussiansInThePicture)
+{
+    Density wide{90, 40, {}}, high{40, 90, {}};
+    for (std::uint64_t i = 0; i < 3600; ++i) {
+        wide.weights.push_back(full_weight / (1 + i % 90 / 30));
+        high.weights.push_back(full_weight - i * (full_weight / 4000));
+    }
+    const EvenMethod method = read_tile_set(dots_of("0", 1).method.tiles);
+    for (const Density& density : {wide, high}) {
+        const DistributionPlace plain = stippled_on(Engine::reference);
+        const auto warped_of = [&](std::size_t points) {
+            return warp_points(density, even_points(method, points, density.width, density.height, 2, plain), plain);
+        };
+        const PixelPlaces warped = warped_of(500);
+        const PixelPlaces relaxed = relaxed_places(density, warped, 20, plain);
+        ASSERT_EQ(relaxed.size(), 1000);
+        EXPECT_NE(relaxed, warped);
+        EXPECT_EQ(relaxed_places(density, warped, 20, stippled_on(Engine::opencl)), relaxed);
+        for (std::size_t i = 0; i < relaxed.size(); i += 2) {
+            EXPECT_LT(relaxed[i] >> 32, static_cast<std::uint64_t>(density.width));
+            EXPECT_LT(relaxed[i + 1] >> 32, static_cast<std::uint64_t>(density.height));
+        }
+        EXPECT_EQ(relaxed_places(density, warped_of(least_relaxed_places - 1), 20, plain),
+                  warped_of(least_relaxed_places - 1));
+    }
+    EXPECT_EQ(least_relaxed_places, least_gaussian_points(1, 2));
+    const Density line{8'388'608, 1, std::vector<std::uint64_t>(8'388'608, full_weight)};
+    EXPECT_THAT(
+        message_of([&] { relaxed_places(line, PixelPlaces(400), 1, stippled_on(Engine::reference)); }),
+        HasSubstr("8388608 x 1 pixels are part of a square of 70368744177664 pixels; must be at most 67108864"));
+}
+
 /// Ranked tiles keep their proven distance whatever the density does: no ink lies on other ink as long as the darkest
 /// tone is below 0.9069 rho^2, and numbers in the steps of a wedge are in proportion.
 TEST(Stippling, NeverOverlapsByRanksOfTiles)
 {
     StippleSettings settings = dots_of("rint((x+1)*5.5 - 0.5)/20", 11'000);
-    settings.by_ranks = true;
+    settings.by = MarkPlaces::ranks;
     const Print wedge = print(settings);
     const auto n = static_cast<double>(wedge.stippling.marks.disks.size());
     EXPECT_NEAR(n, 11'000, 2 * std::sqrt(11'000));
@@ -171,7 +260,7 @@ TEST(Stippling, NeverOverlapsByRanksOfTiles)
 TEST(Stippling, RefusesRanksOfFarMorePointsThanMarks)
 {
     StippleSettings settings = dots_of("abs(x) < 0.001 && abs(y) < 0.001", 10'000);
-    settings.by_ranks = true;
+    settings.by = MarkPlaces::ranks;
     settings.method = {source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles", {}};
     const InkPicture picture = read_ink(settings);
     EXPECT_EQ(picture.total, 4);

@@ -76,18 +76,24 @@ TEST(DistributionTable, ReadsStipplingAndHatching)
     EXPECT_EQ(dots.points, 12);
     EXPECT_EQ(dots.ink, 0.5);
     EXPECT_FALSE(dots.has_strokes);
+    EXPECT_EQ(dots.by, MarkPlaces::gaussian);
     const auto hatched = distributions_of("kind = \"hatching\"\nimage = \"0.3\"\nstroke = 2.5\nangle = 1");
     const StippleSettings& strokes = std::get<StippleSettings>(hatched.at(0).settings);
     EXPECT_TRUE(strokes.has_strokes);
     EXPECT_EQ(strokes.mark_width, 2.5);
     EXPECT_EQ(strokes.angle, 1);
+    const auto relaxed =
+        distributions_of("kind = \"stippling\"\nimage = \"0.3\"\npoints = 12\nby = \"gaussian\"\niterations = 7");
+    EXPECT_EQ(std::get<StippleSettings>(relaxed.at(0).settings).by, MarkPlaces::gaussian);
+    EXPECT_EQ(std::get<StippleSettings>(relaxed.at(0).settings).iterations, 7);
     const std::string image = "kind = \"stippling\"\nimage = \"0.3\"\n";
     expect_refusal("kind = \"stippling\"\npoints = 3", "[[distribution]]: needs image");
     expect_refusal("kind = \"stippling\"\nimage = \"x+\"\npoints = 3", "c.toml:4: image: formula \"x+\"");
     expect_refusal(image, "needs points or dot");
     expect_refusal(image + "points = 3\ndot = 2", "c.toml:6: dot = 2: does not go with points");
     expect_refusal(image + "points = 3\nby = \"rank\"", "by = \"rank\"");
-    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "is for by = \"warping\"");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "does not go with by = \"ranks\"");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\niterations = 3", "iterations = 3: is for by = \"gaussian\"");
     expect_refusal(image + "points = 3\nink = 2", "ink = 2: must be");
     expect_refusal(image + "points = 3\nangle = 2", "c.toml:6: angle");
 }
