@@ -85,8 +85,8 @@ TEST_F(DistributeStipple, PrintsAPhotographAsItIs)
     std::vector<std::uint8_t> grey(96 * 64, 188);
     write_png(folder_.path() / "photo.png", {96, 64, 1}, [&](int first, int) { return grey.data() + first * 96; });
     const Outcome outcome =
-        run("stipple", {"--image", "photo.png", "--points", "300", "--ink", "0.8", "--tiles", tiles_, "--out",
-                        "dots.svg", "--out", "dots.png", "--out", "dots.npy", "--pixels", "960", "--json"});
+        run("stipple", {"--image", "photo.png", "--points", "300", "--by", "warping", "--ink", "0.8", "--tiles", tiles_,
+                        "--out", "dots.svg", "--out", "dots.png", "--out", "dots.npy", "--pixels", "960", "--json"});
     ASSERT_EQ(outcome.status, 0) << outcome.error;
     const auto said = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(said.at("marks"), 300);
