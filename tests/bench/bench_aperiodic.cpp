@@ -2,27 +2,15 @@
 // circumference 10, tilings by Beatty sequences on a device, and windows of isohedral tiles.
 #include "host/aperiodic_tiling/beatty_generator.hpp"
 #include "reports/drawings/tilings/isohedral_image.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/block_count.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
 #include "tiles/aperiodic/cylinder_search.hpp"
 
-#include <benchmark/benchmark.h>
-
-#include <cstdio>
-#include <string>
-#include <vector>
-
 namespace {
 
 using namespace poissonlab;
-
-/// Fails where a benchmark takes longer than its target.
-struct TimeTarget
-{
-    std::string name;
-    double seconds;
-};
 
 /// The largest number of table 8.3: 1,213,029 squares of 5 x 5 of Kari's tiles, counted and made.
 void count_largest_table(benchmark::State& state)
@@ -69,45 +57,18 @@ BENCHMARK_CAPTURE(stream_beatty_tiles, kari, BeattySet::kari)->Unit(benchmark::k
 BENCHMARK_CAPTURE(stream_beatty_tiles, culik, BeattySet::culik)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(draw_thousand_tiles)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Prints as usual, and remembers the slowest run of each benchmark.
-class TargetReporter : public benchmark::ConsoleReporter
-{
-public:
-    void ReportRuns(const std::vector<Run>& runs) override
-    {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs) {
-            const double seconds = run.GetAdjustedRealTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
-            for (const TimeTarget& target : targets)
-                if (run.run_name.function_name + "/" + run.run_name.args == target.name && seconds > target.seconds) {
-                    std::printf("  MISSED: %s takes %.2f s, at most %.2f s\n", target.name.c_str(), seconds,
-                                target.seconds);
-                    is_missed = true;
-                }
-        }
-    }
-
-    bool is_missed = false;
-
-private:
-    /// Two cores are meant: 8192^2 tiles at 20 million a second take 3.36 s.
-    std::vector<TimeTarget> targets{{"count_largest_table/", 60},
-                                    {"make_largest_table/", 60},
-                                    {"search_ten/culik/", 60},
-                                    {"search_ten/kari/", 60},
-                                    {"search_ten/ammann/", 60},
-                                    {"stream_beatty_tiles/kari/", 3.36},
-                                    {"stream_beatty_tiles/culik/", 3.36},
-                                    {"draw_thousand_tiles/", 0.2}};
-};
-
 }
 
 int main(int argc, char** argv)
 {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    TargetReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-    return reporter.is_missed ? 1 : 0;
+    // Two cores are meant: 8192^2 tiles at 20 million a second take 3,360 ms.
+    return poissonlab::bench::run_benchmarks(argc, argv, {},
+                                             {{"counting table 8.3, ms", "count_largest_table/", 60'000},
+                                              {"making table 8.3, ms", "make_largest_table/", 60'000},
+                                              {"Culik's tiles, periods up to 10, ms", "search_ten/culik/", 60'000},
+                                              {"Kari's tiles, periods up to 10, ms", "search_ten/kari/", 60'000},
+                                              {"Ammann's tiles, periods up to 10, ms", "search_ten/ammann/", 60'000},
+                                              {"8192^2 of Kari's tiles, ms", "stream_beatty_tiles/kari/", 3360},
+                                              {"8192^2 of Culik's tiles, ms", "stream_beatty_tiles/culik/", 3360},
+                                              {"1,000 tiles as SVG, ms", "draw_thousand_tiles/", 200}});
 }

@@ -18,8 +18,6 @@
 #include "host/tile_sampling/wang_tiles/averaged_tile_kernel.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 
-#include <benchmark/benchmark.h>
-
 namespace {
 
 using namespace poissonlab;

@@ -83,6 +83,31 @@ void kernel_to_saturation(benchmark::State& state)
         benchmark::DoNotOptimize(thrower.throw_darts(to_saturation<D>(expected_points(state), ++realization)));
 }
 
+/// A million points at 0.75.
+void million_points(benchmark::State& state)
+{
+    constexpr std::size_t points = 1'000'000;
+    DartThrower thrower(Device::open({}, threads));
+    DartThrowingRequest request;
+    request.min_distance = min_distance_for(0.75, points, 2);
+    request.points = points;
+    thrower.throw_darts(request); // builds the kernels
+    std::uint32_t realization = 0;
+    for (auto _ : state) {
+        request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
+        benchmark::DoNotOptimize(thrower.throw_darts(request));
+    }
+}
+
+void plain_million_points(benchmark::State& state)
+{
+    std::uint64_t seed = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(plain_dart_throwing<2>(1'000'000, min_distance_for(0.75, 1'000'000, 2), ++seed));
+}
+
+BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
+BENCHMARK(plain_million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK_TEMPLATE(plain, 2)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
 BENCHMARK_TEMPLATE(sequential_reference, 2)
     ->Arg(70)
@@ -137,7 +162,9 @@ int main(int argc, char** argv)
           "kernel_to_saturation<2>/1000000", 3.0},
          {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9", "kernel_to_saturation<2>/1000000",
           "kernel_to_saturation<2>/16384", 0.0},
+         {"1,000,000 points at 0.75: plain sequential / kernel", "plain_million_points/", "million_points/", 4.0},
          {"3D, 65,536 points at 0.75: plain sequential / kernel", "plain<3>/75", "kernel<3>/75", 4.0},
          {"3D, saturation, 65,536 points: sequential reference / kernel", "reference_to_saturation<3>/65536",
-          "kernel_to_saturation<3>/65536", 2.5}});
+          "kernel_to_saturation<3>/65536", 2.5}},
+        {{"1,000,000 points at 0.75, ms", "million_points/", 1000}});
 }

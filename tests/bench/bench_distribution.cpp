@@ -16,8 +16,6 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <fstream>
 #include <random>

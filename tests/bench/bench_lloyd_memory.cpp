@@ -2,9 +2,8 @@
 //
 // A benchmark of its own, since a peak does not fall: nothing else may run before it in its process.
 #include "host/sampling/lloyd_relaxation.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/point_patterns.hpp"
-
-#include <benchmark/benchmark.h>
 
 #include <sys/resource.h>
 
@@ -18,7 +17,7 @@ double peak_mebibytes()
     return static_cast<double>(usage.ru_maxrss) / 1024; // Linux: KiB
 }
 
-/// Four million points, from random ones. Target: at most 1,024 MiB.
+/// Four million points, from random ones.
 void lloyd_in_2d(benchmark::State& state)
 {
     std::mt19937_64 random(1);
@@ -36,4 +35,10 @@ void lloyd_in_2d(benchmark::State& state)
 BENCHMARK(lloyd_in_2d)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }
+}
+
+int main(int argc, char** argv)
+{
+    return poissonlab::bench::run_benchmarks(
+        argc, argv, {}, {{"4,194,304 points: the process' peak, MiB", "lloyd_in_2d/", 1024, "peak_MiB"}});
 }

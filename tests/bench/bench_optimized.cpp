@@ -11,8 +11,6 @@
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/point_patterns.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <random>
 
 namespace {

@@ -38,7 +38,7 @@ void kernel(benchmark::State& state)
 void in_turns(int digits, int repetitions)
 {
     const auto add = [&](const char* name, void (*function)(benchmark::State&)) {
-        benchmark::RegisterBenchmark(name, function)
+        benchmark::RegisterBenchmark(name, caught(function))
             ->Arg(digits)
             ->Unit(benchmark::kMillisecond)
             ->UseRealTime()

@@ -10,8 +10,6 @@
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/host/texture/random_picture.hpp"
 
-#include <benchmark/benchmark.h>
-
 namespace {
 
 using namespace poissonlab;

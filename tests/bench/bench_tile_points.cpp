@@ -8,8 +8,6 @@
 #include "tests/support/random_tile_set.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <fstream>
 #include <iterator>
 #include <vector>

@@ -53,7 +53,8 @@ void add(const char* name, TileBorder border, std::uint32_t colors, std::uint32_
 {
     PoissonTileParameters p = parameters_of(border, colors, points);
     if (joint_iterations) set_border(p, border, joint_iterations);
-    benchmark::RegisterBenchmark(name, [p, side, sets](benchmark::State& state) { measure(state, p, side, sets); })
+    benchmark::RegisterBenchmark(name,
+                                 caught([p, side, sets](benchmark::State& state) { measure(state, p, side, sets); }))
         ->Iterations(1)
         ->Unit(benchmark::kSecond);
 }

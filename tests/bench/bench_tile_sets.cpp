@@ -140,7 +140,7 @@ void fill_by_reference(benchmark::State& state)
 
 void add(const char* name, void (*function)(benchmark::State&), std::int64_t argument, int repetitions)
 {
-    benchmark::RegisterBenchmark(name, function)
+    benchmark::RegisterBenchmark(name, caught(function))
         ->Arg(argument)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime()

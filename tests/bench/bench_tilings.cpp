@@ -9,8 +9,6 @@
 #include "tiles/tilings/scanline_tiling.hpp"
 #include "tiles/tilings/tiling.hpp"
 
-#include <benchmark/benchmark.h>
-
 #include <string>
 #include <vector>
 

@@ -2,9 +2,8 @@
 #include "analysis/zone_plate/zone_plate.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "analysis/zone_plate/zone_plate_reference.hpp"
+#include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/point_patterns.hpp"
-
-#include <benchmark/benchmark.h>
 
 namespace {
 
@@ -41,3 +40,5 @@ BENCHMARK(reference)->Arg(512)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(error)->Arg(512)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }
+
+int main(int argc, char** argv) { return poissonlab::bench::run_benchmarks(argc, argv); }

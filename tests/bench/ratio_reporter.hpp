@@ -1,8 +1,9 @@
 // A benchmark's main function that ends with ratios: machines are noisy, ratios of medians within one run are
-// not. Limits of single figures are for what does not depend on the machine, or for a quiet one with two cores.
+// not. Limits of single figures are for what does not depend on the machine, or for a quiet one with two cores. A
+// benchmark that ends by an error is named, and makes main fail.
 #pragma once
 
-#include <benchmark/benchmark.h>
+#include "tests/bench/caught_errors.hpp"
 
 #include <cstdio>
 #include <map>
@@ -30,7 +31,7 @@ struct Limit
     std::string counter = {}; ///< is compared instead of the time
 };
 
-/// Prints as usual, and remembers the median real time of each benchmark, and its counters.
+/// Prints as usual, and remembers the median real time of each benchmark, its counters, and which ended by an error.
 class RatioReporter : public benchmark::ConsoleReporter
 {
 public:
@@ -38,6 +39,8 @@ public:
     {
         ConsoleReporter::ReportRuns(runs);
         for (const Run& run : runs) {
+            if (run.error_occurred) errors_[run.run_name.str()] = run.error_message;
+            if (run.error_occurred) continue;
             if (run.aggregate_name != "median" && run.repetitions > 1) continue;
             auto& figures = figures_[name_of(run)];
             figures[""] = run.GetAdjustedRealTime();
@@ -45,11 +48,11 @@ public:
         }
     }
 
-    /// Returns whether all targets are reached.
+    /// Returns whether all benchmarks ended well and all targets are reached.
     bool print(const std::vector<Ratio>& ratios, const std::vector<Limit>& limits) const
     {
-        bool are_reached = true;
-        std::printf("\nRatios of medians\n");
+        bool are_reached = errors_.empty();
+        if (!ratios.empty() || !limits.empty()) std::printf("\nRatios of medians\n");
         for (const Ratio& ratio : ratios) {
             const double* slow = figure(ratio.slow, ratio.counter);
             const double* fast = figure(ratio.fast, ratio.counter);
@@ -60,6 +63,8 @@ public:
         for (const Limit& limit : limits)
             if (const double* found = figure(limit.name, limit.counter))
                 are_reached = tell(limit.what, *found, "at most", limit.most, *found > limit.most) && are_reached;
+        for (const auto& [benchmark, error] : errors_)
+            std::printf("  FAILED: %s: %s\n", benchmark.c_str(), error.c_str());
         return are_reached;
     }
 
@@ -83,10 +88,11 @@ private:
     }
 
     std::map<std::string, std::map<std::string, double>> figures_; ///< by counters; "": the time
+    std::map<std::string, std::string> errors_;                    ///< of benchmarks that ended by one
 };
 
-/// The body of main. Returns 1 where a target is missed.
-inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios,
+/// The body of main. Returns 1 where a benchmark ends by an error or a target is missed.
+inline int run_benchmarks(int argc, char** argv, const std::vector<Ratio>& ratios = {},
                           const std::vector<Limit>& limits = {})
 {
     benchmark::Initialize(&argc, argv);
