@@ -45,9 +45,14 @@ std::string parameter_row(const ParameterSpec& spec)
                        spec.otherwise ? default_text(spec) : without_it(spec), meaning_of(spec));
 }
 
-std::string dimensions_of(const SamplerSpec& sampler)
+/// "2D, 3D, device memory ~ N"
+std::string traits_of(const SamplerSpec& sampler)
 {
-    return fmt::format("{}D{}", fmt::join(sampler.dimensions, "D, "), sampler.deterministic ? ", deterministic" : "");
+    std::string traits = fmt::format("{}D", fmt::join(sampler.dimensions, "D, "));
+    if (sampler.deterministic) traits += ", deterministic";
+    if (sampler.memory_growth != MemoryGrowth::none)
+        traits += fmt::format(", {}", memory_growths[sampler.memory_growth]);
+    return traits;
 }
 
 }
@@ -66,8 +71,8 @@ std::string samplers_text()
                        "series\n" +
                        parameter_text(points_parameter()) + parameter_text(order_parameter());
     for (const SamplerSpec& sampler : sampler_registry()) {
-        text += fmt::format("\n{}: {} ({})\n    {}\n", sampler.name, sampler.title, dimensions_of(sampler),
-                            sampler.summary);
+        text +=
+            fmt::format("\n{}: {} ({})\n    {}\n", sampler.name, sampler.title, traits_of(sampler), sampler.summary);
         for (const ParameterSpec& parameter : sampler.parameters) text += parameter_text(parameter);
     }
     return text;
@@ -78,7 +83,7 @@ std::string samplers_markdown()
     std::string text = "| sampler, parameters | | default | |\n| --- | --- | --- | --- |\n";
     std::map<std::string, std::string> shown; // rows, and the sampler that had them first
     for (const SamplerSpec& sampler : sampler_registry()) {
-        text += fmt::format("| **`{}`** | {} | | {} |\n", sampler.name, dimensions_of(sampler), sampler.summary);
+        text += fmt::format("| **`{}`** | {} | | {} |\n", sampler.name, traits_of(sampler), sampler.summary);
         std::map<std::string, std::vector<std::string>> same_as; // samplers, and the parameters that are theirs as well
         for (const ParameterSpec& parameter : sampler.parameters) {
             const std::string row = parameter_row(parameter);

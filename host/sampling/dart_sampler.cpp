@@ -185,6 +185,7 @@ SamplerSpec dart_sampler(const DartMethod& method)
         check_memory(given, request);
     };
     spec.most_points = most_points;
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [memory = method.memory](const Parameters& given, const SampleRequest& request,
                                                   const DeviceInfo& device) {
         return memory(darts_of(given, request), device);

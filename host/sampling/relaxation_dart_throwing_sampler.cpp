@@ -106,6 +106,7 @@ SamplerSpec relaxation_dart_throwing_sampler()
          .otherwise = static_cast<std::int64_t>(otherwise.attempts)},
     };
     spec.check = check_effort;
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return RelaxationDartThrower::memory(request_for(parameters, request));
     };

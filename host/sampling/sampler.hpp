@@ -40,6 +40,21 @@ struct SampleRequest
     std::function<void(const std::string& what)> on_step = {};
 };
 
+/// The law by which a sampler's device memory grows with the number of points N of a set.
+enum class MemoryGrowth
+{
+    none,    ///< it takes none
+    fixed,   ///< as large for every N
+    limited, ///< in proportion to N up to a limit: larger sets are made in pieces
+    linear,  ///< in proportion to N
+};
+
+/// The words of help and documentation.
+inline constexpr WordTable<MemoryGrowth, 4> memory_growths{{{{MemoryGrowth::none, "no device memory"},
+                                                             {MemoryGrowth::fixed, "fixed device memory"},
+                                                             {MemoryGrowth::limited, "device memory ~ N, limited"},
+                                                             {MemoryGrowth::linear, "device memory ~ N"}}}};
+
 /// Makes the point sets of one series.
 class Sampler
 {
@@ -141,6 +156,9 @@ struct SamplerSpec
     /// The most memory that its sampler takes on a device of this kind, at a time, with that of its start; at most
     /// 1.3 times what it really takes. Empty: none.
     std::function<DeviceMemory(const Parameters&, const SampleRequest&, const DeviceInfo&)> device_memory;
+
+    /// How that grows with the number of points, without what its start takes; a test holds it against the above.
+    MemoryGrowth memory_growth = MemoryGrowth::none;
 
     /// The number of points that a set may have, where that is not the number that is asked for (as near as chance
     /// lets it be said). Empty: that number.

@@ -27,6 +27,7 @@ void describe_start(SamplerSpec& spec, const MemoryOfPoints& memory)
 {
     spec.follows_start = true;
     spec.most_points = most_started_points;
+    spec.memory_growth = MemoryGrowth::linear;
     // Beside what the start keeps.
     spec.device_memory = [memory](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {

@@ -290,6 +290,7 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
         const PoissonTileParameters tiles = tile_parameters(family, parameters, request.seed);
         return tiles_of_sets(tiles, density_of(parameters), request.points) * tiles.points_per_tile;
     };
+    spec.memory_growth = MemoryGrowth::limited;
     spec.device_memory = [family](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
         return device_memory(tile_set_choice(family, parameters, request), request.points, device);

@@ -4,6 +4,7 @@
 #include "host/config/distributions/packing_table.hpp"
 #include "host/config/distributions/texture_table.hpp"
 #include "host/config/plan.hpp"
+#include "host/config/plan_memory.hpp"
 #include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>
@@ -43,6 +44,23 @@ TEST(ShippedConfigs, TheDissertationIsWhole)
     ASSERT_TRUE(collection);
     for (const CollectedConfig& config : collection->configs) included.push_back(config.name);
     EXPECT_EQ(included, figures);
+}
+
+/// Four gibibytes, a quarter of them in one piece: what PoCL says of a machine with so much memory.
+TEST(ShippedConfigs, TheDissertationFitsInFourGibibytes)
+{
+    DeviceInfo device;
+    device.name = "four gibibytes";
+    device.type = "CPU";
+    device.compute_units = 2;
+    device.global_memory_bytes = std::uint64_t{4} << 30;
+    device.max_allocation_bytes = std::uint64_t{1} << 30;
+    const auto collection = read_collection(source_folder() + "/configs/dissertation.toml");
+    ASSERT_TRUE(collection);
+    for (const CollectedConfig& config : collection->configs) {
+        EXPECT_NO_THROW(check_device_memory(make_plan(config.config), device)) << config.name;
+        EXPECT_NO_THROW(check_device_memory(config.config.constructions, device)) << config.name;
+    }
 }
 
 TEST(ShippedConfigs, QuickIsWhatTheReadmePromises)

@@ -15,6 +15,10 @@ using namespace contract::dart_throwing;
 /// Layers of cells that a slab owns at least: darts near its ends are looked at twice, and wait for each other.
 constexpr std::uint32_t least_slab_layers = 16;
 
+/// Cells of a slab, nearly, where the torus has many: darts come in the order of their times, from anywhere in the
+/// slab, and what is known of its cells should stay in a processor's cache.
+constexpr std::size_t usual_slab_cells = std::size_t{1} << 18;
+
 /// Darts in a bucket of time, nearly: they are sorted by insertion.
 constexpr std::size_t darts_a_bucket = 4;
 
@@ -33,7 +37,9 @@ std::uint32_t words32(std::size_t value) { return static_cast<std::uint32_t>(val
 
 std::uint32_t slab_count(const DartTorus& torus, unsigned compute_units)
 {
-    return std::clamp(torus.hierarchy.size / least_slab_layers, 1u, std::max(1u, compute_units));
+    const std::size_t cells = lattice_cells(torus.hierarchy.size, torus.dimension);
+    return std::clamp(torus.hierarchy.size / least_slab_layers, 1u,
+                      std::max({1u, compute_units, words32(cells / usual_slab_cells)}));
 }
 
 /// Words of a row of cells in `accepted`: a bit for each cell, and REACH more on either side; a word beyond that is

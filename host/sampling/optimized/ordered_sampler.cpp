@@ -80,6 +80,7 @@ bool is_ordered(const Parameters& parameters)
 SamplerSpec in_progressive_order(SamplerSpec method)
 {
     SamplerSpec spec = method;
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [method](const Parameters& parameters, const SampleRequest& request,
                                   const DeviceInfo& device) {
         const std::size_t points = method.most_points ? method.most_points(parameters, request) : request.points;

@@ -69,6 +69,7 @@ SamplerSpec sample_elimination_sampler()
           .minimum = 1,
           .maximum = 30,
           .otherwise = std::int64_t{5}}});
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return SampleElimination::memory(request.dimension, candidates_of(parameters, request), request.points);
     };

@@ -146,6 +146,7 @@ SamplerSpec target_spectrum_sampler()
                                   {2}, target_parameters());
     spec.check = check_target;
     describe_start(spec, no_memory);
+    spec.memory_growth = MemoryGrowth::none;
     spec.outside_input = [](const Parameters& parameters) -> std::uint64_t {
         Xxh64 hash;
         if (parameters.is_given("curve")) hash.add(read_whole_file(curve_file(parameters)));

@@ -123,6 +123,7 @@ SamplerSpec sector_dart_sampler()
     spec.most_points = [](const Parameters& parameters, const SampleRequest& request) {
         return most_sector_darts(sector_request(parameters, request).min_distance);
     };
+    spec.memory_growth = MemoryGrowth::limited;
     spec.device_memory = [](const Parameters& parameters, const SampleRequest& request, const DeviceInfo&) {
         return SectorDarts::memory(sector_request(parameters, request));
     };

@@ -109,6 +109,7 @@ SamplerSpec penrose_sampler()
     spec.is_deterministic = [](const Parameters& given) { return !given.flag(window_key); };
     spec.check = check_penrose;
     spec.outside_input = density_hash;
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
         return PenroseGenerator::memory(points_of_square(given, request.points),
                                         density_bounds_of(given).weights.size());

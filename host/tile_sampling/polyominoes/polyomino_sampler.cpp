@@ -116,6 +116,7 @@ SamplerSpec polyomino_sampler()
     spec.most_points = [](const Parameters& given, const SampleRequest& request) -> std::size_t {
         return given.is_given("density") ? request.points + request.points / 4 + 64 : request.points;
     };
+    spec.memory_growth = MemoryGrowth::linear;
     spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo&) {
         if (given.is_given("density")) return DeviceMemory{};
         return PolyominoGenerator::memory(shape_of(given), side_of(given, request.points), request.points);

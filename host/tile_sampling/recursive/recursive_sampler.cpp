@@ -137,6 +137,7 @@ SamplerSpec recursive_wang_tile_sampler()
     spec.most_points = most_recursive_points;
     // One tile can only lie beside itself.
     spec.is_deterministic = [](const Parameters& given) { return given.integer(base_key) == 1; };
+    spec.memory_growth = MemoryGrowth::fixed;
     spec.device_memory = [](const Parameters& given, const SampleRequest& request, const DeviceInfo& device) {
         if (!is_faster_on(device)) return DeviceMemory{};
         return RecursiveGenerator::memory(small_parameter(given, recursive_size_key),

@@ -99,6 +99,14 @@ TEST(DartThrowingOnDevices, WorkGroupsAndThreadsChangeNothing)
     }
 }
 
+/// A million cells are four slabs, on however few threads.
+TEST(DartThrowingOnDevices, LargeSetsOfMoreSlabsThanThreadsAreThoseOfTheReference)
+{
+    const DartThrowingRequest request = request_for(2, 300'000, 0.7, 3);
+    const PointSet expected = reference::throw_darts(request);
+    EXPECT_EQ(DartThrower(Device::open({}, 1), 0, DartSettling::in_order).throw_darts(request), expected);
+}
+
 TEST(DartThrowingOnDevices, ReusedBuffersKeepNothingOfEarlierSets)
 {
     const DartThrowingRequest large = request_for(2, 3000, 0.70, 1);
