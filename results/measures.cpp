@@ -61,6 +61,14 @@ Value points(const Series& series)
     return value;
 }
 
+Value sets(const Series& series)
+{
+    MeasuredValue value{static_cast<double>(series.realizations)};
+    const std::size_t asked = static_cast<std::size_t>(series.realizations) + series.repeated.size();
+    if (!series.repeated.empty()) value.remark = fmt::format("of {}: others are equal to these", asked);
+    return value;
+}
+
 constexpr Digits significant(int digits) { return {Form::significant, digits}; }
 constexpr Digits decimals(int digits) { return {Form::decimals, digits}; }
 
@@ -155,8 +163,8 @@ std::vector<Measure> sizes_and_distances()
 {
     return {
         with_symbol("N", row("points", "points", "", Better::neither, MeasureKind::size, {Form::count}, "", points)),
-        with_symbol("K", row("realizations", "sets", "", Better::neither, MeasureKind::setting, {Form::count}, "",
-                             [](const Series& s) { return MeasuredValue{static_cast<double>(s.realizations)}; })),
+        with_symbol("K",
+                    row("realizations", "sets", "", Better::neither, MeasureKind::setting, {Form::count}, "", sets)),
         with_symbol(
             "ρ",
             row("relative_radius", "relative radius", of_largest_distance, Better::higher, MeasureKind::per_set,

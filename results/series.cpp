@@ -6,6 +6,8 @@
 
 namespace poissonlab {
 
+bool Series::is_repeated(std::size_t realization) const { return std::ranges::binary_search(repeated, realization); }
+
 void Series::set_sizes(const std::vector<std::size_t>& sizes)
 {
     const std::size_t count = sizes.size();

@@ -88,7 +88,8 @@ struct Series
     bool is_window = false;               ///< sets are windows of the plane, not tori, and were measured as such
     std::size_t points = 0;               ///< N of each realization; their mean where sizes differ
     std::vector<std::size_t> points_each; ///< only where sizes differ: the size of each
-    int realizations = 0;
+    int realizations = 0;                 ///< K, the sets: each another one
+    std::vector<std::size_t> repeated; ///< numbers of further realizations that are one of these sets: without results
     std::optional<Statistic> min_distance; ///< unit lengths; empty for one point
     std::optional<Statistic> relative_radius;
     std::optional<Statistic> covered_fraction;
@@ -117,6 +118,9 @@ struct Series
 
     /// The number of points of the first realization, the one that is drawn.
     std::size_t points_of_first() const { return points_each.empty() ? points : points_each.front(); }
+
+    /// True for a realization, by its number, that is one of the sets of earlier ones.
+    bool is_repeated(std::size_t realization) const;
 
     /// Sets the numbers of realizations and points.
     void set_sizes(const std::vector<std::size_t>& sizes);

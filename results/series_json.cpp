@@ -115,6 +115,8 @@ void check(const StoredObject& object, const Series& series)
 {
     if (!series.points_each.empty() && series.points_each.size() != static_cast<std::size_t>(series.realizations))
         throw object.error("points_each", "must have a size for each realization");
+    if (!std::ranges::is_sorted(series.repeated))
+        throw object.error("repeated_realizations", "must have numbers of realizations in their order");
     if (series.is_estimate && (series.deterministic || series.realizations < 2))
         throw object.object("spectrum").error("kind", "one realization has a periodogram, not an estimate");
     if (series.radial_file.empty() && !series.spectrum_file.empty())
@@ -149,6 +151,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.member("points", series.points, 1);
     m.if_any("points_each", series.points_each);
     m.member("realizations", series.realizations, 1);
+    m.if_any("repeated_realizations", series.repeated);
     m.object_or_null("min_distance", series.min_distance);
     m.object_or_null("relative_radius", series.relative_radius);
     m.object_or_null("covered_fraction", series.covered_fraction);

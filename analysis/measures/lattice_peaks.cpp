@@ -23,9 +23,12 @@ public:
           least_power_(1e-22 * static_cast<double>(points))
     {}
 
+    bool is_empty(double around) const { return around < 1e10 * least_power_; }
+
     bool fits(int along) const { return along - width_ >= -half_ && along + width_ < half_; }
 
-    double ratio(const Frequency& f) const { return power_(f) / std::max(around(f), least_power_); }
+    /// The power at a frequency over that `around`.
+    double ratio(const Frequency& f, double around) const { return power_(f) / std::max(around, least_power_); }
 
     /// The mean power of the ring.
     double around(const Frequency& f) const
@@ -67,12 +70,14 @@ LatticePeaks peaks_of(int dimension, int size, std::size_t points, int tiles, co
         for (const int y : multiples) {
             for (const int x : multiples) {
                 if (x == 0 && y == 0 && z == 0) continue;
-                const double ratio = rings.ratio({x, y, z});
+                const double around = rings.around({x, y, z});
+                const double ratio = rings.ratio({x, y, z}, around);
                 if (result.peaks == 0 || ratio > result.max_ratio) {
                     result.max_ratio = ratio;
                     result.frequency = {x, y, z};
                 }
                 result.mean_ratio += ratio;
+                result.empty_rings += rings.is_empty(around);
                 ++result.peaks;
             }
         }
@@ -120,8 +125,9 @@ std::optional<NearLatticePeaks> near_lattice_peaks(const Spectrum& spectrum, int
                 all += power(f);
                 if (x % tiles != 0 || y % tiles != 0 || z % tiles != 0) continue;
                 if (!rings.fits(x) || !rings.fits(y) || (slices > 0 && !rings.fits(z))) continue;
-                ratios += rings.ratio(f);
-                excess += power(f) - rings.around(f);
+                const double around = rings.around(f);
+                ratios += rings.ratio(f, around);
+                excess += power(f) - around;
                 ++peaks;
             }
     if (peaks == 0 || !(all > 0)) return std::nullopt;

@@ -31,13 +31,14 @@ struct LatticePeaks
     std::array<int, 3> frequency{}; ///< where the ratio is largest, the first in storage order; 2D: z is 0
     std::size_t peaks = 0;          ///< multiples that took part
     std::optional<double> mean_ratio_standard_error = {}; ///< for whoever has several realizations to set
+    std::size_t empty_rings = 0; ///< peaks that have nothing around them but rounding: ratios without meaning
 
     bool operator==(const LatticePeaks&) const = default;
 };
 
 /// `tiles` is M, tiles per unit length, at least 2: with one tile every frequency is a multiple. Throws
 /// InputError otherwise. A ring without power counts as one with (1e-11)^2 N, where the rounding of
-/// exact_periodogram ends. Spectra too small for any ring have no peaks.
+/// exact_periodogram ends; below 1e-12 N it is an empty one. Spectra too small for any ring have no peaks.
 LatticePeaks lattice_peaks(const Spectrum& spectrum, int tiles);
 
 /// The peaks where a good distribution has no power, or its first ring: up to 1.05 times the principal frequency of the

@@ -90,10 +90,10 @@ Spectrum SpectrumEstimate::mean() const
     return mean;
 }
 
-std::vector<double> SpectrumEstimate::radial_errors(std::size_t groups) const
+std::vector<double> SpectrumEstimate::radial_errors(const std::vector<std::size_t>& groups) const
 {
     const auto& each = bin_width_ == 1 ? radial_curves_ : wide_curves_;
-    const auto curves = groups > 1 ? group_means(each, groups) : each;
+    const auto curves = groups.empty() ? each : group_means(each, groups);
     if (curves.size() < 2) return {};
     std::vector<double> errors, powers;
     for (std::size_t bin = 0; bin < curves.front().size(); ++bin) {

@@ -89,9 +89,9 @@ public:
     Spectrum mean() const;
 
     /// The standard error of the radially averaged power in each bin of radial_statistics() with the same width, from
-    /// its spread between realizations; where they share tile sets or the like, between these `groups`, see
-    /// group_means(). 1: each stands for itself. Empty where there is one only.
-    std::vector<double> radial_errors(std::size_t groups = 1) const;
+    /// its spread between realizations; where they share tile sets or the like, between the `groups` to which they
+    /// belong, see group_means(). No groups: each stands for itself. Empty where there is one only.
+    std::vector<double> radial_errors(const std::vector<std::size_t>& groups = {}) const;
 
     /// The radially averaged power of each realization, in the bins of radial_statistics() one sample wide.
     const std::vector<std::vector<double>>& radial_curves() const { return radial_curves_; }

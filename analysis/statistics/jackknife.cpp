@@ -44,25 +44,30 @@ double standard_error_of_mean(const std::vector<double>& values)
     return std::sqrt(squared_deviations(values) / (count - 1) / count);
 }
 
-std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves, std::size_t groups)
+std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves,
+                                             const std::vector<std::size_t>& groups)
 {
-    if (groups == 0) throw std::invalid_argument("group_means: there must be a group");
-    const std::size_t used = std::min(groups, curves.size());
-    std::vector<std::vector<double>> means(used);
-    std::vector<double> members(used);
+    if (groups.size() != curves.size()) throw std::invalid_argument("group_means: each curve must have a group");
+    std::vector<std::size_t> names; // in the order of `means`
+    std::vector<std::vector<double>> means;
+    std::vector<double> members;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-        std::vector<double>& mean = means[k % groups];
-        mean.resize(curves.front().size());
-        if (curves[k].size() != mean.size()) throw std::invalid_argument("group_means: curves differ in size");
-        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += curves[k][i];
-        ++members[k % groups];
+        const auto at = static_cast<std::size_t>(std::ranges::find(names, groups[k]) - names.begin());
+        if (at == names.size()) {
+            names.push_back(groups[k]);
+            means.emplace_back(curves.front().size());
+            members.push_back(0);
+        }
+        if (curves[k].size() != means[at].size()) throw std::invalid_argument("group_means: curves differ in size");
+        for (std::size_t i = 0; i < means[at].size(); ++i) means[at][i] += curves[k][i];
+        ++members[at];
     }
-    for (std::size_t group = 0; group < used; ++group)
+    for (std::size_t group = 0; group < means.size(); ++group)
         for (double& value : means[group]) value /= members[group];
     return means;
 }
 
-std::vector<double> group_means(const std::vector<double>& values, std::size_t groups)
+std::vector<double> group_means(const std::vector<double>& values, const std::vector<std::size_t>& groups)
 {
     std::vector<std::vector<double>> curves;
     for (const double value : values) curves.push_back({value});

@@ -19,12 +19,13 @@ double jackknife_error(const std::vector<std::vector<double>>& curves,
 /// The standard error of the mean of independent values, at least two; the same for the statistic that is the mean.
 double standard_error_of_mean(const std::vector<double>& values);
 
-/// The mean curve of each group, where curve k belongs to group k % groups: realizations that share something, such as
-/// a tile set, are not independent, their groups are. Groups without a curve are left out. Takes curves of one size and
-/// at least one group; throws std::invalid_argument otherwise.
-std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves, std::size_t groups);
+/// The mean curve of each group, in the order in which groups come first: curve k belongs to group groups[k].
+/// Realizations that share something, such as a tile set, are not independent, their groups are. Takes curves of one
+/// size and a group for each; throws std::invalid_argument otherwise.
+std::vector<std::vector<double>> group_means(const std::vector<std::vector<double>>& curves,
+                                             const std::vector<std::size_t>& groups);
 
 /// The same of values.
-std::vector<double> group_means(const std::vector<double>& values, std::size_t groups);
+std::vector<double> group_means(const std::vector<double>& values, const std::vector<std::size_t>& groups);
 
 }

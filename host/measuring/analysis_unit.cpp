@@ -21,8 +21,7 @@ constexpr const char* part_file = "part";
 
 void AnalysisUnit::add(const PointSet& points)
 {
-    series_.add(points);
-    if (options_.zone_plate) zone_plate_.add(points);
+    if (series_.add(points) && options_.zone_plate) zone_plate_.add(points);
 }
 
 void AnalysisUnit::append(const AnalysisUnit& next)

@@ -21,6 +21,11 @@ public:
     {}
 
     void add(const PointSet& points);
+
+    /// As SeriesAnalysis has them.
+    bool repeats(const AnalysisUnit& earlier) const { return series_.repeats(earlier.series_); }
+    void leave_out(const AnalysisUnit& earlier) { series_.leave_out(earlier.series_); }
+    bool is_repeated(std::size_t realization) const { return series_.is_repeated(realization); }
     void append(const AnalysisUnit& next);
 
     /// The measures of the first realization, once all have been added.

@@ -16,7 +16,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace poissonlab {
@@ -27,6 +29,13 @@ constexpr double distances_shown = 4; // in units of the largest possible minimu
 constexpr double bins_per_distance = 50;
 constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so that errors compare
 constexpr int integration_shifts = 16;
+
+/// The mean ratio of a set's own periodogram; none, which is not a number, where a set of one tile that is repeated has
+/// nothing between its peaks: such a ratio would be all of a spread.
+double own_lattice_peak(const LatticePeaks& peaks)
+{
+    return peaks.empty_rings == 0 ? peaks.mean_ratio : std::numeric_limits<double>::quiet_NaN();
+}
 
 }
 
@@ -72,11 +81,40 @@ void SeriesAnalysis::start_spectrum()
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
 }
 
-void SeriesAnalysis::add(const PointSet& points)
+/// What is known of a set from its distances.
+SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
+{
+    const std::size_t n = points.size();
+    SetMeasures set{n, static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size()), {}};
+    set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
+    set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
+    set.mean_nearest = (options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points)) /
+                       max_min_distance(n, points.dimension);
+    set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
+    set.mark = set_mark(points, set.min_distance, set.mean_nearest);
+    return set;
+}
+
+bool SeriesAnalysis::is_known(const SetMark& mark) const
+{
+    const auto is_same = [&](const SetMark& other) { return are_same_set(mark, other); };
+    return std::ranges::any_of(sets_, is_same, &SetMeasures::mark) || std::ranges::any_of(left_out_, is_same);
+}
+
+bool SeriesAnalysis::add(const PointSet& points)
 {
     const auto begin = std::chrono::steady_clock::now();
+    const auto count_seconds = [&] {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
     const std::size_t n = points.size();
-    check(points.dimension, n, begin_.realization + sets_.size());
+    check(points.dimension, n, begin_.realization + sets_.size() + repeated_.size());
+    SetMeasures set = measure_distances(points);
+    if (is_known(set.mark)) {
+        repeated_.push_back(set.realization);
+        count_seconds();
+        return false;
+    }
     if (sets_.empty()) {
         dimension_ = points.dimension;
         if (begin_.points == 0) begin_.points = n;
@@ -84,16 +122,10 @@ void SeriesAnalysis::add(const PointSet& points)
         if (begin_.realization == 0 && !options_.distances_only && !options_.window) first_ = points;
         start();
     }
-    SetMeasures set{n};
-    set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
-    set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
-    set.mean_nearest = (options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points)) /
-                       max_min_distance(n, points.dimension);
-    set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
     if (estimate_) {
         estimate_->add(points);
         if (options_.tiles > 0)
-            set.mean_lattice_peak = lattice_peaks(estimate_->last_periodogram(), n, options_.tiles).mean_ratio;
+            set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
     }
     if (options_.progressive) set.prefix_radius = prefix_radius(points);
     sets_.push_back(set);
@@ -102,7 +134,8 @@ void SeriesAnalysis::add(const PointSet& points)
     if (folded_) folded_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    count_seconds();
+    return true;
 }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
@@ -112,10 +145,24 @@ void SeriesAnalysis::leave_out_pairs()
     has_pairs_ = false;
 }
 
+bool SeriesAnalysis::repeats(const SeriesAnalysis& earlier) const
+{
+    return std::ranges::any_of(
+        sets_, [&](const SetMark& mark) { return earlier.is_known(mark); }, &SetMeasures::mark);
+}
+
+void SeriesAnalysis::leave_out(const SeriesAnalysis& earlier)
+{
+    for (const SetMeasures& set : earlier.sets_) left_out_.push_back(set.mark);
+}
+
 void SeriesAnalysis::append(const SeriesAnalysis& next)
 {
-    for (std::size_t i = 0; i < next.sets_.size(); ++i)
-        check(next.dimension_, next.sets_[i].points, next.begin_.realization + i);
+    if (next.repeats(*this)) throw std::invalid_argument("SeriesAnalysis::append: a set is there already");
+    for (const SetMeasures& set : next.sets_) check(next.dimension_, set.points, set.realization);
+    repeated_.insert(repeated_.end(), next.repeated_.begin(), next.repeated_.end());
+    seconds_ += next.seconds_;
+    if (next.sets_.empty()) return;
     sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
     if (estimate_) estimate_->append(next.estimate_.value());
     if (!next.pairs_) leave_out_pairs();
@@ -123,7 +170,15 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (integration_) integration_->append(next.integration_.value());
     if (seams_) seams_->append(next.seams_.value());
     if (folded_) folded_->append(next.folded_.value());
-    seconds_ += next.seconds_;
+}
+
+/// The tile set of each set's realization; none where all have one.
+std::vector<std::size_t> SeriesAnalysis::tile_set_groups() const
+{
+    std::vector<std::size_t> groups;
+    if (options_.tile_sets > 1)
+        for (const SetMeasures& set : sets_) groups.push_back(set.realization % options_.tile_sets);
+    return groups;
 }
 
 std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
@@ -139,8 +194,9 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     std::vector<double> each;
     for (const SetMeasures& set : sets_) each.push_back(set.*member);
     Estimate mean{std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()), {}};
-    const auto groups = options_.tile_sets > 1 ? group_means(each, options_.tile_sets) : each;
+    const auto groups = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
     if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
+    if (mean.standard_error && !std::isfinite(*mean.standard_error)) mean.standard_error.reset();
     return mean;
 }
 
@@ -166,6 +222,7 @@ Series SeriesAnalysis::result() const
     std::vector<std::size_t> sizes;
     for (const SetMeasures& set : sets_) sizes.push_back(set.points);
     series.set_sizes(sizes);
+    series.repeated = repeated_;
     series.min_distance = statistic(&SetMeasures::min_distance);
     series.relative_radius = statistic(&SetMeasures::relative_radius);
     series.covered_fraction = statistic(&SetMeasures::covered_fraction);
@@ -225,7 +282,8 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
 {
     const std::size_t n = sets_.front().points;
     const auto& each = estimate_.value().radial_curves();
-    const auto curves = options_.tile_sets > 1 ? group_means(each, options_.tile_sets) : each;
+    const auto curves = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+    if (curves.size() < 2) return; // all are of one tile set
     const auto error_of = [&](const auto& measure) {
         return jackknife_error(curves, [&](const std::vector<double>& power) {
             for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
@@ -259,7 +317,7 @@ Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean()
 std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
 {
     std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
-    const std::vector<double> errors = estimate_.value().radial_errors(options_.tile_sets);
+    const std::vector<double> errors = estimate_.value().radial_errors(tile_set_groups());
     for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
     return bins;
 }

@@ -5,11 +5,13 @@
 #include "analysis/measures/integration_error.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/measures/seam_density.hpp"
+#include "analysis/measures/set_mark.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
 #include "host/config/analysis_options.hpp"
 #include "results/series.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -21,6 +23,9 @@ namespace poissonlab {
 
 /// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
 /// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
+///
+/// Of realizations that are the same set, wherever it lies on the torus, the first counts only: the others add nothing
+/// to means, and would make errors too small.
 ///
 /// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
 /// the largest empty circle and Voronoi cells.
@@ -49,12 +54,22 @@ public:
         : SeriesAnalysis(std::move(label), sizes_vary, options, Begin{})
     {}
 
-    /// Throws InputError for sets that are empty, of another dimension, or of another size where sizes must
-    /// not vary.
-    void add(const PointSet& points);
+    /// Returns whether the set is another one than all before. Throws InputError for sets that are empty, of another
+    /// dimension, or of another size where sizes must not vary.
+    bool add(const PointSet& points);
+
+    /// True for a realization, by its number, that was added and is one of the sets before.
+    bool is_repeated(std::size_t realization) const { return std::ranges::binary_search(repeated_, realization); }
+
+    /// True if a set that was added here is one of `earlier` as well: append() does not take that.
+    bool repeats(const SeriesAnalysis& earlier) const;
+
+    /// The sets of `earlier` are not counted here: for a part that repeats them, before any is added.
+    void leave_out(const SeriesAnalysis& earlier);
 
     /// Appends the realizations of `next`, which begins after the last one here; equal to adding them here, up to
-    /// rounding: parts of the same sizes give the same bytes. Throws as add() does.
+    /// rounding: parts of the same sizes give the same bytes. Throws as add() does, and std::invalid_argument where
+    /// `next` repeats a set.
     void append(const SeriesAnalysis& next);
 
     /// True if the options ask for spectra.
@@ -87,8 +102,8 @@ public:
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(begin_.points, dimension_, sets_, seconds_, has_pairs_, measures_, numbers_of_first_);
-        if (dimension_ > 0 && !has_started_) start();
+        archive(begin_.points, dimension_, sets_, repeated_, seconds_, has_pairs_, measures_, numbers_of_first_);
+        if (!sets_.empty() && !has_started_) start();
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);
         if (integration_) archive(*integration_);
@@ -101,21 +116,26 @@ private:
     struct SetMeasures
     {
         std::size_t points = 0;
+        std::uint32_t realization = 0;
+        SetMark mark;
         double min_distance = 0; ///< unit lengths; infinite for a set of one point
         double relative_radius = 0;
         double covered_fraction = 0;
-        double mean_lattice_peak = 0; ///< of tiled sets
+        double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
         double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
         double prefix_radius = 0;     ///< of sets in progressive order
 
         template <class Archive>
         void serialize(Archive& archive)
         {
-            archive(points, min_distance, relative_radius, covered_fraction, mean_lattice_peak, mean_nearest,
-                    prefix_radius);
+            archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
+                    mean_nearest, prefix_radius);
         }
     };
 
+    SetMeasures measure_distances(const PointSet& points) const;
+    bool is_known(const SetMark& mark) const;
+    std::vector<std::size_t> tile_set_groups() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;
     Estimate mean_of(double SetMeasures::*member) const;
     double prefix_radius(const PointSet& points) const;
@@ -131,7 +151,9 @@ private:
     AnalysisOptions options_;
     Begin begin_;
     bool has_started_ = false;
-    std::vector<SetMeasures> sets_;
+    std::vector<SetMeasures> sets_;                    ///< each another one
+    std::vector<std::size_t> repeated_;                ///< realizations that are one of these
+    std::vector<SetMark> left_out_;                    ///< sets of earlier parts
     Measures measures_;                                ///< as far as they are known
     std::map<std::string, Estimate> numbers_of_first_; ///< beside measures_.numbers: threads may add to both at a time
     double seconds_ = 0;                               ///< that all of this took

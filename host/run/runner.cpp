@@ -26,6 +26,8 @@ std::string summary(const SeriesTask& task, const Series& result)
                                    result.realizations == 1 ? "" : "s", fewest);
     if (most != fewest) line += fmt::format(" to {}", most);
     line += most == 1 ? " point" : " points";
+    if (!result.repeated.empty())
+        line += fmt::format(", of {} asked for: the others are equal to these", task.realizations);
     if (const auto& radius = result.relative_radius) {
         const std::string smallest = fmt::format("{:.3f}", radius->min), largest = fmt::format("{:.3f}", radius->max);
         line += ", relative radius " + smallest + (smallest == largest ? "" : " to " + largest);

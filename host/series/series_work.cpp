@@ -199,9 +199,23 @@ std::optional<AnalysisUnit> SeriesWork::whole_analysis(const WorkListener& liste
     for (std::uint32_t part = 1; part < units_.parts(); ++part) {
         AnalysisUnit unit = begin_unit(part, listener);
         if (!take_part(unit, part, listener)) return std::nullopt;
+        if (unit.repeats(whole)) add_new_sets(unit, part, whole);
         whole.append(unit);
     }
     return whole;
+}
+
+/// Analyses a part anew without the sets that earlier parts have: methods that make few sets repeat them from part to
+/// part. Sets whose points were not stored are made again, and nothing is stored.
+void SeriesWork::add_new_sets(AnalysisUnit& unit, std::uint32_t part, const AnalysisUnit& earlier)
+{
+    unit = begin_unit(part, {});
+    unit.leave_out(earlier);
+    const RealizationRange range = units_.part(part);
+    for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
+        const auto file = stored_points(store_, units_.sample_key(k));
+        unit.add(file ? read_points(*file).at(0) : make({k, range.first + range.count - k}, {}).points);
+    }
 }
 
 void SeriesWork::analyse_all(const WorkListener& listener)
@@ -209,7 +223,8 @@ void SeriesWork::analyse_all(const WorkListener& listener)
     std::optional<AnalysisUnit> whole = whole_analysis(listener);
     if (!whole) return;
     IterationRecords iterations;
-    for (std::uint32_t k = 0; k < task_.realizations; ++k) iterations.push_back(record(k).iterations);
+    for (std::uint32_t k = 0; k < task_.realizations; ++k)
+        if (!whole->is_repeated(k)) iterations.push_back(record(k).iterations);
     whole->store_analysis(store_, units_.analysis_key(), image_metadata(),
                           iterations_of(iterations) ? iterations_csv(iterations) : "");
 }
@@ -286,10 +301,11 @@ Series SeriesWork::result() const
     std::optional<double> proven;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
         const SampleRecord sample = record(k);
-        if (k == 0 || (proven && sample.proven_relative_radius < proven)) proven = sample.proven_relative_radius;
-        iterations.push_back(sample.iterations);
         result.build_seconds += sample.build_seconds;
         result.preparation_seconds += sample.preparation_seconds;
+        if (result.is_repeated(k)) continue;
+        if (k == 0 || (proven && sample.proven_relative_radius < proven)) proven = sample.proven_relative_radius;
+        iterations.push_back(sample.iterations);
         if (k == 0) result.tile_set = sample.tile_set;
         if (has_points_to_keep(k)) result.point_files.push_back(file_names::realization(k));
     }
@@ -302,9 +318,10 @@ Series SeriesWork::result() const
 
 std::map<std::string, std::filesystem::path> SeriesWork::files() const
 {
-    std::map<std::string, std::filesystem::path> files = finished_analysis().files;
+    StoredAnalysis analysis = finished_analysis();
+    std::map<std::string, std::filesystem::path>& files = analysis.files;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
-        if (!has_points_to_keep(k)) continue;
+        if (!has_points_to_keep(k) || analysis.result.is_repeated(k)) continue;
         const auto points = stored_points(store_, units_.sample_key(k));
         if (!points) throw is_gone(fmt::format("realization {} of {}", k, task_.label));
         files[file_names::realization(k)] = *points;

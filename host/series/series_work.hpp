@@ -77,6 +77,7 @@ private:
     SampleRecord first_record(const WorkListener& listener);
     AnalysisUnit begin_unit(std::uint32_t part, const WorkListener& listener);
     void add_realizations(AnalysisUnit& unit, const RealizationRange& range, const WorkListener& listener);
+    void add_new_sets(AnalysisUnit& unit, std::uint32_t part, const AnalysisUnit& earlier);
     void measure_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
     bool take_part(AnalysisUnit& unit, std::uint32_t part, const WorkListener& listener);
     std::optional<AnalysisUnit> whole_analysis(const WorkListener& listener);

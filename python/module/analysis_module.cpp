@@ -81,9 +81,14 @@ private:
         SeriesAnalysis whole(label, false, experiment_.analysis);
         add(whole, 0);
         for (std::size_t first = realizations_per_part; first < sets_.size(); first += realizations_per_part) {
-            SeriesAnalysis part(label, false, experiment_.analysis,
-                                {static_cast<std::uint32_t>(first), sets_.front().size()});
+            const SeriesAnalysis::Begin begin{static_cast<std::uint32_t>(first), sets_.front().size()};
+            SeriesAnalysis part(label, false, experiment_.analysis, begin);
             add(part, first);
+            if (part.repeats(whole)) {
+                part = SeriesAnalysis(label, false, experiment_.analysis, begin);
+                part.leave_out(whole);
+                add(part, first);
+            }
             whole.append(part);
         }
         measure(whole);

@@ -42,6 +42,8 @@ PageData series_identity(const ReportSeries& series, std::size_t index)
     data.set("is_window", series.stored->is_window);
     data.set("points_range", optional_text(points_range(*series.stored)));
     data.set("realizations", format_count(static_cast<std::uint64_t>(series.stored->realizations)));
+    const std::size_t repeated = series.stored->repeated.size();
+    data.set("repeated", repeated > 0 ? PageData(format_count(repeated)) : PageData(false));
     return data;
 }
 

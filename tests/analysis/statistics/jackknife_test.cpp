@@ -58,13 +58,15 @@ TEST(Jackknife, AgreesWithTheSpreadOfTheStatistic)
 
 TEST(GroupMeans, TakeTurns)
 {
-    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 5}, 2), (std::vector<double>{3, 3}));
-    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 6}, 4), (std::vector<double>{3.5, 2, 3, 4}));
-    EXPECT_EQ(group_means(std::vector<double>{1, 2}, 3), (std::vector<double>{1, 2})) << "an empty group";
+    using Groups = std::vector<std::size_t>;
+    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 5}, Groups{0, 1, 0, 1, 0}), (std::vector<double>{3, 3}));
+    EXPECT_EQ(group_means(std::vector<double>{1, 2, 3, 4, 6}, Groups{0, 1, 2, 3, 0}),
+              (std::vector<double>{3.5, 2, 3, 4}));
+    EXPECT_EQ(group_means(std::vector<double>{1, 2, 4}, Groups{7, 2, 7}), (std::vector<double>{2.5, 2}));
     const std::vector<std::vector<double>> curves = {{1, 10}, {2, 20}, {3, 40}};
-    EXPECT_EQ(group_means(curves, 2), (std::vector<std::vector<double>>{{2, 25}, {2, 20}}));
-    EXPECT_THROW(group_means(curves, 0), std::invalid_argument);
-    EXPECT_THROW(group_means({{1.0}, {1.0, 2.0}}, 1), std::invalid_argument);
+    EXPECT_EQ(group_means(curves, Groups{0, 1, 0}), (std::vector<std::vector<double>>{{2, 25}, {2, 20}}));
+    EXPECT_THROW(group_means(curves, Groups{0, 1}), std::invalid_argument);
+    EXPECT_THROW(group_means({{1.0}, {1.0, 2.0}}, Groups{0, 0}), std::invalid_argument);
 }
 
 TEST(GroupMeans, GiveTheErrorThatGroupsHave)
@@ -78,8 +80,12 @@ TEST(GroupMeans, GiveTheErrorThatGroupsHave)
     for (int trial = 0; trial < trials; ++trial) {
         const double groups[4] = {normal(random), normal(random), normal(random), normal(random)};
         std::vector<double> values;
-        for (std::size_t k = 0; k < 20; ++k) values.push_back(groups[k % 4] + normal(random) / 2);
-        by_groups += std::pow(standard_error_of_mean(group_means(values, 4)), 2) / trials;
+        std::vector<std::size_t> group_of;
+        for (std::size_t k = 0; k < 20; ++k) {
+            group_of.push_back(k % 4);
+            values.push_back(groups[k % 4] + normal(random) / 2);
+        }
+        by_groups += std::pow(standard_error_of_mean(group_means(values, group_of)), 2) / trials;
         by_values += std::pow(standard_error_of_mean(values), 2) / trials;
     }
     // A variance of 3 degrees of freedom is known within sqrt(2 / 3 / 4000) = 1.3 %.

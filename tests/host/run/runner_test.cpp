@@ -92,6 +92,29 @@ TEST(Runner, StoresPairCorrelationsOfAllSets)
     EXPECT_EQ(table, pair_correlation_csv(expected.mean()));
 }
 
+/// Five sets in seventy realizations, of which the second part has two new ones and the third none.
+TEST(Runner, SetsThatComeAgainCountOnce)
+{
+    const TemporaryFolder folder;
+    const auto set_of = [](std::uint32_t k) { return diagonal(16, k < 40 ? k % 3 : k % 5); };
+    run(experiment_of({task("s", 70, set_of)}), folder.path());
+    const auto series = nlohmann::json::parse(content_of(folder.path() / "results.json"))["series"][0];
+    EXPECT_EQ(series["realizations"], 5);
+    EXPECT_EQ(series["repeated_realizations"].size(), 65U);
+    EXPECT_EQ(series["relative_radius"]["each"].size(), 5U);
+    EXPECT_EQ(series["point_files"],
+              nlohmann::json({"s/realization-000.dat", "s/realization-001.dat", "s/realization-002.dat",
+                              "s/realization-043.dat", "s/realization-044.dat"}));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "s/realization-003.dat"));
+    SpectrumEstimate estimate(2, spectrum_size(16, 2));
+    for (std::uint32_t k = 0; k < 5; ++k) estimate.add(diagonal(16, k));
+    const Spectrum expected = estimate.mean();
+    const Spectrum stored = read_spectrum_planes(folder.path() / "s/spectrum.exr").at(0);
+    EXPECT_EQ(stored.realizations, 5);
+    for (std::size_t i = 0; i < expected.power.size(); ++i)
+        EXPECT_FLOAT_EQ(static_cast<float>(stored.power[i]), static_cast<float>(expected.power[i]));
+}
+
 TEST(Runner, SizesMayVaryWhereTheSamplerSaysSo)
 {
     const TemporaryFolder folder;
