@@ -2,13 +2,13 @@
 
 #include "base/errors/errors.hpp"
 #include "tiles/tilings/random_permutation.hpp"
-#include "tiles/tilings/tiling.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -171,25 +171,20 @@ private:
     RecursiveDrawing drawing_;
 };
 
-RecursiveTiling::RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream)
-    : tiles_(&tiles), side_(side)
+RecursiveTiling::RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream,
+                                 RootTiles roots)
+    : tiles_(&tiles), side_(side), root_tiles_(std::move(roots))
 {
-    const Tiling tiling(DirectAlgorithm::wang_one_hash, {2, 2}, HashKind::xxh64,
-                        std::uint64_t{stream[0]} << 32 | stream[1], {side, side, 0});
     const std::uint32_t count = side * side;
-    const std::vector<std::uint32_t> order = random_permutation(count, stream, 0);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        root_tiles_.push_back(
-            static_cast<std::uint8_t>(even_wang_tile(wang_tile(tiling.tile(i % side, i / side), {2, 2}))));
-        root_turns_.push_back((order[i] + 1) * one_point / count);
-    }
+    for (const std::uint32_t turn : random_permutation(count, stream, 0))
+        root_turns_.push_back((turn + 1) * one_point / count);
 }
 
 std::vector<RecursiveTiling::Node> RecursiveTiling::roots() const
 {
     std::vector<Node> nodes;
     for (std::uint32_t i = 0; i < side_ * side_; ++i)
-        nodes.push_back({root_tiles_[i], {i % side_, i / side_}, root_turns_[i]});
+        nodes.push_back({static_cast<std::uint8_t>(root_tiles_[i]), {i % side_, i / side_}, root_turns_[i]});
     return nodes;
 }
 

@@ -13,6 +13,7 @@
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
 #include "host/tile_sampling/recursive/recursive_density.hpp"
+#include "host/tile_sampling/recursive/recursive_roots.hpp"
 #include "tiles/recursive/recursive_tile_set.hpp"
 
 #include <array>
@@ -62,8 +63,14 @@ inline constexpr int deepest_recursive_level = 31;
 class RecursiveTiling
 {
 public:
-    /// A torus of side x side tiles of level 0; `tiles` must outlive it. Side from 1 to 256.
-    RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream);
+    /// A torus of side x side tiles of level 0, `roots`; `tiles` must outlive it. Side from 1 to 256. The stream
+    /// decides which of them get their points first.
+    RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream, RootTiles roots);
+
+    /// The same with hashed_root_tiles().
+    RecursiveTiling(const RecursiveTileSet& tiles, std::uint32_t side, const StreamKey& stream)
+        : RecursiveTiling(tiles, side, stream, hashed_root_tiles(side, stream))
+    {}
 
     std::uint32_t side() const { return side_; }
     const RecursiveTileSet& tiles() const { return *tiles_; }
@@ -89,7 +96,7 @@ private:
 
     const RecursiveTileSet* tiles_;
     std::uint32_t side_;
-    std::vector<std::uint8_t> root_tiles_;  ///< row by row from the lower left
+    RootTiles root_tiles_;
     std::vector<std::uint64_t> root_turns_; ///< when a tile gets its next point: parts of 2^32 of one point per tile
 };
 

@@ -41,8 +41,8 @@ class RecursiveSampler final : public DeviceSampler
 public:
     RecursiveSampler(const Parameters& given, const SampleRequest& request, Engine engine, const DeviceProvider& device)
         : DeviceSampler(engine, device), seed_(request.seed), side_(small_parameter(given, base_key)),
-          drawing_(*recursive_drawings.find(given.text("drawing"))), density_(density_asked(given, request)),
-          begin_(std::chrono::steady_clock::now()),
+          roots_(side_, seed_), drawing_(*recursive_drawings.find(given.text("drawing"))),
+          density_(density_asked(given, request)), begin_(std::chrono::steady_clock::now()),
           cached_(cached_recursive_tiles(small_parameter(given, recursive_size_key), request.seed, tile_cache_folder(),
                                          request.on_step))
     {
@@ -54,7 +54,7 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const StreamKey stream = stream_key(seed_, Purpose::recursive_tilings, realization);
-        const RecursiveTiling tiling(cached_.tiles, side_, stream);
+        const RecursiveTiling tiling(cached_.tiles, side_, stream, roots_.of(realization));
         return generator_ ? generator_->torus_points(tiling, drawing_) : tiling.torus_points(density_, drawing_);
     }
 
@@ -68,6 +68,7 @@ public:
 private:
     std::uint64_t seed_;
     std::uint32_t side_;
+    RealizationRoots roots_;
     RecursiveDrawing drawing_;
     RecursiveDensity density_;
     std::chrono::steady_clock::time_point begin_;
@@ -89,7 +90,8 @@ std::vector<ParameterSpec> recursive_parameters()
          .otherwise = std::int64_t{2048}},
         {.key = base_key,
          .kind = Kind::integer,
-         .help = "M, the largest tiles along each axis of the torus",
+         .help = "M, the largest tiles along each axis of the torus, which has 14 tilings of M = 2 that differ, 128 of "
+                 "3, and 8,312 of 4",
          .minimum = 1,
          .maximum = 256,
          .symbol = "M",

@@ -1,6 +1,8 @@
 // Points of recursive Wang tiles: exact numbers, densities that contain each other, windows of any depth.
 #include "host/tile_sampling/recursive/recursive_points.hpp"
 
+#include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/set_mark.hpp"
 #include "base/densities/density_formula.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
@@ -354,6 +356,24 @@ TEST_F(RecursiveSamplers, MakeSetsOfTheSizeThatIsAsked)
     one.set("base_tiles", std::int64_t{1});
     EXPECT_TRUE(spec().is_deterministic(one));
     EXPECT_EQ(make(one)->sample(0), make(one)->sample(5));
+}
+
+/// Realizations of few tiles are all the tilings that differ, before any comes again.
+TEST_F(RecursiveSamplers, MakeDifferentSetsOfFewTiles)
+{
+    Parameters given = parameters();
+    given.set("base_tiles", std::int64_t{2});
+    const auto sampler = make(given, 4 * 2 * tile_points);
+    std::vector<SetMark> marks;
+    const auto is_new = [&](const PointSet& set) {
+        const SetMark mark = set_mark(set, min_toroidal_distance(set), mean_nearest_distance(set));
+        const bool seen = std::ranges::any_of(marks, [&](const SetMark& other) { return are_same_set(mark, other); });
+        marks.push_back(mark);
+        return !seen;
+    };
+    for (std::uint32_t k = 0; k < 14; ++k) EXPECT_TRUE(is_new(sampler->sample(k))) << k;
+    for (std::uint32_t k = 14; k < 20; ++k) EXPECT_FALSE(is_new(sampler->sample(k))) << k;
+    EXPECT_EQ(make(given, 4 * 2 * tile_points)->sample(9), sampler->sample(9)) << "without those before";
 }
 
 TEST_F(RecursiveSamplers, FollowAFormula)
