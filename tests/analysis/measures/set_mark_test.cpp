@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -15,11 +16,11 @@ namespace {
 
 SetMark mark_of(const PointSet& set) { return set_mark(set, min_toroidal_distance(set), mean_nearest_distance(set)); }
 
-PointSet shifted_by(PointSet set, const std::vector<double>& by)
+PointSet shifted_by(PointSet set, const std::array<double, 3>& by)
 {
     for (std::size_t i = 0; i < set.coordinates.size(); ++i) {
         double& c = set.coordinates[i];
-        c += by[i % by.size()];
+        c += by[i % static_cast<std::size_t>(set.dimension)];
         c -= std::floor(c);
         if (c >= 1) c = 0;
     }
