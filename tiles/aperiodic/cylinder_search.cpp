@@ -201,20 +201,31 @@ Cylinder longest_cylinder(const WangList& list, std::size_t circumference, Cylin
     return {stacks.heights.empty() ? 0 : std::ranges::max(stacks.heights)};
 }
 
+namespace {
+
+/// Adds the height of the next circumference of an axis, or the first period. Says whether heights go on.
+bool add_height(const WangList& list, std::size_t circumference, CylinderAxis axis, PeriodSearch& search)
+{
+    Cylinder cylinder = longest_cylinder(list, circumference, axis);
+    if (!cylinder.period) {
+        (axis == CylinderAxis::horizontal ? search.horizontal_heights : search.vertical_heights)
+            .push_back(cylinder.height);
+        return true;
+    }
+    if (!search.period) search.period = std::move(cylinder.period);
+    return false;
+}
+
+}
+
 PeriodSearch search_periods(const WangList& list, std::size_t widest,
                             const std::function<void(const PeriodSearch& search)>& on_step)
 {
     PeriodSearch search;
-    for (std::size_t circumference = 1; circumference <= widest; ++circumference) {
-        for (const CylinderAxis axis : {CylinderAxis::horizontal, CylinderAxis::vertical}) {
-            Cylinder cylinder = longest_cylinder(list, circumference, axis);
-            if (cylinder.period) {
-                search.period = std::move(cylinder.period);
-                return search;
-            }
-            (axis == CylinderAxis::horizontal ? search.horizontal_heights : search.vertical_heights)
-                .push_back(cylinder.height);
-        }
+    bool rows_go_on = true, columns_go_on = true;
+    for (std::size_t circumference = 1; circumference <= widest && (rows_go_on || columns_go_on); ++circumference) {
+        if (rows_go_on) rows_go_on = add_height(list, circumference, CylinderAxis::horizontal, search);
+        if (columns_go_on) columns_go_on = add_height(list, circumference, CylinderAxis::vertical, search);
         if (on_step) on_step(search);
     }
     return search;

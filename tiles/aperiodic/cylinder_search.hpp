@@ -54,13 +54,14 @@ Cylinder longest_cylinder(const WangList& list, std::size_t circumference, Cylin
 
 struct PeriodSearch
 {
-    std::vector<std::size_t> horizontal_heights; ///< of circumferences 1, 2, ...
+    /// Of circumferences 1, 2, ...; those of an axis end before the first one that has cylinders of any height.
+    std::vector<std::size_t> horizontal_heights;
     std::vector<std::size_t> vertical_heights;
-    std::optional<PeriodicTiling> period; ///< found; the search ended there, before a height was listed
+    std::optional<PeriodicTiling> period; ///< the first that was found
 };
 
-/// Searches the circumferences 1 to `widest` along both axes; ends with the first period. Calls `on_step` with what is
-/// known after each circumference without one. Throws as longest_cylinder().
+/// Searches the circumferences 1 to `widest` along both axes, along each up to its first period. Calls `on_step` with
+/// what is known after each circumference. Throws as longest_cylinder().
 PeriodSearch search_periods(const WangList& list, std::size_t widest,
                             const std::function<void(const PeriodSearch& search)>& on_step = {});
 

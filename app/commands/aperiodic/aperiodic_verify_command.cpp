@@ -15,9 +15,10 @@ namespace {
 
 constexpr auto aperiodic_verify_notes =
     R"(For each circumference w up to W: rows that close after w tiles are stacked until nothing fits. What is printed is the
-height of the tallest cylinder of rows, and of columns. Where cylinders have any height, the set has a tiling that
-repeats along both axes: its tiles are printed, numbered from 0 in the order of the set, and drawn with --out, four
-copies of it. Corner tile sets are searched as the Wang tiles that they are equivalent to.
+height of the tallest cylinder of rows, and of columns. Where cylinders have "any" height, the set has a tiling that
+repeats along both axes: the tiles of the first that is found are printed, numbered from 0 in the order of the set, and
+drawn with --out, four copies of them. The heights of an axis end there, those of the other axis go on. Corner tile sets
+are searched as the Wang tiles that they are equivalent to.
 No search proves that a set is aperiodic: there may be a longer period.
   poissonlab aperiodic verify kari --width 10
   poissonlab aperiodic verify ammann --construction horizontal --width 8 --out period.png)";
@@ -44,6 +45,18 @@ std::vector<std::span<const ListPlace>> rows_of(const PeriodicTiling& tiling)
 
 const char* axis_name(CylinderAxis axis) { return axis == CylinderAxis::horizontal ? "horizontal" : "vertical"; }
 
+/// A line of the table: heights, and "any" where those of an axis end.
+void print_heights(const PeriodSearch& search, std::size_t circumference)
+{
+    const auto height = [&](const std::vector<std::size_t>& heights) -> std::string {
+        if (heights.size() >= circumference) return std::to_string(heights[circumference - 1]);
+        return heights.size() + 1 == circumference ? "any" : "-";
+    };
+    fmt::print("{:>13}{:>10}{:>10}\n", circumference, height(search.horizontal_heights),
+               height(search.vertical_heights));
+    std::fflush(stdout);
+}
+
 void print_outcome(const PeriodSearch& search, std::uint32_t width)
 {
     if (!search.period) {
@@ -51,8 +64,7 @@ void print_outcome(const PeriodSearch& search, std::uint32_t width)
         return;
     }
     const PeriodicTiling& period = *search.period;
-    fmt::print("{:>13}   periodic: these {} x {} tiles repeat", search.horizontal_heights.size() + 1, period.width,
-               period.height);
+    fmt::print("periodic: these {} x {} tiles repeat", period.width, period.height);
     if (period.shear > 0)
         fmt::print(", copies {} moved {} tiles to the {}",
                    period.axis == CylinderAxis::horizontal ? "below" : "to the east", period.shear,
@@ -89,6 +101,26 @@ void draw_period(const std::filesystem::path& file, const ChosenTiles& chosen, c
     write_tile_picture(file, chosen, places, 2 * tiling.width, false);
 }
 
+/// Searches and prints heights. A circumference of one axis with too many rows is no error where the other axis has
+/// shown a period.
+PeriodSearch searched(const WangList& list, const AperiodicVerifyOptions& options)
+{
+    PeriodSearch known;
+    std::size_t circumference = 0;
+    try {
+        return search_periods(list, options.width, [&](const PeriodSearch& so_far) {
+            known = so_far;
+            ++circumference;
+            if (!options.json) print_heights(so_far, circumference);
+        });
+    } catch (const InputError& error) {
+        if (!known.period) throw;
+        fmt::print(stderr, "poissonlab: warning: heights end before circumference {}: {}\n", circumference + 1,
+                   error.what());
+        return known;
+    }
+}
+
 void verify_aperiodic(const AperiodicVerifyOptions& options)
 {
     if (options.width < 1 || options.width > largest_width)
@@ -105,12 +137,7 @@ void verify_aperiodic(const AperiodicVerifyOptions& options)
                        color_count(chosen.wang));
         fmt::print("circumference      rows   columns\n");
     }
-    const PeriodSearch search = search_periods(chosen.wang, options.width, [&](const PeriodSearch& so_far) {
-        if (options.json) return;
-        fmt::print("{:>13}{:>10}{:>10}\n", so_far.horizontal_heights.size(), so_far.horizontal_heights.back(),
-                   so_far.vertical_heights.back());
-        std::fflush(stdout);
-    });
+    const PeriodSearch search = searched(chosen.wang, options);
     if (search.period && !options.out.empty()) draw_period(options.out, chosen, *search.period);
     if (options.json)
         print_outcome_json(search, chosen.name, options.width);

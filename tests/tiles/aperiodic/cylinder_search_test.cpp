@@ -128,6 +128,26 @@ TEST(CylinderSearchOfPeriodicSets, FindsThePeriodsOfAStaircase)
     expect_repeats(stripes, *columns.period);
 }
 
+TEST(CylinderSearchOfPeriodicSets, ListsTheHeightsOfTheOtherAxisUpToItsOwnPeriod)
+{
+    // 44 corner tiles of Ammann's set repeat in rows of 2, and in columns of 3: the heights of columns are those that a
+    // search of columns alone has.
+    const WangList list = wang_list_of(construct_corners(ammann_tiles(), CornerConstruction::horizontal).list);
+    std::vector<std::size_t> steps;
+    const PeriodSearch search =
+        search_periods(list, 6, [&](const PeriodSearch& so_far) { steps.push_back(so_far.vertical_heights.size()); });
+    EXPECT_EQ(search.period->axis, CylinderAxis::horizontal);
+    EXPECT_THAT(search.horizontal_heights, SizeIs(1));
+    ASSERT_THAT(search.vertical_heights, SizeIs(2));
+    for (std::size_t width = 1; width <= 2; ++width) {
+        const Cylinder columns = longest_cylinder(list, width, CylinderAxis::vertical);
+        ASSERT_FALSE(columns.period);
+        EXPECT_EQ(search.vertical_heights[width - 1], columns.height);
+    }
+    EXPECT_TRUE(longest_cylinder(list, 3, CylinderAxis::vertical).period);
+    EXPECT_THAT(steps, testing::ElementsAre(1, 2, 2));
+}
+
 TEST(CylinderSearchOfPeriodicSets, CountsRowsOfATower)
 {
     // Layers 0 over 1 over 2 over 3, closed after two tiles: a cylinder of three rows, and nothing above or below.
