@@ -185,9 +185,10 @@ std::vector<TilePlace> IsohedralTile::tiles_near(const PlanePoint& low, const Pl
 IsohedralTile random_tile(const IsohedralType& type, std::uint64_t seed, double deformation, double amplitude)
 {
     constexpr std::uint32_t deformations = 1; // a stream beside that of curves
-    constexpr int halvings = 8;
+    constexpr int trials = 40;
+    constexpr double gentler = 0.9;
     const auto number = static_cast<std::uint32_t>(type.number);
-    for (int trial = 0; trial < halvings; ++trial, deformation /= 2, amplitude /= 2) {
+    for (int trial = 0; trial < trials; ++trial, deformation *= gentler, amplitude *= gentler) {
         IsohedralParameters parameters;
         for (std::uint32_t i = 0; i < type.shape.parameters(); ++i) {
             const auto words = philox({number, i, 0, 0}, stream_key(seed, Purpose::edge_curves, deformations));

@@ -78,8 +78,12 @@ private:
 };
 
 /// A tile with random parameters and curves: parameters up to `deformation` and curves of about `amplitude`, both
-/// halved until the outline does not cross itself.
+/// a tenth smaller again and again until the outline does not cross itself.
 IsohedralTile random_tile(const IsohedralType& type, std::uint64_t seed, double deformation, double amplitude);
+
+/// Those of random tiles that are looked at: types can be told apart.
+inline constexpr double drawn_deformation = 0.5;
+inline constexpr double drawn_amplitude = 0.3;
 
 /// True where two parts of a closed polyline that do not follow each other meet.
 bool crosses_itself(const std::vector<PlanePoint>& outline);

@@ -26,8 +26,6 @@ curves that may not be of any shape take what is needed of it.
   poissonlab isohedral draw all --out all.png)";
 
 constexpr double largest_window = 200; // sides of tiles; there are 40,000 tiles then
-constexpr double random_deformation = 0.3;
-constexpr double random_amplitude = 0.12;
 constexpr std::size_t gallery_columns = 9;
 
 struct IsohedralDrawOptions
@@ -81,7 +79,7 @@ IsohedralTile chosen_tile(const IsohedralDrawOptions& o, const IsohedralType& ty
 {
     if (o.random && (!o.parameters.empty() || !o.curves.empty()))
         throw InputError("isohedral draw: --random: goes without --parameters and --curve");
-    if (o.random) return random_tile(type, o.seed, random_deformation, random_amplitude);
+    if (o.random) return random_tile(type, o.seed, drawn_deformation, drawn_amplitude);
     IsohedralParameters parameters{numbers_of("--parameters", o.parameters), {}};
     for (const std::string& text : o.curves) parameters.curves.push_back(curve_of(text));
     if (parameters.curves.size() > type.shape.curve_shapes.size())
@@ -99,7 +97,7 @@ Drawing gallery(std::uint64_t seed)
     std::vector<IsohedralPanel> panels;
     for (const IsohedralType& type : isohedral_types()) {
         if (type.is_marked) continue;
-        const IsohedralTile tile = random_tile(type, seed, random_deformation, random_amplitude);
+        const IsohedralTile tile = random_tile(type, seed, drawn_deformation, drawn_amplitude);
         panels.push_back({fmt::format("IH{}", type.number), tile, proper_coloring(tile)});
     }
     return draw_isohedral_gallery(panels, gallery_columns);

@@ -220,9 +220,8 @@ SchemeChoice read_surface(const ConfigTable& table, std::uint64_t)
 
 IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed)
 {
-    constexpr double random_deformation = 0.3, random_amplitude = 0.12;
     const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
-    if (settings.is_random) return random_tile(type, seed, random_deformation, random_amplitude);
+    if (settings.is_random) return random_tile(type, seed, drawn_deformation, drawn_amplitude);
     return {type, settings.parameters};
 }
 

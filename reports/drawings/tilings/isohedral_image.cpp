@@ -11,6 +11,7 @@ namespace {
 
 constexpr double tile_outline = 1;
 constexpr double panel_tiles = 5; // sides of a square as large as the tile
+constexpr double panel_frame = 2; // covers the cuts
 constexpr double panel_gap = 12;
 constexpr double caption_size = 14;
 
@@ -54,6 +55,34 @@ void add_tiles(std::vector<Shape>& shapes, const std::vector<Polygon>& tiles, co
     for (const Polygon& tile : tiles) shapes.push_back({tile, {}, "#000000", tile_outline});
 }
 
+/// The part of a polygon on one side of a line along an axis, x or y: `sign` 1 keeps what is larger than `bound`. Where
+/// the part is in pieces, they hang together along the line.
+Polygon clipped_at(const Polygon& polygon, std::size_t axis, double bound, double sign)
+{
+    Polygon part;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const DrawingPoint &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double from = sign * (a[axis] - bound), to = sign * (b[axis] - bound);
+        if (from >= 0) part.push_back(a);
+        if ((from >= 0) == (to >= 0)) continue;
+        const double share = from / (from - to);
+        DrawingPoint cut{std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share)};
+        cut[axis] = bound;
+        part.push_back(cut);
+    }
+    return part;
+}
+
+Polygon clipped(Polygon polygon, const DrawingPoint& corner, double side)
+{
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+        polygon = clipped_at(polygon, axis, corner[axis], 1);
+        polygon = clipped_at(polygon, axis, corner[axis] + side, -1);
+    }
+    return polygon;
+}
+
+/// A square window of the tiling in a frame, and its caption below.
 void add_panel(Drawing& drawing, const IsohedralPanel& panel, const DrawingPoint& corner)
 {
     const double side = panel_tiles * isohedral_tile_size;
@@ -62,15 +91,15 @@ void add_panel(Drawing& drawing, const IsohedralPanel& panel, const DrawingPoint
     std::vector<Polygon> tiles;
     std::vector<std::string> fills;
     for (const TilePlace& place : panel.tile.tiles_near({-reach, -reach}, {reach, reach})) {
-        Polygon outline = placed_outline(panel.tile, place, placement);
-        const bool is_inside = std::ranges::all_of(outline, [&](const DrawingPoint& p) {
-            return p[0] >= corner[0] && p[0] <= corner[0] + side && p[1] >= corner[1] && p[1] <= corner[1] + side;
-        });
-        if (!is_inside) continue;
-        tiles.push_back(std::move(outline));
+        Polygon part = clipped(placed_outline(panel.tile, place, placement), corner, side);
+        if (part.empty()) continue;
+        tiles.push_back(std::move(part));
         fills.push_back(isohedral_color(panel.coloring.of(place)));
     }
     add_tiles(drawing.shapes, tiles, fills);
+    const Polygon frame{
+        corner, {corner[0] + side, corner[1]}, {corner[0] + side, corner[1] + side}, {corner[0], corner[1] + side}};
+    drawing.shapes.push_back({frame, {}, "#000000", panel_frame});
     drawing.shapes.push_back(
         {Text{{corner[0] + side / 2, corner[1] + side + caption_size}, caption_size, panel.caption, true},
          "#000000",

@@ -22,7 +22,7 @@ struct IsohedralPanel
     TileColoring coloring;
 };
 
-/// Several tilings in rows of `columns`, each with its caption below and the tiles that lie wholly in its square.
+/// Several tilings in rows of `columns`: square windows of them, in frames, with captions below.
 Drawing draw_isohedral_gallery(const std::vector<IsohedralPanel>& panels, std::size_t columns);
 
 }
