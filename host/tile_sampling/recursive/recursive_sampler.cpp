@@ -32,6 +32,11 @@ RecursiveDensity density_asked(const Parameters& given, const SampleRequest& req
     return {request.points, small_parameter(given, base_key), 0, given_density(given)};
 }
 
+bool draws_twice(const Parameters& given)
+{
+    return given.text("drawing") == recursive_drawings[RecursiveDrawing::twice];
+}
+
 /// On CPUs the host's threads are faster: kernels write down, and the host reads, all the ranks that a density leaves
 /// out, which are several times as many as its points.
 bool is_faster_on(const DeviceInfo& device) { return device.type != "CPU"; }
@@ -108,20 +113,26 @@ std::vector<ParameterSpec> recursive_parameters()
 
 void check_recursive(const Parameters& given, const SampleRequest& request, const SourceLocation& where)
 {
+    std::uint64_t most = 0; // points of one of the largest tiles, in units of 2^-32
     try {
-        density_asked(given, request);
+        most = density_asked(given, request).most();
     } catch (const InputError& error) {
         if (!error.key().empty()) throw;
         throw InputError::at(where, fmt::format("sampler = \"recursive-wang-tiles\": {}", error.what()));
     }
+    if (draws_twice(given) && most <= std::uint64_t{small_parameter(given, recursive_size_key)} << 32)
+        throw given.error("drawing", fmt::format("differs from \"{}\" only where one of the largest tiles has more "
+                                                 "points than points_per_tile = {}, and here they have at most {}",
+                                                 recursive_drawings[RecursiveDrawing::once],
+                                                 given.integer(recursive_size_key), (most + (1ULL << 32) - 1) >> 32));
 }
 
 /// The second drawing has the points of whole tiles on top.
 std::size_t most_recursive_points(const Parameters& given, const SampleRequest& request)
 {
     const std::size_t tiles = std::size_t{small_parameter(given, base_key)} * small_parameter(given, base_key);
-    const bool is_twice = given.text("drawing") == recursive_drawings[RecursiveDrawing::twice];
-    return is_twice ? 2 * request.points + tiles * small_parameter(given, recursive_size_key) : request.points;
+    return draws_twice(given) ? 2 * request.points + tiles * small_parameter(given, recursive_size_key)
+                              : request.points;
 }
 
 }

@@ -391,6 +391,21 @@ TEST_F(RecursiveSamplers, FollowAFormula)
     EXPECT_NE(spec().outside_input(given), spec().outside_input(parameters()));
 }
 
+TEST_F(RecursiveSamplers, RefuseToDrawTwiceWhereThatIsToDrawOnce)
+{
+    Parameters given = parameters(); // 4 x 4 largest tiles
+    given.set("drawing", std::string("twice"), {"test.toml", 3});
+    const std::size_t full = std::size_t{16} * tile_points;
+    EXPECT_EQ(make(given, full)->sample(0), make(parameters(), full)->sample(0));
+    EXPECT_THAT(refused(given, full), StartsWith("test.toml:3: drawing = twice: differs from \"once\" only where"));
+    EXPECT_EQ(refused(given, full + 16), "accepted");
+    EXPECT_NE(make(given, full + 16)->sample(0).size(), make(parameters(), full + 16)->sample(0).size());
+    EXPECT_EQ(refused(parameters(), full), "accepted");
+    // The densest place decides.
+    given.set("density", std::string("x < 0 ? 1 : 3"), {"test.toml", 4});
+    EXPECT_EQ(refused(given, full), "accepted");
+}
+
 TEST_F(RecursiveSamplers, RefuseDensitiesThatAreNone)
 {
     Parameters given = parameters();
