@@ -102,7 +102,7 @@ const std::vector<AperiodicSet>& aperiodic_sets()
          "8.3"},
         {"", "Robinson 24/24", "Robinson 1977", nullptr, "8.2", only_printed},
         {"", "Penrose 32/16", "Penrose", nullptr, "8.1", only_printed},
-        {"jeandel-rao", "Jeandel and Rao 11/4", "Jeandel and Rao 2015", jeandel_rao_tiles}};
+        {"jeandel-rao", "Jeandel and Rao 11/4", "Jeandel and Rao 2015, two of five colours merged", jeandel_rao_tiles}};
     return sets;
 }
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr auto aperiodic_sets_notes =
     R"(Colours are the larger of the numbers of horizontal and vertical colours. The sets with a figure are those of the
-dissertation's chapter 8; two of them exist as printed pictures only.)";
+dissertation's chapter 8; two of them exist as printed pictures only. Jeandel and Rao's set has four colours here: others
+list it with five, 0 to 4, of which its authors merge 4 with 0.)";
 
 struct AperiodicSetsOptions
 {

@@ -50,6 +50,8 @@ smallest aperiodic set of corner tiles known. Every number that it prints of thi
 a torus of 2 × 3 tiles: `poissonlab aperiodic verify ammann --construction horizontal --width 2`. Of the sets here
 without a period, the smallest are the 40 corner tiles over 8 colours that the rotation makes of Jeandel and Rao's Wang
 tiles, which were found later; of those that the dissertation could know, the 49 of Ammann's by the same construction.
+Jeandel and Rao's set is here with four colours. Others list it with five: there horizontal colour 0 is two, 0 and 4,
+which its authors merge without a period.
 
 | Wang tiles | construction | corner tiles/colours | |
 | --- | --- | --- | --- |
