@@ -57,7 +57,9 @@ Paper class_notes()
 const std::vector<Paper>& papers()
 {
     static const std::vector<Paper> all = [] {
-        std::vector<Paper> list{dissertation(), class_notes()};
+        std::vector<Paper> list{dissertation()};
+        std::ranges::move(papers_on_textures(), std::back_inserter(list));
+        list.push_back(class_notes());
         std::ranges::move(later_papers(), std::back_inserter(list));
         return list;
     }();

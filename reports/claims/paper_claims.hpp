@@ -48,7 +48,7 @@ struct Paper
     std::vector<PaperClaim> claims;
 };
 
-/// All papers, the dissertation first, with their claims in the order of the sections.
+/// All papers, the dissertation first, then those that it follows, with their claims in the order of the sections.
 const std::vector<Paper>& papers();
 
 struct JudgedClaim
@@ -84,8 +84,9 @@ std::vector<PaperClaim> claims_about_building();
 /// The claims about what tiles are for (4.7 and chapter 7).
 std::vector<PaperClaim> claims_about_applications();
 
-/// Claims about texture tiles: chapter 5, and the articles that it follows.
+/// The claims about texture tiles (5.3, 5.4), and the articles that chapter 5 follows.
 std::vector<PaperClaim> claims_about_textures();
+std::vector<Paper> papers_on_textures();
 
 /// The claims of the class notes about polyominoes (9.4).
 std::vector<PaperClaim> claims_about_polyominoes();

@@ -191,23 +191,10 @@ TextureOutcome frames_of_mapping(const ClaimSeries& report)
 std::vector<PaperClaim> claims_about_textures()
 {
     return {
-        {"5.3-fit", "5.3",
-         "Because the same sample is used for all tiles that share an edge colour, Wang tiles always fit together "
-         "(Cohen and others 2003, section 3.2).",
-         "no pixel at any border of two tiles that does not go on or have a joint that the colours predict", edges_fit},
         {"5.3-corners", "5.3", "Corner tiles have no corner problem (section 2.6).",
          "no pixel at any border of two corner or omega tiles that does not go on or have a joint that the colours "
          "predict",
          corners_fit},
-        {"5.3-marked", "5.3",
-         "With marked corners eight Wang tiles become 128, or 64 that still leave a random choice (Cohen and others "
-         "2003, section 3.4).",
-         "as many tiles fit by edges and marks; 64 serve marks at random only, since a map, which gives the fourth "
-         "mark as well, leaves one tile",
-         marked_tile_counts},
-        {"5.3-more-tiles", "5.3",
-         "Artefacts that come from few samples are overcome by more tiles (Cohen and others 2003, section 3.2).",
-         "18 tiles have less power at multiples of 1/T than 8", more_tiles_repeat_less},
         {"5.3-new-patch", "5.3", "Ng's placement is the only one that adds new texture to each tile.",
          "tiles show more of the exemplar than those of the same scheme without new pieces, at equal memory",
          [](const ClaimSeries& report) { return compared(report, is_ng_texture, is_cross_texture, "coverage", -1); }},
@@ -217,25 +204,44 @@ std::vector<PaperClaim> claims_about_textures()
          [](const ClaimSeries& report) {
              return compared(report, is_ng_texture, is_wang_texture, "color_distance", 1);
          }},
-        {"5.3-large", "5.3", "Omega tiles repeat less visibly than Wang tiles (Ng and others 2005, section 3.2).",
-         "less power at multiples of 1/2T, at equal memory",
-         [](const ClaimSeries& report) {
-             return compared(report, is_omega_texture, is_wang_texture, "double_lattice_power", 1);
-         }},
-        {"5.3-junctions", "5.3",
-         "Omega tiles have less prominent junctions than Wang tiles (Ng and others 2005, section 5).",
-         "a smaller part of their seams is conspicuous, at equal memory",
-         [](const ClaimSeries& report) {
-             return compared(report, is_omega_texture, is_wang_texture, "conspicuous_seams", 1);
-         }},
-        {"5.3-straight", "5.3",
-         "On a regular brick wall omega tiles are inferior to Wang tiles (Ng and others 2005, section 5).",
-         "the mismatch at seams is larger, at equal memory", straightness},
         {"5.4-frames", "5.4",
          "Texture mapping by corner tiles runs at several hundred frames a second on a GeForce 7800 GTX.",
          "at least 200 frames of 1,024 × 576 pixels a second, between mipmap levels, whatever the device is; the size "
          "of the dissertation's frames is unknown",
          frames_of_mapping},
+    };
+}
+
+std::vector<Paper> papers_on_textures()
+{
+    return {
+        {"cohen-2003",
+         "Cohen, Shade, Hiller and Deussen, <cite>Wang Tiles for Image and Texture Generation</cite> (2003)",
+         {{"cohen-2003-fit", "3.2",
+           "Because the same sample is used for all tiles that share an edge colour, Wang tiles always fit together.",
+           "no pixel at any border of two tiles that does not go on or have a joint that the colours predict",
+           edges_fit},
+          {"cohen-2003-more-tiles", "3.2", "Artefacts that come from few samples are overcome by more tiles.",
+           "18 tiles have less power at multiples of 1/T than 8", more_tiles_repeat_less},
+          {"cohen-2003-marked", "3.4",
+           "With marked corners eight Wang tiles become 128, or 64 that still leave a random choice.",
+           "as many tiles fit by edges and marks; 64 serve marks at random only, since a map, which gives the fourth "
+           "mark as well, leaves one tile",
+           marked_tile_counts}}},
+        {"ng-2005",
+         "Ng, Wen, Tan, Zhang and Kim, <cite>Generating an ω-Tile Set for Texture Synthesis</cite> (2005)",
+         {{"ng-2005-large", "3.2", "Omega tiles repeat less visibly than Wang tiles.",
+           "less power at multiples of 1/2T, at equal memory",
+           [](const ClaimSeries& report) {
+               return compared(report, is_omega_texture, is_wang_texture, "double_lattice_power", 1);
+           }},
+          {"ng-2005-junctions", "5", "Omega tiles have less prominent junctions than Wang tiles.",
+           "a smaller part of their seams is conspicuous, at equal memory",
+           [](const ClaimSeries& report) {
+               return compared(report, is_omega_texture, is_wang_texture, "conspicuous_seams", 1);
+           }},
+          {"ng-2005-straight", "5", "On a regular brick wall omega tiles are inferior to Wang tiles.",
+           "the mismatch at seams is larger, at equal memory", straightness}}},
     };
 }
 

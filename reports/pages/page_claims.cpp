@@ -59,6 +59,15 @@ std::string summary(const std::vector<JudgedClaim>& claims)
                        count(Agreement::not_judged));
 }
 
+/// True if the criterion or the outcome of a claim has these words, which the page then explains.
+bool mentions(const std::vector<JudgedClaim>& claims, const std::string& words)
+{
+    return std::ranges::any_of(claims, [&](const JudgedClaim& judged) {
+        return judged.claim->criterion.find(words) != std::string::npos ||
+               judged.outcome.measured.find(words) != std::string::npos;
+    });
+}
+
 }
 
 std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>& claims)
@@ -78,6 +87,11 @@ std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>&
     PageData page;
     page.set("papers", list);
     page.set("summary", summary(claims));
+    page.set("explains_peaks", mentions(claims, "mean peak"));
+    page.set("explains_plates", mentions(claims, "false plate"));
+    page.set("has_unjudged", std::ranges::any_of(claims, [](const JudgedClaim& judged) {
+                 return judged.outcome.agreement == Agreement::not_judged;
+             }));
     return render_in_frame(site, {site.out / claims_page, "The papers' claims · " + site.title, {}}, "claims", page);
 }
 

@@ -60,10 +60,10 @@ MadeUpTextures compared_textures(double better)
 TEST(TextureClaims, AgreeWithWhatThePapersSaw)
 {
     const MadeUpTextures textures = compared_textures(2);
-    for (const char* id : {"5.3-new-patch", "5.3-similar", "5.3-large", "5.3-junctions", "5.3-straight"})
+    for (const char* id : {"5.3-new-patch", "5.3-similar", "ng-2005-large", "ng-2005-junctions", "ng-2005-straight"})
         EXPECT_EQ(textures.outcome(id)->agreement, Agreement::agrees) << id;
     const MadeUpTextures others = compared_textures(0.5);
-    for (const char* id : {"5.3-new-patch", "5.3-similar", "5.3-large", "5.3-junctions", "5.3-straight"})
+    for (const char* id : {"5.3-new-patch", "5.3-similar", "ng-2005-large", "ng-2005-junctions", "ng-2005-straight"})
         EXPECT_EQ(others.outcome(id)->agreement, Agreement::disagrees) << id;
 }
 
@@ -85,11 +85,11 @@ TEST(TextureClaims, CountBordersThatDoNotFit)
     MadeUpTextures textures;
     textures.add("corner", "3", "2", {{"border_exceptions", 0}});
     DistributionResult& wang = textures.add("wang", "3", "2", {{"border_exceptions", 0}});
-    EXPECT_EQ(textures.outcome("5.3-fit")->agreement, Agreement::agrees);
+    EXPECT_EQ(textures.outcome("cohen-2003-fit")->agreement, Agreement::agrees);
     EXPECT_EQ(textures.outcome("5.3-corners")->agreement, Agreement::agrees);
     wang.numbers[1].value = 0.9;
-    EXPECT_EQ(textures.outcome("5.3-fit")->agreement, Agreement::disagrees);
-    EXPECT_THAT(textures.outcome("5.3-fit")->measured, HasSubstr("0.90 pairs of pixels a border"));
+    EXPECT_EQ(textures.outcome("cohen-2003-fit")->agreement, Agreement::disagrees);
+    EXPECT_THAT(textures.outcome("cohen-2003-fit")->measured, HasSubstr("0.90 pairs of pixels a border"));
     EXPECT_EQ(textures.outcome("5.3-corners")->agreement, Agreement::agrees);
 }
 
@@ -102,38 +102,38 @@ TEST(TextureClaims, AreNotJudgedWithoutTheirNumbers)
     textures.add("wang", "3", "2", {});
     textures.add("wang", "3", "2", {}, "compact");
     textures.add("wang", "3", "3", {}, "compact");
-    for (const char* id : {"5.3-fit", "5.3-corners", "5.3-more-tiles", "5.3-new-patch", "5.3-similar", "5.3-large",
-                           "5.3-junctions", "5.3-straight"})
+    for (const char* id : {"cohen-2003-fit", "5.3-corners", "cohen-2003-more-tiles", "5.3-new-patch", "5.3-similar",
+                           "ng-2005-large", "ng-2005-junctions", "ng-2005-straight"})
         EXPECT_FALSE(textures.outcome(id)) << id;
 }
 
 TEST(TextureClaims, CountMarkedTiles)
 {
     MadeUpTextures textures;
-    EXPECT_FALSE(textures.outcome("5.3-marked"));
+    EXPECT_FALSE(textures.outcome("cohen-2003-marked"));
     for (const std::string tiles : {"compact", "random-marks"}) {
         DistributionResult& marked = textures.add("wang", "3", "2", {{"border_exceptions", 1}}, tiles);
         marked.parameters.push_back({"marked_exemplar", "snow"});
         marked.numbers[0].value = tiles == "compact" ? 128 : 64;
-        EXPECT_EQ(textures.outcome("5.3-marked")->agreement, Agreement::agrees);
+        EXPECT_EQ(textures.outcome("cohen-2003-marked")->agreement, Agreement::agrees);
     }
-    EXPECT_THAT(textures.outcome("5.3-marked")->measured,
+    EXPECT_THAT(textures.outcome("cohen-2003-marked")->measured,
                 testing::AllOf(HasSubstr("128 tiles with all marks"), HasSubstr("64 for marks at random")));
     // They are no placement that others are compared with.
-    EXPECT_FALSE(textures.outcome("5.3-fit"));
+    EXPECT_FALSE(textures.outcome("cohen-2003-fit"));
     textures.add("wang", "3", "2", {}, "compact").parameters.push_back({"marked_exemplar", "snow"});
-    EXPECT_NE(textures.outcome("5.3-marked")->agreement, Agreement::agrees);
+    EXPECT_NE(textures.outcome("cohen-2003-marked")->agreement, Agreement::agrees);
 }
 
 TEST(TextureClaims, CompareEightTilesWithEighteen)
 {
     MadeUpTextures textures;
     textures.add("wang", "3", "2", {{"lattice_power", 0.2}}, "compact");
-    EXPECT_FALSE(textures.outcome("5.3-more-tiles"));
+    EXPECT_FALSE(textures.outcome("cohen-2003-more-tiles"));
     DistributionResult& many = textures.add("wang", "3", "3", {{"lattice_power", 0.1}}, "compact");
-    EXPECT_EQ(textures.outcome("5.3-more-tiles")->agreement, Agreement::agrees);
+    EXPECT_EQ(textures.outcome("cohen-2003-more-tiles")->agreement, Agreement::agrees);
     many.numbers[1].value = 0.3;
-    EXPECT_EQ(textures.outcome("5.3-more-tiles")->agreement, Agreement::disagrees);
+    EXPECT_EQ(textures.outcome("cohen-2003-more-tiles")->agreement, Agreement::disagrees);
 }
 
 TEST(TextureClaims, CountFramesASecond)
