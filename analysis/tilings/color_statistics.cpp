@@ -59,6 +59,56 @@ private:
     FftwPlan forward_, backward_;
 };
 
+/// A colour field in random order: how many of its pairs of places agree.
+class RandomOrder
+{
+public:
+    explicit RandomOrder(const std::vector<std::uint64_t>& counts)
+    {
+        double places = 0;
+        for (const std::uint64_t count : counts) places += static_cast<double>(count);
+        double of_two = 0, of_three = 0, corrections = 0;
+        for (const std::uint64_t count : counts) {
+            const auto c = static_cast<double>(count);
+            of_two += c * (c - 1);
+            of_three += c * (c - 1) * (c - 2);
+            corrections += c * (c - 1) * (4 * c - 6);
+        }
+        const double two = places * (places - 1), three = two * (places - 2), four = three * (places - 3);
+        if (two > 0) one_pair_ = of_two / two;
+        if (three > 0) sharing_ = of_three / three;
+        if (four > 0) {
+            excess_ = (of_two * of_two / two * (4 * places - 6) - corrections) / four;
+            apart_ = one_pair_ * one_pair_ + excess_;
+        }
+    }
+
+    /// The probability that a pair agrees: the sum of squared frequencies, but for a place with itself.
+    double chance() const { return one_pair_; }
+
+    /// The variance of the number of `pairs` that agree, where `chains` places are in two of them, and no pair shares
+    /// both of its places with another.
+    double variance(double pairs, double chains) const
+    {
+        return pairs * (one_pair_ - apart_) + 2 * chains * (sharing_ - apart_) + pairs * pairs * excess_;
+    }
+
+private:
+    double one_pair_ = 0;
+    double sharing_ = 0; ///< the probability that two pairs that share a place agree both
+    double apart_ = 0;   ///< of two that share none
+    double excess_ = 0;  ///< apart_ - one_pair_^2, which subtracting would round away
+};
+
+/// The number of places whose both neighbours at a displacement are in the field.
+double chains_of(const ColorField& field, int dx, int dy)
+{
+    const auto along = [](std::size_t size, int d) {
+        return std::max(0.0, static_cast<double>(size) - 2.0 * std::abs(d));
+    };
+    return along(field.width, dx) * along(field.height(), dy);
+}
+
 }
 
 FrequencyTest test_frequencies(std::span<const std::uint64_t> counts)
@@ -89,20 +139,24 @@ ColorAutocorrelation color_autocorrelation(const ColorField& field, int lags)
     if (lags < 0 || reach >= field.width || reach >= field.height())
         throw std::invalid_argument("color_autocorrelation: lags must be below width and height");
     const AgreementGrid agreement(field, lags);
-    const double share = 1.0 / field.colors;
+    const RandomOrder order(color_counts(field));
     ColorAutocorrelation result;
     result.lags = lags;
+    result.chance = order.chance();
     result.largest_at = {0, 0};
     for (int dy = -lags; dy <= lags; ++dy)
         for (int dx = -lags; dx <= lags; ++dx) {
             const double n = static_cast<double>(field.width - static_cast<std::size_t>(std::abs(dx))) *
                              static_cast<double>(field.height() - static_cast<std::size_t>(std::abs(dy)));
-            const bool middle = dx == 0 && dy == 0;
-            const double z = middle ? 0 : (agreement.pairs(dx, dy) - n * share) / std::sqrt(n * share * (1 - share));
+            const double pairs = agreement.pairs(dx, dy), variance = order.variance(n, chains_of(field, dx, dy));
+            // Rounding leaves less where all orders have as many pairs that agree.
+            const bool is_certain = (dx == 0 && dy == 0) || variance < 1e-12 * n;
+            const double z = is_certain ? 0 : (pairs - n * order.chance()) / std::sqrt(variance);
             result.z.push_back(z);
             if (dy >= 0 && std::abs(z) > result.largest) {
                 result.largest = std::abs(z);
                 result.largest_at = {dx, dy};
+                result.agreement = pairs / n;
             }
         }
     // Opposite displacements have the same value.

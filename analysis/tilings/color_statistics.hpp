@@ -36,17 +36,21 @@ FrequencyTest test_frequencies(std::span<const std::uint64_t> counts);
 /// The number of places of each colour.
 std::vector<std::uint64_t> color_counts(const ColorField& field);
 
-/// The agreement of colours at each displacement, against independent and equally frequent ones.
+/// The agreement of colours at each displacement, against the field's own colours in random order.
 ///
-/// With n pairs of places at a displacement, m of them of the same colour, z = (m - n/C) / sqrt(n/C (1 -
-/// 1/C)): for independent colours of equal probability 1/C, mean 0 and variance 1 exactly (pairs of places
-/// are independent two by two even where they share a place).
+/// What chance makes is the sum of the squared frequencies of colours, 1/C only where all are as frequent. With n pairs
+/// of places at a displacement, m of them of the same colour, z = (m - E m) / sqrt(Var m), where E and Var are those
+/// over all orders of the field's colours: mean 0 and variance 1 exactly. (Join counts without replacement: Cliff and
+/// Ord, Spatial Autocorrelation, 1973, chapter 1.) Independent colours have them as well, since given its counts of
+/// colours each order of an independent field is as probable as any other.
 struct ColorAutocorrelation
 {
-    int lags = 0;                    ///< L: displacements from -L to L along each axis
-    std::vector<double> z;           ///< (2 L + 1)^2 values, y slowest; 0 in the middle, where all colours agree
-    double largest = 0;              ///< of |z|
+    int lags = 0;          ///< L: displacements from -L to L along each axis
+    std::vector<double> z; ///< (2 L + 1)^2 values, y slowest; 0 in the middle, and where any order has as many
+    double chance = 0;     ///< the share of pairs that agree in random order, at any displacement
+    double largest = 0;    ///< of |z|
     std::array<int, 2> largest_at{}; ///< where, the first in order with y >= 0
+    double agreement = 0;            ///< the share of pairs that agree there
     double bound = 0;                ///< what chance exceeds with probability 0.01 in one of all displacements (Sidak)
 
     bool operator==(const ColorAutocorrelation&) const = default;

@@ -115,9 +115,13 @@ void add_tiling(const TilingRequest& request, const DiffractionSettings& setting
          fmt::format("{0}: power spectrum of colour {1} over {2} x {2} tiles; black -10 dB, white "
                      "30 dB.",
                      name, settings.color, settings.size)});
-    result.numbers.push_back({"peak_" + name, "Highest power, " + name, spectrum.peak(), "1: the mean"});
-    result.numbers.push_back({"strongest_" + name, "Power of the strongest 0.1 % of frequencies, " + name,
-                              spectrum.strongest(strongest_share), "of all; chance: 0.0079"});
+    result.numbers.push_back({"peak_" + name, "Highest power, " + name, spectrum.peak(), "1: the mean", {}, true});
+    result.numbers.push_back({"strongest_" + name,
+                              "Power of the strongest 0.1 % of frequencies, " + name,
+                              spectrum.strongest(strongest_share),
+                              "of all; chance: 0.0079",
+                              {},
+                              true});
     result.tables.front().rows.push_back(
         {name, fmt::format("{}", tile_set_of(request).size()), fmt::format("{:.1f}", spectrum.peak()),
          fmt::format("{:.2f} %", 100 * spectrum.strongest(strongest_share)),
@@ -133,12 +137,13 @@ DistributionResult make_diffraction(const DiffractionSettings& settings, Distrib
     DistributionResult result;
     result.facts = {fmt::format("{0} x {0} tiles", settings.size),
                     fmt::format("colour {} of southern edges, or of south-western corners", settings.color)};
-    result.tables.push_back({fmt::format("Power spectra of one colour; autocorrelations of all colours in standard "
-                                         "deviations of independent ones, up to {} tiles along each axis",
-                                         diffraction_lags),
-                             {"tiling", "tiles in the set", "highest power", "power of the strongest 0.1 %",
-                              "largest correlation", "at", "chance passes in 1 of 100"},
-                             {}});
+    result.tables.push_back(
+        {fmt::format("Power spectra of one colour, of mean 1; autocorrelations of all colours in "
+                     "standard deviations of random order, up to {} tiles along each axis",
+                     diffraction_lags),
+         {"tiling", "tiles in the set", "highest power", "part of the power in the strongest 0.1 %; chance: 0.79 %",
+          "largest correlation", "at", "chance passes in 1 of 100"},
+         {}});
     for (const TilingRequest& request : settings.tilings) add_tiling(request, settings, files, result);
     return result;
 }

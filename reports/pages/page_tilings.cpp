@@ -78,6 +78,21 @@ PageData measure(const std::string& name, const std::string& value, const std::s
 
 std::string p_text(double p) { return p < 1e-4 ? "p < 0.0001" : "p = " + format_significant(p, 2); }
 
+/// Where the largest correlation is, and what follows from it: correlation within its bound is chance, beyond it a
+/// dependence, and repetition only where all pairs agree.
+std::string correlation_words(const ColorAutocorrelation& correlation)
+{
+    const std::string where =
+        fmt::format("at ({}, {}); chance passes {} once in a hundred tilings", correlation.largest_at[0],
+                    correlation.largest_at[1], format_fixed(correlation.bound, 2));
+    if (correlation.largest <= correlation.bound) return where + ": no trace of repetition";
+    if (correlation.agreement == 0 && correlation.chance == 0) return where; // of older runs, which did not store them
+    const auto percent = [](double share) { return format_significant(100 * share, 3) + " %"; };
+    return fmt::format("{}: {} of the pairs of tiles there have the same colour, by chance {}: {}", where,
+                       percent(correlation.agreement), percent(correlation.chance),
+                       correlation.agreement == 1 ? "these colours repeat" : "they depend on each other");
+}
+
 PageData measures_of(const TilingResult& stored)
 {
     PageData list{PageData::type::list};
@@ -94,13 +109,9 @@ PageData measures_of(const TilingResult& stored)
         list << measure(fmt::format("Frequencies of colours, {}", colors.name), p_text(colors.frequencies.p_value),
                         fmt::format("chi-square {} for {} colours",
                                     format_significant(colors.frequencies.chi_square, 3), colors.counts.size()));
-        const bool repeats = colors.autocorrelation.largest > colors.autocorrelation.bound;
         list << measure(fmt::format("Largest correlation, {}", colors.name),
                         fmt::format("{} standard deviations", format_significant(colors.autocorrelation.largest, 3)),
-                        fmt::format("at ({}, {}); chance passes {} once in a hundred tilings: {}",
-                                    colors.autocorrelation.largest_at[0], colors.autocorrelation.largest_at[1],
-                                    format_fixed(colors.autocorrelation.bound, 2),
-                                    repeats ? "these colours repeat" : "no trace of repetition"));
+                        correlation_words(colors.autocorrelation));
     }
     return list;
 }
@@ -114,8 +125,10 @@ PageData tiling_section(const ReportTiling& tiling, std::size_t index, const std
     data.set("label", stored.label);
     data.set("anchor", fmt::format("tiles-{}", index + 1));
     data.set("facts", facts_of(stored));
-    data.set("picture", tiling_picture(tiling, page_folder, "tiles.svg", "tiles.svg",
-                                       stored.set.empty() ? "Tiling" : "Tile set", picture_caption(stored)));
+    PageData tiles = tiling_picture(tiling, page_folder, "tiles.svg", "tiles.svg",
+                                    stored.set.empty() ? "Tiling" : "Tile set", picture_caption(stored));
+    tiles.set("beside", fmt::format("beside-{}", stored.statistics ? stored.statistics->colors.size() : 0));
+    data.set("picture", tiles);
     PageData pictures{PageData::type::list};
     if (stored.statistics)
         for (const ColorStatistics& colors : stored.statistics->colors) {

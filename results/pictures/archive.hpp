@@ -18,7 +18,8 @@ void serialize(Archive& archive, FrequencyTest& test)
 template <class Archive>
 void serialize(Archive& archive, ColorAutocorrelation& autocorrelation)
 {
-    archive(autocorrelation.lags, autocorrelation.largest, autocorrelation.largest_at, autocorrelation.bound);
+    archive(autocorrelation.lags, autocorrelation.chance, autocorrelation.largest, autocorrelation.largest_at,
+            autocorrelation.agreement, autocorrelation.bound);
 }
 
 template <class Archive>
@@ -42,7 +43,7 @@ void serialize(Archive& archive, SceneSummary& summary)
 template <class Archive>
 void serialize(Archive& archive, DistributionNumber& number)
 {
-    archive(number.key, number.title, number.value, number.meaning, number.standard_error);
+    archive(number.key, number.title, number.value, number.meaning, number.standard_error, number.is_in_table);
 }
 
 template <class Archive>

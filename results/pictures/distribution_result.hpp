@@ -19,6 +19,7 @@ struct DistributionNumber
     double value = 0;
     std::string meaning;                       ///< in a few words, with the unit
     std::optional<double> standard_error = {}; ///< over several sets
+    bool is_in_table = false;                  ///< of the same result: pages say it there
 
     bool operator==(const DistributionNumber&) const = default;
 };

@@ -26,8 +26,10 @@ void members(JsonMembers& m, Stored<ColorStatistics> auto& colors)
     m.group("autocorrelation", [&](JsonMembers& group) {
         group.file_name("file", colors.autocorrelation_file);
         group.member("lags", colors.autocorrelation.lags);
+        group.or_none("chance", colors.autocorrelation.chance);
         group.member("largest", colors.autocorrelation.largest);
         group.member("largest_at", colors.autocorrelation.largest_at);
+        group.or_none("agreement", colors.autocorrelation.agreement);
         group.member("bound", colors.autocorrelation.bound);
     });
 }

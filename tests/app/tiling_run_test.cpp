@@ -72,6 +72,10 @@ TEST_F(TilingRun, SeesWhichHashFunctionsRepeat)
     EXPECT_EQ(std::abs(bad["largest_at"][0].get<int>()) % 256, 0);
     EXPECT_EQ(bad["largest_at"][1].get<int>() % 256, 0);
     EXPECT_EQ(root["tilings"][0]["hash_period"], json({256, 256}));
+    EXPECT_EQ(bad["agreement"], 1);
+    EXPECT_THAT(content_of(out_ / "index.html"),
+                testing::AllOf(testing::HasSubstr("these colours repeat"), testing::HasSubstr("no trace of repetition"),
+                               testing::Not(testing::HasSubstr("they depend on each other"))));
     for (const int good : {1, 2, 3}) {
         ASSERT_EQ(statistics(good)["colors"].size(), good == 1 ? 1 : 2);
         EXPECT_GT(statistics(good)["tile_frequencies"]["p_value"].get<double>(), 1e-4) << good;
@@ -84,6 +88,30 @@ TEST_F(TilingRun, SeesWhichHashFunctionsRepeat)
             EXPECT_EQ(image.at(320, 320), 0) << "the middle";
         }
     }
+}
+
+TEST_F(TilingRun, ComparesColorsOfAperiodicSetsWithTheirOwnFrequencies)
+{
+    const json root = results("[[tiling]]\nkind = \"wang\"\nalgorithm = \"kari\"\nwindow = [0, 0, 4, 4]\n");
+    for (const json& colors : root["tilings"][0]["statistics"]["colors"]) {
+        double places = 0, squares = 0;
+        for (const double count : colors["counts"]) {
+            places += count;
+            squares += count * count;
+        }
+        const json& autocorrelation = colors["autocorrelation"];
+        EXPECT_NEAR(autocorrelation["chance"].get<double>(), squares / places / places, 1e-6);
+        // Displacements agree more often than by chance, and less often: the mean is that of chance.
+        const auto image = read_square_image(out_ / autocorrelation["file"].get<std::string>());
+        std::size_t above = 0, below = 0;
+        for (int row = 0; row < image.size; ++row)
+            for (int column = 0; column < image.size; ++column) ++(image.at(column, row) > 0 ? above : below);
+        EXPECT_GT(std::min(above, below), (above + below) / 10) << colors["name"];
+        EXPECT_LT(autocorrelation["agreement"].get<double>(), 1) << "they do not repeat";
+    }
+    EXPECT_THAT(content_of(out_ / "index.html"),
+                testing::AllOf(testing::HasSubstr("they depend on each other"),
+                               testing::Not(testing::HasSubstr("these colours repeat"))));
 }
 
 TEST_F(TilingRun, DoesNotCountTilesOfSetsThatAreTooLarge)
