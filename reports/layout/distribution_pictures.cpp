@@ -6,9 +6,11 @@
 
 namespace poissonlab {
 
-bool is_of_textures(const ReportDistribution& distribution)
+bool is_of_textures(const ReportDistribution& distribution) { return distribution.stored->is_texture(); }
+bool is_of_packings(const ReportDistribution& distribution) { return distribution.stored->kind == "packing"; }
+bool is_of_densities(const ReportDistribution& distribution)
 {
-    return distribution.stored->is_texture() || distribution.stored->kind == "packing";
+    return !is_of_textures(distribution) && !is_of_packings(distribution);
 }
 
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture)

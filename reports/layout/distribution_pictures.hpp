@@ -17,8 +17,10 @@ struct ReportDistribution
     std::filesystem::path pictures; ///< folder of its pictures
 };
 
-/// Texture tiles and tile packings, which have a section of their own.
+/// Texture tiles and tile packings have sections of their own.
 bool is_of_textures(const ReportDistribution& distribution);
+bool is_of_packings(const ReportDistribution& distribution);
+bool is_of_densities(const ReportDistribution& distribution); ///< neither
 
 /// The PNG of a picture: drawn, or the stored one.
 std::filesystem::path png_of(const ReportDistribution& distribution, const DistributionPicture& picture);

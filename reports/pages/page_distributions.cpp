@@ -61,6 +61,14 @@ PageData table_data(const DistributionTable& table)
     return data;
 }
 
+/// The class of a grid of so many pictures: no row has a lone picture, and a single one has the whole width.
+const char* grid_of_pictures(std::size_t count)
+{
+    if (count == 1) return "alone";
+    if (count == 2) return "two";
+    return count % 3 == 1 ? "four" : "three";
+}
+
 PageData file_data(const ReportDistribution& distribution, const std::string& file,
                    const std::filesystem::path& page_folder)
 {
@@ -73,13 +81,14 @@ PageData file_data(const ReportDistribution& distribution, const std::string& fi
 }
 
 PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
-                              const std::filesystem::path& page_folder)
+                              const std::filesystem::path& page_folder, PageNumbers shown)
 {
     const DistributionResult& stored = *distribution.stored;
     PageData data, facts{PageData::type::list}, numbers{PageData::type::list}, pictures{PageData::type::list},
         files{PageData::type::list};
     for (const std::string& fact : stored.facts) facts << PageData(fact);
-    for (const DistributionNumber& number : stored.numbers) numbers << number_data(number);
+    for (const DistributionNumber& number : stored.numbers)
+        if (shown == PageNumbers::shown && !number.is_in_table) numbers << number_data(number);
     for (const DistributionPicture& picture : stored.pictures) {
         pictures << picture_data(distribution, picture, page_folder);
         if (picture.has_marks()) files << file_data(distribution, picture.file, page_folder);
@@ -89,9 +98,10 @@ PageData distribution_section(const ReportDistribution& distribution, const std:
     data.set("anchor", anchor);
     data.set("facts", facts);
     data.set("numbers", numbers);
-    data.set("has_numbers", !stored.numbers.empty());
+    data.set("has_numbers", numbers.is_non_empty_list());
     data.set("pictures", pictures);
     data.set("has_pictures", !stored.pictures.empty());
+    data.set("grid", grid_of_pictures(stored.pictures.size()));
     PageData tables{PageData::type::list};
     for (const DistributionTable& table : stored.tables) tables << table_data(table);
     data.set("tables", tables);

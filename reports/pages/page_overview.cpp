@@ -23,9 +23,12 @@ std::string contents_of(const ReportRun& run)
     add(run.series.size(), "series", "series");
     add(run.tilings.size(), "tiling", "tilings");
     add(run.constructions.size(), "construction", "constructions");
-    const auto textures = static_cast<std::size_t>(std::ranges::count_if(run.distributions, is_of_textures));
-    add(textures, "texture", "textures");
-    add(run.distributions.size() - textures, "distribution", "distributions");
+    const auto add_kind = [&](bool (*is_counted)(const ReportDistribution&), const char* one, const char* many) {
+        add(static_cast<std::size_t>(std::ranges::count_if(run.distributions, is_counted)), one, many);
+    };
+    add_kind(is_of_textures, "texture", "textures");
+    add_kind(is_of_packings, "packing", "packings");
+    add_kind(is_of_densities, "distribution", "distributions");
     add(run.schemes.size(), "scheme", "schemes");
     return text;
 }
@@ -53,7 +56,7 @@ PageData figures(const Site& site)
 void clear_run_parts(PageData& page)
 {
     for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions",
-                             "has_textures", "has_distributions", "has_schemes", "gallery"})
+                             "has_textures", "has_packings", "has_distributions", "has_schemes", "gallery"})
         page.set(part, false);
     page.set("content", "");
 }

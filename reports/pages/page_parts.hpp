@@ -60,12 +60,20 @@ std::string construction_legend(const ReportConstruction& construction);
 PageData construction_section(const ReportConstruction& construction, std::size_t index,
                               const std::filesystem::path& page_folder);
 
-/// One distribution or scheme: facts, numbers, pictures, tables. `anchor` is its place on the page.
-PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
-                              const std::filesystem::path& page_folder);
+enum class PageNumbers
+{
+    shown,
+    elsewhere ///< another table of the page has them
+};
 
-/// The measures of all textures of a run as a table, and what they mean; false where there are fewer than two.
-PageData texture_ranking(const ReportRun& run);
+/// One distribution or scheme: facts, numbers, pictures, tables. `anchor` is its place on the page. Numbers that one of
+/// its own tables has are not shown again.
+PageData distribution_section(const ReportDistribution& distribution, const std::string& anchor,
+                              const std::filesystem::path& page_folder, PageNumbers numbers = PageNumbers::shown);
+
+/// The textures of a run by their exemplars, each with a table of the measures of its textures where there are several.
+/// Sets `texture_groups` and, where there is such a table, `texture_notes`, which say what measures mean.
+void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& page_folder);
 
 /// The methods of a run whose parameters have lists of values, as tables of pictures.
 PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder);

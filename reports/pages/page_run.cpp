@@ -52,13 +52,13 @@ PageData construction_sections(const ReportRun& run, const std::filesystem::path
     return list;
 }
 
-/// The sections of textures, or of the others.
+/// The sections of distributions of a kind, whose anchors are their places in the whole list.
 PageData distribution_sections(const std::vector<ReportDistribution>& distributions, const std::string& anchor,
-                               bool of_textures, const std::filesystem::path& page_folder)
+                               bool (*is_shown)(const ReportDistribution&), const std::filesystem::path& page_folder)
 {
     PageData list{PageData::type::list};
     for (std::size_t i = 0; i < distributions.size(); ++i)
-        if (is_of_textures(distributions[i]) == of_textures)
+        if (is_shown(distributions[i]))
             list << distribution_section(distributions[i], fmt::format("{}-{}", anchor, i + 1), page_folder);
     return list;
 }
@@ -73,7 +73,7 @@ PageData zone_plate_reference_data(const ReportRun& run, const std::filesystem::
     return data;
 }
 
-//// The link to the compare page with this run's series ticked.
+/// The link to the compare page with this run's series ticked.
 PageData compare_link(const Site& site, const ReportRun& run, const std::filesystem::path& page_folder)
 {
     if (!site.has_curves_to_compare()) return false;
@@ -113,12 +113,13 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("has_tilings", !run.tilings.empty());
     page.set("constructions", construction_sections(run, page_folder));
     page.set("has_constructions", !run.constructions.empty());
-    page.set("textures", distribution_sections(run.distributions, "distribution", true, page_folder));
-    page.set("has_textures", std::ranges::any_of(run.distributions, is_of_textures));
-    page.set("texture_ranking", texture_ranking(run));
-    page.set("distributions", distribution_sections(run.distributions, "distribution", false, page_folder));
-    page.set("has_distributions", !std::ranges::all_of(run.distributions, is_of_textures));
-    page.set("schemes", distribution_sections(run.schemes, "scheme", false, page_folder));
+    set_textures(page, run, page_folder);
+    page.set("packings", distribution_sections(run.distributions, "distribution", is_of_packings, page_folder));
+    page.set("has_packings", std::ranges::any_of(run.distributions, is_of_packings));
+    page.set("distributions", distribution_sections(run.distributions, "distribution", is_of_densities, page_folder));
+    page.set("has_distributions", std::ranges::any_of(run.distributions, is_of_densities));
+    page.set("schemes", distribution_sections(
+                            run.schemes, "scheme", [](const ReportDistribution&) { return true; }, page_folder));
     page.set("has_schemes", !run.schemes.empty());
     return render_template("run", page);
 }

@@ -1,10 +1,12 @@
-// The ranking of a run's textures: a table of the measures that they have.
+// A run's textures: those of one exemplar beside each other, in a table of the measures that they have.
 #include "reports/pages/page_parts.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/texture_measures.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace poissonlab {
 
@@ -15,15 +17,6 @@ const char* arrow_of(const Measure& measure)
     return measure.better == Better::higher  ? "↑ higher is better"
            : measure.better == Better::lower ? "↓ lower is better"
                                              : "";
-}
-
-PageData texture_column(const Measure& measure)
-{
-    PageData data;
-    data.set("title", measure.title());
-    data.set("unit", measure.unit);
-    data.set("arrow", arrow_of(measure));
-    return data;
 }
 
 PageData texture_cell(const Measure& measure, const DistributionResult& texture)
@@ -45,33 +38,87 @@ PageData texture_note(const Measure& measure)
     return data;
 }
 
+/// Places of textures in a run's list.
+using TexturePlaces = std::vector<std::size_t>;
+
+/// The textures of each exemplar, in the order of the first ones.
+std::vector<TexturePlaces> textures_by_exemplar(const ReportRun& run)
+{
+    std::vector<TexturePlaces> groups;
+    const auto exemplar = [&](std::size_t i) { return run.distributions[i].stored->parameter("exemplar"); };
+    for (std::size_t i = 0; i < run.distributions.size(); ++i) {
+        if (!is_of_textures(run.distributions[i])) continue;
+        const auto group = std::ranges::find_if(
+            groups, [&](const TexturePlaces& places) { return exemplar(places.front()) == exemplar(i); });
+        if (group == groups.end())
+            groups.push_back({i});
+        else
+            group->push_back(i);
+    }
+    return groups;
 }
 
-PageData texture_ranking(const ReportRun& run)
+std::string texture_anchor(std::size_t place) { return fmt::format("distribution-{}", place + 1); }
+
+/// A measure with its values of all textures; false where none has it.
+PageData texture_row(const Measure& measure, const ReportRun& run, const TexturePlaces& places)
 {
-    PageData columns{PageData::type::list}, rows{PageData::type::list}, notes{PageData::type::list};
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < run.distributions.size(); ++i) {
-        const DistributionResult& texture = *run.distributions[i].stored;
-        if (!texture.is_texture()) continue;
-        ++count;
-        PageData row, cells{PageData::type::list};
-        for (const Measure& measure : texture_measures()) cells << texture_cell(measure, texture);
-        row.set("label", texture.label);
-        row.set("anchor", fmt::format("distribution-{}", i + 1));
-        row.set("cells", cells);
-        rows << row;
+    PageData row, cells{PageData::type::list};
+    bool is_there = false;
+    for (const std::size_t place : places) {
+        const DistributionResult& texture = *run.distributions[place].stored;
+        is_there = is_there || texture_value(measure, texture);
+        cells << texture_cell(measure, texture);
     }
-    if (count < 2) return false;
-    for (const Measure& measure : texture_measures()) {
-        columns << texture_column(measure);
-        notes << texture_note(measure);
+    if (!is_there) return false;
+    row.set("title", measure.title());
+    row.set("unit", measure.unit);
+    row.set("arrow", arrow_of(measure));
+    row.set("cells", cells);
+    return row;
+}
+
+/// A row for each measure, a column for each texture.
+PageData texture_table(const ReportRun& run, const TexturePlaces& places)
+{
+    PageData data, heads{PageData::type::list}, rows{PageData::type::list};
+    for (const std::size_t place : places) {
+        PageData head;
+        head.set("label", run.distributions[place].stored->label);
+        head.set("anchor", texture_anchor(place));
+        heads << head;
     }
-    PageData data;
-    data.set("columns", columns);
+    for (const Measure& measure : texture_measures())
+        if (PageData row = texture_row(measure, run, places); !row.is_false()) rows << row;
+    const std::string exemplar = run.distributions[places.front()].stored->parameter("exemplar");
+    data.set("title", fmt::format("Tiles of {}", exemplar.empty() ? "the same exemplar" : exemplar));
+    data.set("heads", heads);
     data.set("rows", rows);
-    data.set("notes", notes);
     return data;
+}
+
+}
+
+void set_textures(PageData& page, const ReportRun& run, const std::filesystem::path& page_folder)
+{
+    PageData groups{PageData::type::list}, notes{PageData::type::list};
+    bool has_tables = false;
+    for (const TexturePlaces& places : textures_by_exemplar(run)) {
+        const bool has_table = places.size() > 1;
+        has_tables = has_tables || has_table;
+        PageData group, textures{PageData::type::list};
+        for (const std::size_t place : places)
+            textures << distribution_section(run.distributions[place], texture_anchor(place), page_folder,
+                                             has_table ? PageNumbers::elsewhere : PageNumbers::shown);
+        group.set("table", has_table ? texture_table(run, places) : PageData(false));
+        group.set("textures", textures);
+        groups << group;
+    }
+    for (const Measure& measure : texture_measures()) notes << texture_note(measure);
+    page.set("texture_groups", groups);
+    page.set("has_textures", groups.is_non_empty_list());
+    page.set("has_texture_tables", has_tables);
+    page.set("texture_notes", notes);
 }
 
 }

@@ -55,9 +55,10 @@ std::string constructions_summary(const std::vector<const ReportRun*>& runs)
 
 std::string distributions_summary(const std::vector<const ReportRun*>& runs)
 {
-    std::size_t textures = 0, others = 0, schemes = 0;
+    std::size_t textures = 0, packings = 0, others = 0, schemes = 0;
     for (const ReportRun* run : runs) {
-        for (const ReportDistribution& entry : run->distributions) ++(is_of_textures(entry) ? textures : others);
+        for (const ReportDistribution& entry : run->distributions)
+            ++(is_of_textures(entry) ? textures : is_of_packings(entry) ? packings : others);
         schemes += run->schemes.size();
     }
     std::vector<std::string> parts;
@@ -65,6 +66,7 @@ std::string distributions_summary(const std::vector<const ReportRun*>& runs)
         if (count > 0) parts.push_back(counted(count, what));
     };
     add(textures, "texture");
+    add(packings, "packing");
     add(others, "distribution");
     add(schemes, "scheme");
     return parts.empty() ? std::string() : fmt::format("{}.", fmt::join(parts, ", "));

@@ -9,6 +9,7 @@ namespace poissonlab {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -56,6 +57,44 @@ TEST_F(DistributionReport, ShowsNumbersPicturesAndTables)
     EXPECT_THAT(text, HasSubstr("−2.500"));
     EXPECT_THAT(text, HasSubstr("A square &amp; a disk."));
     EXPECT_THAT(text, HasSubstr("<td>1 &lt;</td>"));
+}
+
+TEST_F(DistributionReport, SaysNumbersOfATableOnce)
+{
+    auto result_with_table = result("scheme-noise", "noise");
+    result_with_table["numbers"][1]["in_table"] = true;
+    json_["schemes"] = {result_with_table};
+    EXPECT_THAT(page(), AllOf(HasSubstr("<dt>count</dt>"), Not(HasSubstr("<dt>part</dt>"))));
+}
+
+TEST_F(DistributionReport, PutsTexturesOfAnExemplarSideBySide)
+{
+    const auto texture = [&](const std::string& name, const std::string& exemplar, double coverage) {
+        auto json = result(name, "texture");
+        json["parameters"] = {{{"key", "exemplar"}, {"value", exemplar}}};
+        json["numbers"] = {{{"key", "coverage"}, {"title", "of " + exemplar}, {"value", coverage}, {"meaning", ""}}};
+        return json;
+    };
+    json_["distributions"] = {texture("a", "gravel", 0.123), texture("b", "cork", 0.456),
+                              texture("c", "gravel", 0.789)};
+    const std::string text = page();
+    EXPECT_THAT(text, HasSubstr("3 textures."));
+    EXPECT_THAT(text, AllOf(HasSubstr("Tiles of gravel"), Not(HasSubstr("Tiles of cork"))));
+    // A row has the values of both; their sections do not have them again, as that of the only one of cork does.
+    EXPECT_THAT(text,
+                HasSubstr(R"(<td><data value="0.123">0.123</data></td><td><data value="0.789">0.789</data></td>)"));
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("<dt>of gravel</dt>")), HasSubstr("<dt>of cork</dt>")));
+    EXPECT_LT(text.find("<h3>a &lt;of&gt; two"), text.find("<h3>c &lt;of&gt; two"));
+    EXPECT_LT(text.find("<h3>c &lt;of&gt; two"), text.find("<h3>b &lt;of&gt; two")) << "those of gravel come first";
+    EXPECT_THAT(text, HasSubstr(R"(<article id="distribution-3">)")) << "by its place among all distributions";
+}
+
+TEST_F(DistributionReport, CallsPackingsPackings)
+{
+    json_["distributions"] = {result("distribution-packing", "packing")};
+    const std::string text = page();
+    EXPECT_THAT(text, AllOf(HasSubstr("<section id=\"packings\">"), HasSubstr("1 packing.")));
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("<section id=\"textures\">")), Not(HasSubstr("1 texture"))));
 }
 
 TEST_F(DistributionReport, RefusesTablesWithCellsMissing)
