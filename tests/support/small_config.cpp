@@ -1,0 +1,72 @@
+#include "tests/support/small_config.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <vector>
+
+namespace poissonlab::test {
+
+namespace {
+
+/// The largest values that keys keep. Spheres need more points, in tiles as in sets; so do coarse sets, of levels.
+std::map<std::string, long> largest_values(const std::string& toml)
+{
+    std::map<std::string, long> values{
+        {"points", 256},         {"realizations", 3}, {"sets", 2},   {"iterations", 5}, {"lloyd_iterations", 3},
+        {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
+        {"points_per_tile", 16}, {"size", 256},       {"colors", 4}};
+    if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
+    if (toml.find("levels = ") != std::string::npos) values["points"] = 1024;
+    return values;
+}
+
+/// "[2, 3, 4, 6]" or "4", each number at most so large, and each once.
+std::string limited(const std::string& value, long largest)
+{
+    static const std::regex number("-?[0-9]+");
+    std::vector<long> numbers;
+    for (auto found = std::sregex_iterator(value.begin(), value.end(), number); found != std::sregex_iterator();
+         ++found) {
+        const long limit = std::min(std::stol(found->str()), largest);
+        if (std::ranges::find(numbers, limit) == numbers.end()) numbers.push_back(limit);
+    }
+    std::string text;
+    for (const long each : numbers) text += (text.empty() ? "" : ", ") + std::to_string(each);
+    return value.starts_with('[') ? "[" + text + "]" : text;
+}
+
+/// Adds lines after each line that is `line`.
+void add_after(std::string& toml, const std::string& line, const std::string& lines)
+{
+    for (auto at = toml.find(line + "\n"); at != std::string::npos; at = toml.find(line + "\n", at + line.size()))
+        toml.insert(at + line.size() + 1, lines + "\n");
+}
+
+}
+
+std::string small_config(const std::string& toml)
+{
+    const std::map<std::string, long> values = largest_values(toml);
+    static const std::regex assignment(R"(\b([a-z_]+) = (\[[-0-9, ]*\]|[0-9]+))");
+    std::string result;
+    auto rest = toml.begin();
+    for (auto found = std::sregex_iterator(toml.begin(), toml.end(), assignment); found != std::sregex_iterator();
+         ++found) {
+        const auto largest = values.find((*found)[1]);
+        if (largest == values.end()) continue;
+        result.append(rest, (*found)[2].first);
+        result += limited((*found)[2], largest->second);
+        rest = (*found)[2].second;
+    }
+    result.append(rest, toml.end());
+    result = std::regex_replace(result, std::regex(R"(min_distance = \[.*\])"), "min_distance = [0.06, 0.05]");
+    result = std::regex_replace(result, std::regex(R"(variant = \["P", "G"\])"), "variant = \"P\"");
+    // Defaults that are large.
+    add_after(result, "[[texture]]", "size = 16\ncandidates = 2");
+    add_after(result, "sampler = \"averaged-tiles\"", "iterations = 2");
+    add_after(result, "sampler = \"recursive-wang-tiles\"", "points_per_tile = 128");
+    return result;
+}
+
+}
