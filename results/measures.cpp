@@ -36,6 +36,12 @@ Value device_memory(const Series& series)
     return MeasuredValue{static_cast<double>(series.device_bytes) / (1 << 20)};
 }
 
+Value shared_points(const Series& series)
+{
+    if (!series.tile_set || !series.tile_set->shared_points) return std::nullopt;
+    return MeasuredValue{*series.tile_set->shared_points};
+}
+
 Value points_per_second(const Series& series)
 {
     const Value time = sample_time(series);
@@ -250,6 +256,15 @@ std::vector<Measure> spectral_measures()
                       MeasureKind::estimate, significant(2),
                       "What these peaks have above the power around them, of all power up to there: near 0 where tiles "
                       "leave no trace.")),
+        detail(number("lattice_share", "power on the lattice", "of all", Better::lower, MeasureKind::estimate,
+                      significant(2),
+                      "The part of all power, up to the end of the spectrum, at the frequencies at which tiles repeat, "
+                      "with its standard error: about 1/M{²|³} of M tiles along an axis where tiles leave no trace.")),
+        detail(row("shared_points", "points that tiles share", "of a tile's points", Better::lower, MeasureKind::size,
+                   significant(2),
+                   "The part of its points that a tile has in common with another one of a tiling, on average, counted "
+                   "in the first tile set. It predicts the power on the lattice.",
+                   shared_points)),
         detail(
             number("off_lattice_anisotropy", "anisotropy between lattice peaks", "dB above chance", Better::lower,
                    MeasureKind::estimate, decimals(2),
@@ -260,6 +275,10 @@ std::vector<Measure> spectral_measures()
                    MeasureKind::estimate, decimals(2),
                    "The largest deviation of the density from its mean, over the distance from the tiles' borders in "
                    "steps of a quarter of a disk's radius: 0 without seams.")),
+        detail(number("border_density", "density near borders of tiles", "of the mean density", Better::neither,
+                      MeasureKind::estimate, decimals(2),
+                      "The density of the points that are within a disk's radius of the tiles' borders, at a relative "
+                      "radius of 0.75: below 1 where tiles keep points away from each other's borders.")),
     };
 }
 

@@ -133,6 +133,7 @@ void members(JsonMembers& m, Stored<TileSetRecord> auto& set)
     m.member("points_per_tile", set.points_per_tile, 1);
     m.or_none("cached", set.cached);
     m.group_if(!set.regions.empty(), "regions", [&](JsonMembers& group) { regions(group, set.regions); });
+    if (m.is_there("shared_points", set.shared_points.has_value())) m.member("shared_points", made(set.shared_points));
     if (m.is_there("build_seconds", set.build.has_value())) members(m, made(set.build));
 }
 

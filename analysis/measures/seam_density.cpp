@@ -10,6 +10,7 @@ namespace poissonlab {
 namespace {
 
 constexpr double usual_relative_radius = 0.75;
+constexpr std::size_t bins_per_radius = 4;
 
 /// Chance alone makes a deviation of 5 percent of as many points, and well-spread ones less.
 constexpr double least_points = 400;
@@ -18,7 +19,7 @@ constexpr double least_points = 400;
 
 double seam_bin_width(int dimension, int tiles, std::size_t points)
 {
-    return min_distance_for(usual_relative_radius, points, dimension) / 2 / 4 * tiles;
+    return min_distance_for(usual_relative_radius, points, dimension) / 2 / bins_per_radius * tiles;
 }
 
 SeamDensity::SeamDensity(int dimension, int tiles, std::size_t points)
@@ -71,6 +72,19 @@ std::optional<double> SeamDensity::largest_deviation() const
         if (volume(i) * all >= least_points)
             largest = std::max(largest.value_or(0), std::abs(densities[i].density - 1));
     return largest;
+}
+
+std::optional<double> SeamDensity::border_density() const
+{
+    const std::size_t end = std::min(bins_per_radius, counts_.size());
+    double near = 0, part = 0;
+    for (std::size_t i = 0; i < end; ++i) {
+        near += static_cast<double>(counts_[i]);
+        part += volume(i);
+    }
+    const double expected =
+        part * static_cast<double>(std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}));
+    return expected < least_points ? std::nullopt : std::optional(near / expected);
 }
 
 }

@@ -39,6 +39,10 @@ public:
     /// any.
     std::optional<double> largest_deviation() const;
 
+    /// The density over the mean one within the radius that disks have at a relative radius of 0.75 of the borders.
+    /// Empty where there should be fewer than 400 points.
+    std::optional<double> border_density() const;
+
     template <class Archive>
     void serialize(Archive& archive)
     {

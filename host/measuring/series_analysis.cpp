@@ -1,6 +1,7 @@
 #include "host/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/lattice_share.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/spectra/radial_bin.hpp"
@@ -124,8 +125,10 @@ bool SeriesAnalysis::add(const PointSet& points)
     }
     if (estimate_) {
         estimate_->add(points);
-        if (options_.tiles > 0)
+        if (options_.tiles > 0) {
             set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
+            set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
+        }
     }
     if (options_.progressive) set.prefix_radius = prefix_radius(points);
     sets_.push_back(set);
@@ -231,9 +234,13 @@ Series SeriesAnalysis::result() const
     if (series.relative_radius) series.measures.numbers["mean_nearest_distance"] = mean_of(&SetMeasures::mean_nearest);
     if (options_.progressive) series.measures.numbers["prefix_relative_radius"] = mean_of(&SetMeasures::prefix_radius);
     if (integration_) series.measures.integration = integration_->mean();
-    if (seams_)
+    if (estimate_ && options_.tiles > 0)
+        series.measures.numbers["lattice_share"] = mean_of(&SetMeasures::lattice_share);
+    if (seams_) {
         if (const auto deviation = seams_->largest_deviation())
             series.measures.numbers["seam_density"] = {*deviation, {}};
+        if (const auto density = seams_->border_density()) series.measures.numbers["border_density"] = {*density, {}};
+    }
     series.is_window = options_.window;
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;

@@ -122,6 +122,7 @@ private:
         double relative_radius = 0;
         double covered_fraction = 0;
         double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
+        double lattice_share = 0;     ///< of tiled sets
         double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
         double prefix_radius = 0;     ///< of sets in progressive order
 
@@ -129,6 +130,7 @@ private:
         void serialize(Archive& archive)
         {
             archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
+                    lattice_share,
                     mean_nearest, prefix_radius);
         }
     };

@@ -8,6 +8,7 @@
 #include "host/tile_sampling/building_lock.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/region_counts.hpp"
+#include "tiles/poisson/shared_points.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -94,8 +95,9 @@ std::vector<RegionPoints> region_points(const PoissonTileSet& set)
 
 CachedTileSet recorded(PoissonTileSet set, bool cached, std::optional<TileSetBuild> build, double waiting_seconds)
 {
-    TileSetRecord record{set.parameters.tiles, set.parameters.points_per_tile, cached, std::move(build),
-                         region_points(set)};
+    TileSetRecord record{
+        set.parameters.tiles, set.parameters.points_per_tile, cached, std::move(build), region_points(set),
+        shared_points(set)};
     return {std::move(set), std::move(record), waiting_seconds};
 }
 

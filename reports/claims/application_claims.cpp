@@ -33,7 +33,7 @@ ApplicationOutcome radii_of_16_points(const ClaimSeries& report)
 
 ApplicationOutcome clumps_of_warping(const ClaimSeries& report)
 {
-    Tally tally;
+    int warps = 0, clumps = 0;
     std::vector<double> least, before, mean, mean_before;
     for (const DistributionResult* warp : report.distributions("warp")) {
         const auto l = number_of(*warp, "least_spacing"), b = number_of(*warp, "least_spacing_before");
@@ -43,14 +43,15 @@ ApplicationOutcome clumps_of_warping(const ClaimSeries& report)
         before.push_back(*b);
         mean.push_back(*m);
         mean_before.push_back(*n);
-        tally.add(*l < *b / 2 && *m < *n);
+        ++warps;
+        clumps += *l < *b / 2 && *m < *n;
     }
-    if (tally.empty()) return std::nullopt;
+    if (warps == 0) return std::nullopt;
     return ClaimOutcome{
-        tally.agreement(),
+        agreement_if(clumps > 0),
         joined_words({fmt::format("least {}, {} before", range_words(least, 2), range_words(before, 2)),
                       fmt::format("mean {}, {} before", range_words(mean, 2), range_words(mean_before, 2)),
-                      tally.words()})};
+                      fmt::format("in {} of {}", clumps, warps)})};
 }
 
 /// Ranked points of densities: periodic in constant regions, but as many as are asked for.
@@ -78,18 +79,19 @@ ApplicationOutcome instances_of_a_forest(const ClaimSeries& report)
         const auto n = number_of(*instances, "instances"), expected = number_of(*instances, "expected");
         if (!n || !expected || *expected <= 0) continue;
         ratios.push_back(*n / *expected);
-        tally.add(std::abs(*n - *expected) < 2 * std::sqrt(*expected));
+        const double errors = std::abs(*n - *expected) / std::sqrt(*expected);
+        tally.add(errors < 2 ? Finding::holds : errors < 4 ? Finding::open : Finding::fails);
     }
     if (tally.empty()) return std::nullopt;
     return ClaimOutcome{tally.agreement(),
                         joined_words({range_words(ratios, 3) + " of the expected number", tally.words()})};
 }
 
-/// A look-up in calls of Perlin's noise, of objects in the plane or in space.
-std::function<ApplicationOutcome(const ClaimSeries&)> calls_of_noise(int dimension, double most)
+/// A look-up in calls of Perlin's noise, of objects in the plane or in space. Shaders look up rows of pixels, where
+/// noise is cheaper; which order the dissertation timed is not known.
+std::function<ApplicationOutcome(const ClaimSeries&)> calls_of_noise(int dimension)
 {
-    return [dimension, most](const ClaimSeries& report) -> ApplicationOutcome {
-        Tally tally;
+    return [dimension](const ClaimSeries& report) -> ApplicationOutcome {
         std::vector<double> anywhere, in_rows;
         for (const DistributionResult* objects : report.distributions("objects")) {
             const auto d = number_of(*objects, "timed_dimension");
@@ -98,12 +100,10 @@ std::function<ApplicationOutcome(const ClaimSeries&)> calls_of_noise(int dimensi
             if (d != dimension || !random || !rows) continue;
             anywhere.push_back(*random);
             in_rows.push_back(*rows);
-            tally.add(*random <= most);
         }
-        if (tally.empty()) return std::nullopt;
-        return ClaimOutcome{tally.agreement(),
-                            joined_words({range_words(anywhere, 2) + " calls at random places",
-                                          range_words(in_rows, 2) + " in rows of pixels", tally.words()})};
+        if (anywhere.empty()) return std::nullopt;
+        return ClaimOutcome{Agreement::shown, joined_words({range_words(anywhere, 2) + " calls at random places",
+                                                            range_words(in_rows, 2) + " in rows of pixels"})};
     };
 }
 
@@ -111,13 +111,14 @@ std::function<ApplicationOutcome(const ClaimSeries&)> calls_of_noise(int dimensi
 
 std::vector<PaperClaim> claims_about_applications()
 {
+    const char* const calls_shown = "shown: times depend on the machine, and on the order of the places";
     return {
         {"4.7-radii", "4.7",
          "The best self-similar tile of 16 points has a relative radius of 0.6966, the second one of 0.6528.",
          "both radii have these four digits", radii_of_16_points},
         {"7.2-clumping", "7.2", "Warping can introduce clumping.",
-         "nearest distances, in parts of the largest ones that the density allows, are smaller on average than before, "
-         "and the least one is less than half of that before",
+         "by some density nearest distances, in parts of the largest ones that it allows, are smaller on average than "
+         "before, and the least one is less than half of that before",
          clumps_of_warping},
         {"7.3-zoom", "7.3",
          "The self-similar tile gives about as many points of a picture as of its zoom-ins (figure 7.4).",
@@ -125,13 +126,16 @@ std::vector<PaperClaim> claims_about_applications()
         {"7.5-instances", "7.5",
          "Tiles place over 2,000 trees of a forest, several thousand asteroids of a belt, by evaluating a distribution "
          "locally.",
-         "numbers in windows within two square roots of those expected, as those of random points are 19 times in 20",
+         "numbers in windows within two square roots of those expected, as those of random points are 19 times in 20; "
+         "open "
+         "up to four",
          instances_of_a_forest},
         {"7.6-noise-2d", "7.6",
          "A look-up of the procedural object distribution function costs about as much as 5 calls of Perlin's noise.",
-         "at most 5 calls at random places; both orders are shown", calls_of_noise(2, 5)},
-        {"7.6-noise-3d", "7.6", "In space it costs about as much as 20 calls.",
-         "at most 20 calls at random places; both orders are shown", calls_of_noise(3, 20)},
+         calls_shown, calls_of_noise(2)},
+        {"7.6-noise-3d", "7.6",
+         "In space a look-up of the object distribution function costs about as much as 20 calls.", calls_shown,
+         calls_of_noise(3)},
     };
 }
 

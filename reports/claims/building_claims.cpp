@@ -28,7 +28,7 @@ std::optional<ClaimOutcome> building_times(const ClaimSeries& report)
         joined_words({building_words(report, "corner-tiles", 2), building_words(report, "edge-tiles", 2),
                       building_words(report, "template-tiles", 2), building_words(report, "sphere-tiles", 3)});
     if (words.empty()) return std::nullopt;
-    return ClaimOutcome{Agreement::not_judged, words};
+    return ClaimOutcome{Agreement::shown, words};
 }
 
 }
@@ -37,7 +37,7 @@ std::vector<PaperClaim> claims_about_building()
 {
     const SeriesQuery many{.sampler = "dart-throwing", .numbers = {{"relative_radius", 0.70}}, .points = plate_points};
     return {{"4.5-time", "4.5", "Making a tile set takes from several minutes to several hours.",
-             "times of 2006 beside those of the largest sets here, on the machine that built them: not judged",
+             "times of 2006 beside those of the largest sets here, on the machine that built them: shown",
              building_times},
             time_claim("6.3-many", "6.3", "Sets of 100,000 points and more are very difficult to make in practice.",
                        {{"262,144 points, ρ = 0.70", many}})};

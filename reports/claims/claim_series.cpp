@@ -17,8 +17,6 @@ namespace poissonlab {
 
 namespace {
 
-constexpr std::size_t enough_samples = 100; ///< of a ring, for anisotropy that chance does not dominate
-
 bool fits(const ReportSeries& series, SeriesQuery::Needs needs)
 {
     switch (needs) {
@@ -46,24 +44,6 @@ bool fits(const ReportSeries& series, const SeriesQuery& query)
         return value && std::abs(*value - parameter.second) < 1e-9;
     });
     return parameters && fits(series, query.needs);
-}
-
-/// N^(1/d): frequencies over it are in cycles per mean spacing.
-double frequency_unit(const ReportSeries& series)
-{
-    return std::pow(static_cast<double>(series.stored->points), 1.0 / series.run->dimension);
-}
-
-/// The power at a frequency, between two rings in proportion; nothing outside of the curve.
-std::optional<double> power_at(const std::vector<RadialBin>& bins, double frequency)
-{
-    const auto above = std::ranges::lower_bound(bins, frequency, {}, &RadialBin::frequency);
-    if (above == bins.end()) return std::nullopt;
-    if (above->frequency == frequency) return above->power;
-    if (above == bins.begin()) return std::nullopt;
-    const RadialBin& below = *(above - 1);
-    const double part = (frequency - below.frequency) / (above->frequency - below.frequency);
-    return below.power + part * (above->power - below.power);
 }
 
 }
@@ -112,6 +92,13 @@ std::optional<double> number_of(const DistributionResult& distribution, const st
     const auto found = std::ranges::find(distribution.numbers, key, &DistributionNumber::key);
     if (found == distribution.numbers.end()) return std::nullopt;
     return found->value;
+}
+
+std::optional<Estimate> estimate_in(const DistributionResult& distribution, const std::string& key)
+{
+    const auto found = std::ranges::find(distribution.numbers, key, &DistributionNumber::key);
+    if (found == distribution.numbers.end()) return std::nullopt;
+    return Estimate{found->value, found->standard_error};
 }
 
 std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) const
@@ -166,31 +153,6 @@ std::optional<double> tiles_of_set(const ReportSeries& series)
     return std::nullopt;
 }
 
-double mean_excess_anisotropy(const ReportSeries& series)
-{
-    double sum = 0;
-    int rings = 0;
-    for (const auto& bin : series.curve.bins) {
-        if (bin.samples < enough_samples) continue;
-        sum += bin.anisotropy_db;
-        ++rings;
-    }
-    return rings > 0 ? sum / rings - series.curve.background_db : 0;
-}
-
-Estimate mean_excess_with_error(const ReportSeries& series)
-{
-    const double mean = mean_excess_anisotropy(series);
-    double squares = 0, rings = 0;
-    for (const auto& bin : series.curve.bins) {
-        if (bin.samples < enough_samples) continue;
-        const double off = bin.anisotropy_db - series.curve.background_db - mean;
-        squares += off * off;
-        ++rings;
-    }
-    return {mean, rings > 1 ? std::optional(std::sqrt(squares / (rings - 1) / rings)) : std::nullopt};
-}
-
 const Estimate* estimate_of(const ReportSeries& series, const std::string& key)
 {
     const auto& numbers = series.stored->measures.numbers;
@@ -201,58 +163,6 @@ const Estimate* estimate_of(const ReportSeries& series, const std::string& key)
 bool has_estimated_spectrum(const ReportSeries& series)
 {
     return !series.curve.bins.empty() && (series.stored->realizations > 1 || series.stored->deterministic);
-}
-
-double peak_anisotropy(const ReportSeries& series)
-{
-    double largest = -1000;
-    for (const auto& bin : series.curve.bins)
-        if (bin.samples >= enough_samples) largest = std::max(largest, bin.anisotropy_db);
-    return largest;
-}
-
-RadialBin power_peak(const ReportSeries& series)
-{
-    return *std::ranges::max_element(series.curve.bins, {}, &RadialBin::power);
-}
-
-std::optional<double> rise_width(const ReportSeries& series)
-{
-    const auto& bins = series.curve.bins;
-    const auto peak = static_cast<std::size_t>(std::ranges::max_element(bins, {}, &RadialBin::power) - bins.begin());
-    // Down from the peak: the first rings hold few samples, and their noise is no rise.
-    const auto crossing = [&](double power) -> std::optional<double> {
-        for (std::size_t i = peak; i > 0; --i)
-            if (bins[i - 1].power < power && bins[i].power >= power)
-                return bins[i - 1].frequency + (power - bins[i - 1].power) / (bins[i].power - bins[i - 1].power) *
-                                                   (bins[i].frequency - bins[i - 1].frequency);
-        return std::nullopt;
-    };
-    const auto low = crossing(0.25), high = crossing(0.75);
-    if (!low || !high) return std::nullopt;
-    return (*high - *low) / frequency_unit(series);
-}
-
-std::optional<double> mean_power(const ReportSeries& series, double low, double high)
-{
-    const auto principal = series.curve.principal_frequency;
-    if (!principal) return std::nullopt;
-    double sum = 0, samples = 0;
-    for (const auto& bin : series.curve.bins) {
-        const double f = bin.frequency / *principal;
-        if (f < low || f > high) continue;
-        sum += bin.power * static_cast<double>(bin.samples);
-        samples += static_cast<double>(bin.samples);
-    }
-    return samples > 0 ? std::optional(sum / samples) : std::nullopt;
-}
-
-std::optional<double> lattice_share(const ReportSeries& series)
-{
-    const auto& peaks = series.stored->measures.lattice_peaks;
-    if (!peaks) return std::nullopt;
-    const double q = std::pow(static_cast<double>(peaks->tiles), -series.run->dimension);
-    return peaks->mean_ratio * q / (peaks->mean_ratio * q + 1 - q);
 }
 
 double plate_error(const ReportSeries& series, double low, double high)
@@ -266,18 +176,6 @@ double plate_error(const ReportSeries& series, double low, double high)
     return pixels > 0 ? std::sqrt(squares / pixels) : 0;
 }
 
-std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b)
-{
-    const double scale = std::sqrt(static_cast<double>(b.stored->points) / static_cast<double>(a.stored->points));
-    double sum = 0;
-    int rings = 0;
-    for (const RadialBin& ring : a.curve.bins) {
-        const auto other = power_at(b.curve.bins, ring.frequency * scale);
-        if (ring.samples < 100 || !other) continue;
-        sum += std::abs(ring.power - *other);
-        ++rings;
-    }
-    return rings > 0 ? std::optional(sum / rings) : std::nullopt;
-}
+int tile_sets_of(const ReportSeries& series) { return static_cast<int>(number_parameter(series, "sets").value_or(1)); }
 
 }

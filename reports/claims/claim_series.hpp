@@ -69,8 +69,9 @@ private:
     std::map<const ReportSeries*, Rings> rings_;
 };
 
-/// A number of a distribution by its key.
+/// A number of a distribution by its key; with its error, where it is a mean over several sets.
 std::optional<double> number_of(const DistributionResult& distribution, const std::string& key);
+std::optional<Estimate> estimate_in(const DistributionResult& distribution, const std::string& key);
 
 /// A parameter as a number: what was given, or the stored default.
 std::optional<double> number_parameter(const ReportSeries& series, const std::string& key);
@@ -81,37 +82,14 @@ std::string text_parameter(const ReportSeries& series, const std::string& key);
 /// Tiles in the set: C^4, C^12, T, or C^8 (3D).
 std::optional<double> tiles_of_set(const ReportSeries& series);
 
-/// The mean anisotropy in dB of rings with at least 100 samples, above that of chance; and the largest.
-double mean_excess_anisotropy(const ReportSeries& series);
-double peak_anisotropy(const ReportSeries& series);
-
-/// The same mean with its standard error, from the scatter of rings.
-Estimate mean_excess_with_error(const ReportSeries& series);
-
 /// A measure by its key; nullptr where the series does not have it.
 const Estimate* estimate_of(const ReportSeries& series, const std::string& key);
 
 /// True for spectra that are estimates, not a single periodogram of sets that differ.
 bool has_estimated_spectrum(const ReportSeries& series);
 
-/// The highest radially averaged power, and its standard error.
-RadialBin power_peak(const ReportSeries& series);
-
-/// The steepness of the power's rise to its peak: the width of the rise from 0.25 to 0.75, in cycles per mean spacing
-/// of the points. Empty for curves that do not rise so.
-std::optional<double> rise_width(const ReportSeries& series);
-
-/// The mean radial power between two frequencies in units of the principal frequency; empty where there are no rings.
-std::optional<double> mean_power(const ReportSeries& series, double low, double high);
-
-/// Means of the absolute difference of radial powers over rings of at least 100 samples. Sets of different sizes are
-/// compared at equal frequencies over the square root of their points: tilings have some more or fewer than other sets.
-std::optional<double> distance_of_curves(const ReportSeries& a, const ReportSeries& b);
-
-/// The share of the power that lies on the lattice of a tiling's frequencies: with a mean peak m over the power around
-/// it and a share q of frequencies on the lattice, m q / (m q + 1 - q). Without tiles it is q. Empty for series without
-/// tiles.
-std::optional<double> lattice_share(const ReportSeries& series);
+/// The number of tile sets that the realizations of a series take in turn; 1 for methods without such a parameter.
+int tile_sets_of(const ReportSeries& series);
 
 /// The root mean square error of the zone plate where it has between `low` and `high` cycles per pixel.
 double plate_error(const ReportSeries& series, double low, double high);

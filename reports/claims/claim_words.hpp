@@ -1,6 +1,7 @@
 // Measured values in words, and claims of kinds that occur several times.
 #pragma once
 
+#include "reports/claims/claim_curves.hpp"
 #include "reports/claims/paper_claims.hpp"
 
 #include <optional>
@@ -16,16 +17,27 @@ std::string joined_words(const std::vector<std::string>& parts);
 /// "0.12 to 0.34", or one number where both look the same. `values` must not be empty.
 std::string range_words(const std::vector<double>& values, int digits);
 
+/// The range of values, and their largest standard error: "0.12 to 0.34 (± 0.02)".
+std::string range_words(const std::vector<Estimate>& values, int digits);
+
 /// "0.02 %" of a share.
 std::string percent_words(double share);
 
 /// "0.123 ± 0.004", or the value alone where its error is not known.
 std::string with_error(const Estimate& estimate, int decimals);
 
+/// Whether the picture of a series has false plates that noise alone makes once in ten thousand pictures; fails: none
+/// that noise does not make once in a hundred. std::nullopt: there is no picture.
+std::optional<Finding> finds_false_plates(const ClaimSeries& report, const ReportSeries& series);
+
 /// Judges the strongest false plates of series against those that noise alone makes; `should_alias`: the claim says
 /// that they are stronger. std::nullopt if no series has a picture.
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias);
+inline constexpr auto no_false_plates_criterion =
+    "no false plate is stronger than noise makes once in 100 pictures; open up to what noise makes once in 10,000";
+inline constexpr auto false_plates_criterion = "the strongest false plate is stronger than noise makes once in 10,000 "
+                                               "pictures; open down to what noise makes once in 100";
 
 /// True where points follow a density that is not the same everywhere: spectra are then those of the density as well.
 bool follows_density(const ReportSeries& series);
@@ -33,6 +45,41 @@ bool follows_density(const ReportSeries& series);
 /// The series of a method that have the same density everywhere.
 std::vector<const ReportSeries*> of_even_density(const ClaimSeries& report, const std::string& sampler,
                                                  SeriesQuery::Needs needs);
+
+/// Spectra of dart throwing in the plane whose relative radius is so large or larger; full sets are among them.
+std::vector<const ReportSeries*> darts_as_large(const ClaimSeries& report, double relative_radius);
+
+/// The mean anisotropy of series over rings is that of chance.
+std::optional<ClaimOutcome> has_low_anisotropy(const std::vector<const ReportSeries*>& series);
+inline constexpr auto low_anisotropy_criterion =
+    "the mean over rings of at least 100 samples is within 0.5 dB of −10 log10 K, what chance alone gives";
+
+/// The dissertation's relaxation dart throwing, from a radius of 0.15.
+SeriesQuery relaxation_darts(double factor, double attempts, SeriesQuery::Needs needs = SeriesQuery::Needs::anything,
+                             std::size_t points = usual_points);
+
+/// A radius that the text prints with two digits, of one set: within half of the last digit and two standard deviations
+/// of what sets scatter. Open beyond half of the digit where the scatter is not known.
+Finding is_radius_of_the_text(const Statistic& measured, double printed);
+inline constexpr auto radius_of_the_text_criterion =
+    "the mean is within half of the text's last digit and two standard deviations of realizations";
+
+/// Root mean square errors of two pictures of the zone plate, of one set each: whether the first is better.
+Finding compared_plates(double error, double other_error);
+
+/// Frequencies in cycles per pixel: low ones are below a quarter, high ones between that and what pixels can show.
+inline constexpr double plate_middle = 0.25, plate_end = 0.5;
+inline constexpr auto better_plate_criterion = "lower root mean square error where the plate has a quarter to half a "
+                                               "cycle per pixel; open within 5 %, as pictures "
+                                               "are of one set each, and sets of a method differ by up to 3 %";
+
+/// Errors of pictures below a quarter of a cycle per pixel, beside those of dart throwing and of jittered points:
+/// shown.
+std::optional<ClaimOutcome> shown_plate_errors(const ClaimSeries& report,
+                                               const std::vector<const ReportSeries*>& plates);
+inline constexpr auto shown_plate_errors_criterion = "shown, as no error is too large for it: root mean square errors "
+                                                     "where the plate has up to a quarter of a cycle per "
+                                                     "pixel, beside those of dart throwing and of jittered points";
 
 /// A time of 2006, and the series whose time today stands beside it.
 struct TimedSeries
@@ -45,21 +92,34 @@ struct TimedSeries
 PaperClaim time_claim(const std::string& id, const std::string& section, const std::string& says,
                       const std::vector<TimedSeries>& series);
 
-/// The claim that sets reach the relative radius that was asked for.
+/// The medians of methods, each from its fastest series to its slowest, and the machines: shown. Times depend on the
+/// machine, and on how a method is made here.
+std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::vector<SeriesQuery>& methods);
+inline constexpr auto shown_times_criterion = "shown: medians for some 16,384 points, which depend on the machine";
+
+/// The claim that sets reach a relative radius, and no more. Sets that were asked for as much, or are full, refute it
+/// where they end below.
 PaperClaim reach_claim(const std::string& id, const std::string& section, const std::string& says,
                        const SeriesQuery& query, double relative_radius);
+
+/// The same of tiles, which the paper makes by Lloyd relaxation: series with repulsion afterwards only hold it in part.
+PaperClaim reach_by_lloyd_claim(const std::string& id, const std::string& section, const std::string& says,
+                                const SeriesQuery& query, double relative_radius);
 
 /// The features of a blue noise radial curve: little power at low frequencies, a peak near the principal frequency,
 /// and power about 1 beyond.
 struct BlueNoise
 {
-    bool holds = false;
+    Finding finding = Finding::open;
     std::string words;
 };
 BlueNoise blue_noise(const ReportSeries& series);
-inline constexpr auto blue_noise_criterion = "mean power below 0.2 up to half the principal frequency 1/d_min; the "
-                                             "highest power within a quarter of it; mean power "
-                                             "within 0.1 of 1 from 1.5 times it on";
+inline constexpr auto blue_noise_criterion =
+    "mean power below 0.2 up to half the principal frequency of a relative radius of 0.75, by which the dissertation "
+    "scales its figures; the highest power within a quarter of it; mean power within 0.1 of 1 from 1.5 times it on";
+
+/// The blue noise features of series, in words.
+std::optional<ClaimOutcome> all_blue_noise(const std::vector<const ReportSeries*>& series);
 
 /// The median time of a set of a series; nothing where it is not timed.
 std::optional<double> median_seconds(const ReportSeries& series);

@@ -1,41 +1,36 @@
 #include "reports/claims/paper_claims.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
 namespace poissonlab {
 
-Agreement Tally::agreement() const
-{
-    if (held_ == cases_) return Agreement::agrees;
-    return 2 * held_ >= cases_ ? Agreement::partly : Agreement::disagrees;
-}
-
-std::string Tally::words() const
-{
-    return cases_ < 2 ? std::string() : fmt::format("holds in {} of {} cases", held_, cases_);
-}
-
 namespace {
 
 Paper dissertation()
 {
-    auto all = claims_about_tilings();
-    std::ranges::move(claims_about_untiled_sets(), std::back_inserter(all));
-    std::ranges::move(claims_about_aperiodic_sets(), std::back_inserter(all));
-    std::ranges::move(claims_about_textures(), std::back_inserter(all));
-    std::ranges::move(claims_about_building(), std::back_inserter(all));
-    std::ranges::move(claims_about_accelerated_darts(), std::back_inserter(all));
-    std::ranges::move(claims_about_early_tiles(), std::back_inserter(all));
-    std::ranges::move(claims_about_recursive_tiles(), std::back_inserter(all));
-    std::ranges::move(claims_about_penrose_tilings(), std::back_inserter(all));
-    std::ranges::move(claims_about_tiles(), std::back_inserter(all));
-    std::ranges::move(claims_about_patterns(), std::back_inserter(all));
-    std::ranges::move(recommendations(), std::back_inserter(all));
-    std::ranges::move(claims_about_applications(), std::back_inserter(all));
+    constexpr std::array parts{claims_about_tilings,
+                               claims_about_methodology,
+                               claims_about_darts,
+                               claims_about_lloyd,
+                               claims_about_aperiodic_sets,
+                               claims_about_textures,
+                               claims_about_building,
+                               claims_about_spheres,
+                               claims_about_accelerated_darts,
+                               claims_about_early_tiles,
+                               claims_about_peaks,
+                               claims_about_recursive_tiles,
+                               claims_about_penrose_tilings,
+                               claims_about_edge_tiles,
+                               claims_about_template_tiles,
+                               claims_about_corner_tiles,
+                               recommendations,
+                               claims_about_applications};
+    std::vector<PaperClaim> all;
+    for (const auto& part : parts) std::ranges::move(part(), std::back_inserter(all));
     // Sections are 6.3 or 6.2.2; claims of one section stay together, in their order.
     const auto section = [](const PaperClaim& claim) {
         return std::pair(std::stoi(claim.section), std::stoi(claim.section.substr(2)));

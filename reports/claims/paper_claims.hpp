@@ -3,11 +3,15 @@
 // papers that came after it.
 //
 // A claim is data: where it stands, what it says, a criterion that the reader sees, and a function of the report's
-// series. Criteria are standard errors where there are some, and else numbers that are stated. Seconds of 2006 are
-// shown beside today's and not judged; frames a second are, as the text promises them.
+// series. A claim is judged only where results could refute it; what depends on the machine, such as times, and what
+// follows from how tiles are made is shown. Criteria are standard errors where there are some, and else numbers that
+// are stated. Values within two standard errors of a limit leave a claim open, and so do comparisons of tile sets where
+// there is one of each: sets of the same parameters differ. tests/reports/claims has results for each claim that agree,
+// that disagree, and that leave it open.
 #pragma once
 
 #include "reports/claims/claim_series.hpp"
+#include "reports/claims/findings.hpp"
 
 #include <functional>
 #include <optional>
@@ -16,19 +20,9 @@
 
 namespace poissonlab {
 
-enum class Agreement
-{
-    agrees,
-    partly,
-    disagrees,
-    not_judged, ///< shown side by side
-};
-
-inline Agreement agreement_if(bool holds) { return holds ? Agreement::agrees : Agreement::disagrees; }
-
 struct ClaimOutcome
 {
-    Agreement agreement = Agreement::not_judged;
+    Agreement agreement = Agreement::shown;
     std::string measured;
 };
 
@@ -37,7 +31,7 @@ struct PaperClaim
     std::string id;      ///< "6.3-radius", unique among all papers
     std::string section; ///< "6.3"; empty: the paper as a whole
     std::string says;
-    std::string criterion;
+    std::string criterion;                                                  ///< of claims that are shown: what is shown
     std::function<std::optional<ClaimOutcome>(const ClaimSeries&)> measure; ///< empty: the report has nothing for it
 };
 
@@ -69,14 +63,20 @@ std::vector<PaperClaim> claims_about_tilings();
 /// The claims about aperiodic sets (3.1, 8.3).
 std::vector<PaperClaim> claims_about_aperiodic_sets();
 
-/// The claims about methods without tiles (6.2 to 6.5, 6.15) and with tiles (6.7 to 6.11, 6.15).
-std::vector<PaperClaim> claims_about_untiled_sets();
+/// The claims about methods of analysis (6.2), methods without tiles (6.3 to 6.5, 6.12, 6.13, 6.15), with tiles (6.6 to
+/// 6.11, 6.14) and in space (6.15).
+std::vector<PaperClaim> claims_about_methodology();
+std::vector<PaperClaim> claims_about_darts();
+std::vector<PaperClaim> claims_about_lloyd();
+std::vector<PaperClaim> claims_about_spheres();
 std::vector<PaperClaim> claims_about_accelerated_darts();
 std::vector<PaperClaim> claims_about_early_tiles();
 std::vector<PaperClaim> claims_about_recursive_tiles();
 std::vector<PaperClaim> claims_about_penrose_tilings();
-std::vector<PaperClaim> claims_about_tiles();
-std::vector<PaperClaim> claims_about_patterns();
+std::vector<PaperClaim> claims_about_peaks();
+std::vector<PaperClaim> claims_about_edge_tiles();
+std::vector<PaperClaim> claims_about_template_tiles();
+std::vector<PaperClaim> claims_about_corner_tiles();
 
 /// The claims about how long tile sets and large sets take to make (4.5, 6.3).
 std::vector<PaperClaim> claims_about_building();
@@ -97,28 +97,10 @@ std::vector<PaperClaim> recommendations();
 /// Papers of 2006 and later about methods that optimise sets, and point sets that were published.
 std::vector<Paper> later_papers();
 
-/// The effective Nyquist frequencies and oscillations of the series of a method, not judged.
+/// The effective Nyquist frequencies and oscillations of the series of a method: shown.
 PaperClaim nyquist_and_oscillation(const char* id, const char* says, const char* criterion, const char* sampler);
 
 /// The claims about spectra that sets are asked for (Heck and others 2013).
 std::vector<PaperClaim> claims_about_controlled_aliasing();
-
-/// Counts the cases in which a claim holds. All: it agrees; at least half: partly.
-class Tally
-{
-public:
-    void add(bool holds)
-    {
-        ++cases_;
-        held_ += holds ? 1 : 0;
-    }
-    bool empty() const { return cases_ == 0; }
-    Agreement agreement() const;
-    /// "holds in 40 of 42 cases", or nothing where there is one.
-    std::string words() const;
-
-private:
-    int cases_ = 0, held_ = 0;
-};
 
 }

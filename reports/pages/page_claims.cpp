@@ -28,10 +28,12 @@ AgreementWords words_of(Agreement agreement)
         return {"partly", "partly", "◐"};
     case Agreement::disagrees:
         return {"disagrees", "disagrees", "✗"};
-    case Agreement::not_judged:
+    case Agreement::open:
+        return {"open", "open", "?"};
+    case Agreement::shown:
         break;
     }
-    return {"unjudged", "not judged", "–"};
+    return {"shown", "shown", "–"};
 }
 
 PageData row(const JudgedClaim& judged)
@@ -54,9 +56,9 @@ std::string summary(const std::vector<JudgedClaim>& claims)
     const auto count = [&](Agreement agreement) {
         return std::ranges::count(claims, agreement, [](const auto& judged) { return judged.outcome.agreement; });
     };
-    return fmt::format("{} claims: {} agree, {} in part, {} disagree; {} are shown side by side.", claims.size(),
-                       count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
-                       count(Agreement::not_judged));
+    return fmt::format("{} claims: {} agree, {} in part, {} disagree, {} are left open; {} are shown and not judged.",
+                       claims.size(), count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
+                       count(Agreement::open), count(Agreement::shown));
 }
 
 /// True if the criterion or the outcome of a claim has these words, which the page then explains.
@@ -89,9 +91,6 @@ std::string render_claims_page(const Site& site, const std::vector<JudgedClaim>&
     page.set("summary", summary(claims));
     page.set("explains_peaks", mentions(claims, "mean peak"));
     page.set("explains_plates", mentions(claims, "false plate"));
-    page.set("has_unjudged", std::ranges::any_of(claims, [](const JudgedClaim& judged) {
-                 return judged.outcome.agreement == Agreement::not_judged;
-             }));
     return render_in_frame(site, {site.out / claims_page, "The papers' claims · " + site.title, {}}, "claims", page);
 }
 

@@ -38,7 +38,7 @@ void serialize(Archive& archive, RegionPoints& points)
 template <class Archive>
 void serialize(Archive& archive, TileSetRecord& record)
 {
-    archive(record.tiles, record.points_per_tile, record.cached, record.build, record.regions);
+    archive(record.tiles, record.points_per_tile, record.cached, record.build, record.regions, record.shared_points);
 }
 
 /// The bytes of a value.

@@ -40,9 +40,10 @@ struct TileSetRecord
 {
     std::uint64_t tiles = 0;
     std::uint64_t points_per_tile = 0;
-    bool cached = false;               ///< read from the cache, not built this time
-    std::optional<TileSetBuild> build; ///< this time or then; nothing where that is not known
-    std::vector<RegionPoints> regions; ///< of corners first, the interior last; empty for templates
+    bool cached = false;                      ///< read from the cache, not built this time
+    std::optional<TileSetBuild> build;        ///< this time or then; nothing where that is not known
+    std::vector<RegionPoints> regions;        ///< of corners first, the interior last; empty for templates
+    std::optional<double> shared_points = {}; ///< the part of a tile's points that another tile of the set has as well
 
     bool operator==(const TileSetRecord&) const = default;
 };

@@ -47,6 +47,18 @@ TEST(SeamDensity, FindsWhatStripsHaveTooMuch)
     }
 }
 
+/// Strips of a radius, four bins, that have fewer points or more.
+TEST(SeamDensity, TellsWhetherBordersLackPoints)
+{
+    for (const double times : {0.5, 1.0, 2.0}) {
+        SeamDensity seams(2, 8, 4096);
+        const double strip = seams.bins()[3].end, part = 1 - std::pow(1 - 2 * strip, 2);
+        seams.add(random_tiling(2, 8, 200'000, strip, times, 5));
+        EXPECT_NEAR(*seams.border_density(), times / (times * part + 1 - part), 0.02) << times;
+    }
+    EXPECT_FALSE(SeamDensity(2, 8, 64).border_density()) << "too few points";
+}
+
 TEST(SeamDensity, OfPartsIsThatOfTheWhole)
 {
     const PointSet first = random_tiling(2, 5, 5000, 0, 1, 3), second = random_tiling(2, 5, 5000, 0, 1, 4);

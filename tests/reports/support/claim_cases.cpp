@@ -5,6 +5,11 @@
 
 namespace poissonlab::test {
 
+ReportSeries& full_darts(MadeUpReport& report, int dimension)
+{
+    return report.add("dart-throwing", {{"stop", "saturation"}}, 16384, dimension);
+}
+
 ReportSeries& darts(MadeUpReport& report, const std::string& rho, std::size_t points, int dimension)
 {
     return report.add("dart-throwing", {{"relative_radius", rho}}, points, dimension);
@@ -29,14 +34,19 @@ ReportSeries& lloyd(MadeUpReport& report, int iterations, std::size_t points, in
                       points, dimension);
 }
 
-void set_number(ReportSeries& series, const std::string& key, double value)
+void set_number(ReportSeries& series, const std::string& key, double value, double error)
 {
-    const_cast<Series*>(series.stored)->measures.numbers[key] = {value, value / 100};
+    stored_of(series).measures.numbers[key] = {value, error};
 }
 
-void set_oscillation(ReportSeries& series, double value)
+void set_number(ReportSeries& series, const std::string& key, double value)
 {
-    const_cast<Series*>(series.stored)->measures.oscillation = Oscillation{value, 100, 300, {}};
+    set_number(series, key, value, value / 1000);
+}
+
+void set_oscillation(ReportSeries& series, double value, double error)
+{
+    stored_of(series).measures.oscillation = Oscillation{value, 100, 300, error};
 }
 
 ReportSeries& with_target(MadeUpReport& report, const std::string& target, double nyquist)
@@ -48,47 +58,47 @@ ReportSeries& with_target(MadeUpReport& report, const std::string& target, doubl
     return series;
 }
 
-void saturated(MadeUpReport& report, int dimension, double intercept)
-{
-    ReportSeries& series = report.add("dart-throwing", {{"stop", "saturation"}}, 16384, dimension);
-    LowFrequencyPower power;
-    power.intercept = intercept;
-    power.intercept_standard_error = 0.0002;
-    const_cast<Series*>(series.stored)->measures.low_frequency_power = power;
-}
-
-/// `speckle`: anisotropy between the peaks, in dB above chance.
 ReportSeries& tiles(MadeUpReport& report, const std::string& kind, int set, int points_per_tile, double mean_peak,
                     double speckle)
 {
     auto& series = report.add(kind + "-tiles", {{kind == "template" ? "tiles" : "colors", std::to_string(set)},
-                                                {"points_per_tile", std::to_string(points_per_tile)}});
+                                                {"points_per_tile", std::to_string(points_per_tile)},
+                                                {"sets", "3"}});
     MadeUpReport::set_curve(series, {});
-    MadeUpReport::set_peaks(series, static_cast<int>(std::lround(std::sqrt(16384.0 / points_per_tile))), mean_peak);
-    const_cast<Series*>(series.stored)->measures.numbers["off_lattice_anisotropy"] = {speckle, {}};
+    const int side = static_cast<int>(std::lround(std::sqrt(16384.0 / points_per_tile)));
+    MadeUpReport::set_peaks(series, side, mean_peak);
+    set_number(series, "off_lattice_anisotropy", speckle);
+    const double q = 1.0 / side / side, share = mean_peak * q / (mean_peak * q + 1 - q);
+    set_number(series, "lattice_share", share, share / 20);
     return series;
 }
 
-void set_seconds(ReportSeries& series, double seconds)
+void have_one_set(ReportSeries& series)
 {
-    const_cast<Series*>(series.stored)->sample_seconds = {seconds};
+    for (auto& [key, value] : stored_of(series).parameters)
+        if (key == "sets") value = "1";
 }
 
-/// A method beside three others: more anisotropic than they are, or not.
-void among_others(MadeUpReport& report, const std::string& sampler, bool is_worse)
-{
-    for (const char* other : {"lloyd", "edge-tiles", "corner-tiles"})
-        MadeUpReport::set_curve(report.add(other, {}), {.anisotropy = 1});
-    MadeUpReport::set_curve(report.add(sampler, {}), {.anisotropy = is_worse ? 5.0 : 0.2});
-}
+void set_seconds(ReportSeries& series, double seconds) { stored_of(series).sample_seconds = {seconds}; }
 
 /// Radii from `start` to `end`, there after so many of 128 iterations.
-std::vector<double> relaxed(double start, double end, int settled)
+std::vector<double> relaxed(double start, double end, int settled, int iterations)
 {
     std::vector<double> radii;
-    for (int i = 0; i <= 128; ++i)
+    for (int i = 0; i <= iterations; ++i)
         radii.push_back(start + (end - start) * std::min(1.0, static_cast<double>(i) / settled));
     return radii;
+}
+
+std::vector<ClaimCase> all_claim_cases()
+{
+    std::vector<ClaimCase> all;
+    for (const auto& cases :
+         {cases_of_tilings(), cases_of_applications(), cases_of_textures(), cases_of_untiled_sets(), cases_of_lloyd(),
+          cases_of_early_tiles(), cases_of_edge_tiles(), cases_of_template_tiles(), cases_of_corner_tiles(),
+          cases_of_accelerated_darts(), cases_of_spheres(), cases_of_recommendations(), cases_of_later_papers()})
+        all.insert(all.end(), cases.begin(), cases.end());
+    return all;
 }
 
 }

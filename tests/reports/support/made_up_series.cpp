@@ -1,12 +1,17 @@
 #include "tests/reports/support/made_up_series.hpp"
 
+#include "analysis/zone_plate/zone_plate.hpp"
+#include "analysis/zone_plate/zone_plate_reference.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/images/square_image_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace poissonlab::test {
+
+Series& stored_of(ReportSeries& series) { return const_cast<Series&>(*series.stored); }
 
 ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& parameters, std::size_t points,
                                 int dimension)
@@ -29,12 +34,15 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
     return series;
 }
 
-// Stored results are const to reports; the test's own is not.
-static Series& stored_of(ReportSeries& series) { return const_cast<Series&>(*series.stored); }
 
 void MadeUpReport::set_radius(ReportSeries& series, double radius)
 {
     stored_of(series).relative_radius = Statistic{radius, radius, radius, {}};
+}
+
+void MadeUpReport::set_radii(ReportSeries& series, const std::vector<double>& radii)
+{
+    stored_of(series).relative_radius = statistic_of(radii);
 }
 
 void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
@@ -51,25 +59,28 @@ void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)
         RadialBin bin;
         bin.frequency = f;
         bin.power = curve.low + share * (top - curve.low);
-        bin.power_error = 0.1;
+        bin.power_error = curve.error;
         bin.samples = static_cast<std::size_t>(2 * std::numbers::pi * f);
-        bin.anisotropy_db = -10 + curve.anisotropy + (k == 40 ? curve.spike : 0);
+        bin.anisotropy_db =
+            -10 + curve.anisotropy + (k == 40 ? curve.spike : 0) + (k % 2 == 0 ? curve.scatter : -curve.scatter);
         series.curve.bins.push_back(bin);
     }
 }
 
 void MadeUpReport::set_peaks(ReportSeries& series, int tiles, double mean_ratio)
 {
-    stored_of(series).measures.lattice_peaks = LatticePeaks{tiles, 10 * mean_ratio, mean_ratio, {}, 1000};
+    stored_of(series).measures.lattice_peaks =
+        LatticePeaks{tiles, 10 * mean_ratio, mean_ratio, {}, 1000, mean_ratio / 20};
 }
 
-void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius)
+void MadeUpReport::set_iterations(ReportSeries& series, std::vector<double> mean_radius, double scatter)
 {
     Iterations iterations;
     series.iterations.clear();
     for (int k = 0; k < 10; ++k) {
         std::vector<IterationRecord>& realization = series.iterations.emplace_back();
-        for (const double radius : mean_radius) realization.push_back({radius, 0});
+        for (const double radius : mean_radius)
+            realization.push_back({radius + (realization.empty() ? 0.0 : k % 2 == 0 ? scatter : -scatter), 0});
     }
     iterations.realizations.assign(mean_radius.size(), 10);
     iterations.relative_radius.mean = std::move(mean_radius);
@@ -82,6 +93,52 @@ void MadeUpReport::set_plate_error(ReportSeries& series, double low, double high
     plate.size = 32; // too small for false rings, which need a picture
     stored_of(series).zone_plate = plate;
     series.zone_plate = {{1, 0.1, low, 1000}, {2, 0.4, high, 1000}};
+}
+
+ReportSeries& MadeUpReport::add_plate(const std::string& sampler, const NamedTexts& parameters, double amplitude,
+                                      std::size_t points)
+{
+    constexpr int size = 128;
+    SquareImage picture = zone_plate_reference(size);
+    std::normal_distribution<double> noise(0, 0.1);
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column) {
+            const double x = (column + 0.5) * plate_side / size - 5, y = (row + 0.5) * plate_side / size - 7;
+            picture.pixels[static_cast<std::size_t>(row * size + column)] +=
+                noise(random_) + amplitude * std::sin(x * x + y * y);
+        }
+    ReportSeries& series = add(sampler, parameters, points);
+    const std::string name = stored_of(series).name + ".exr";
+    write_square_image(folder_.path() / name, picture, {});
+    runs_.back().folder = folder_.path();
+    ZonePlateResult plate;
+    plate.size = size;
+    plate.file = name;
+    stored_of(series).zone_plate = plate;
+    return series;
+}
+
+DistributionResult& MadeUpReport::add_scheme(const std::string& kind, const std::map<std::string, double>& numbers,
+                                             std::optional<double> error)
+{
+    DistributionResult& scheme = schemes_.emplace_back();
+    scheme.kind = kind;
+    for (const auto& [key, value] : numbers) scheme.numbers.push_back({key, key, value, "", error});
+    return scheme;
+}
+
+std::vector<const DistributionResult*> MadeUpReport::schemes() const
+{
+    std::vector<const DistributionResult*> all;
+    for (const auto& scheme : schemes_) all.push_back(&scheme);
+    return all;
+}
+
+std::optional<ClaimOutcome> MadeUpReport::outcome(const std::string& claim) const
+{
+    for (const JudgedClaim& judged : judge_claims(series(), schemes()))
+        if (judged.claim->id == claim) return judged.outcome;
+    return std::nullopt;
 }
 
 std::vector<const ReportSeries*> MadeUpReport::series() const

@@ -1,10 +1,14 @@
 // Series in memory with known numbers, as the paper's claims ask for them.
 #pragma once
 
+#include "reports/claims/paper_claims.hpp"
 #include "reports/layout/report_layout.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 #include <deque>
 #include <map>
+#include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +21,13 @@ struct MadeUpCurve
 {
     double low = 0.02, peak = 1.5, width = 0.1, beyond = 1;
     double anisotropy = 0;
-    double spike = 0; ///< dB above chance of one ring
+    double spike = 0;    ///< dB above chance of one ring
+    double scatter = 0;  ///< of anisotropy, up and down from ring to ring
+    double error = 0.01; ///< of the power of each ring
 };
+
+/// Stored results are const to reports; those that are made up here are not.
+Series& stored_of(ReportSeries& series);
 
 /// Owns what it hands out.
 class MadeUpReport
@@ -29,16 +38,34 @@ public:
                       int dimension = 2);
 
     static void set_radius(ReportSeries& series, double radius);
+    /// Of each realization.
+    static void set_radii(ReportSeries& series, const std::vector<double>& radii);
     static void set_curve(ReportSeries& series, const MadeUpCurve& curve);
-    /// With so many tiles along each axis.
+    /// With so many tiles along each axis; the error is a twentieth.
     static void set_peaks(ReportSeries& series, int tiles, double mean_ratio);
-    static void set_iterations(ReportSeries& series, std::vector<double> mean_radius);
+    /// Realizations lie alternately so much above and below the mean.
+    static void set_iterations(ReportSeries& series, std::vector<double> mean_radius, double scatter = 0);
     /// The root mean square error below and above a quarter of a cycle per pixel.
     static void set_plate_error(ReportSeries& series, double low, double high);
 
+    /// A picture of the zone plate with white noise and false rings of an amplitude.
+    ReportSeries& add_plate(const std::string& sampler, const NamedTexts& parameters, double amplitude,
+                            std::size_t points = 262144);
+
+    /// A distribution or a scheme with these numbers, each with this error.
+    DistributionResult& add_scheme(const std::string& kind, const std::map<std::string, double>& numbers,
+                                   std::optional<double> error = {});
+
     std::vector<const ReportSeries*> series() const;
+    std::vector<const DistributionResult*> schemes() const;
+
+    /// The outcome of a claim; empty: the report has nothing for it.
+    std::optional<ClaimOutcome> outcome(const std::string& claim) const;
 
 private:
+    std::deque<DistributionResult> schemes_;
+    TemporaryFolder folder_; ///< of pictures
+    std::mt19937_64 random_{1};
     std::deque<Run> runs_;
     std::deque<Series> stored_;
     std::deque<ReportSeries> series_;
