@@ -174,13 +174,22 @@ PaperClaim time_claim(const std::string& id, const std::string& section, const s
     return {id, section, says, "times of 2006, on one core of an Athlon 64 4000+, beside medians here: shown", measure};
 }
 
-std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::vector<SeriesQuery>& methods)
+std::vector<const ReportSeries*> of_usual_size(const ClaimSeries& report, const std::string& sampler)
+{
+    auto found = report.all({.sampler = sampler});
+    std::erase_if(found, [](const ReportSeries* series) {
+        return 2 * series->stored->points < usual_points || series->stored->points > 2 * usual_points;
+    });
+    return found;
+}
+
+std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::vector<const char*>& samplers)
 {
     std::vector<std::string> parts;
     std::set<std::string> machines;
-    for (const SeriesQuery& query : methods) {
+    for (const char* sampler : samplers) {
         std::vector<double> seconds;
-        for (const ReportSeries* series : report.all(query))
+        for (const ReportSeries* series : of_usual_size(report, sampler))
             if (const auto median = median_seconds(*series)) {
                 seconds.push_back(*median);
                 machines.insert(machine_words(*series->run));
@@ -188,7 +197,7 @@ std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::ve
         if (seconds.empty()) continue;
         const auto [least, most] = std::ranges::minmax(seconds);
         const std::string from = format_seconds(least), to = format_seconds(most);
-        parts.push_back(fmt::format("{} {}{}", query.sampler, from, from == to ? "" : " to " + to));
+        parts.push_back(fmt::format("{} {}{}", sampler, from, from == to ? "" : " to " + to));
     }
     if (parts.empty()) return std::nullopt;
     parts.insert(parts.end(), machines.begin(), machines.end());

@@ -92,9 +92,13 @@ struct TimedSeries
 PaperClaim time_claim(const std::string& id, const std::string& section, const std::string& says,
                       const std::vector<TimedSeries>& series);
 
-/// The medians of methods, each from its fastest series to its slowest, and the machines: shown. Times depend on the
-/// machine, and on how a method is made here.
-std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::vector<SeriesQuery>& methods);
+/// Series of 2D methods with half to twice as many points as the dissertation's sets: full ones have the number that
+/// their minimum distance gives.
+std::vector<const ReportSeries*> of_usual_size(const ClaimSeries& report, const std::string& sampler);
+
+/// The medians of methods for some 16,384 points, each from its fastest series to its slowest, and the machines: shown.
+/// Times depend on the machine, and on how a method is made here.
+std::optional<ClaimOutcome> shown_times(const ClaimSeries& report, const std::vector<const char*>& samplers);
 inline constexpr auto shown_times_criterion = "shown: medians for some 16,384 points, which depend on the machine";
 
 /// The claim that sets reach a relative radius, and no more. Sets that were asked for as much, or are full, refute it

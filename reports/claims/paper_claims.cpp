@@ -11,23 +11,12 @@ namespace {
 
 Paper dissertation()
 {
-    constexpr std::array parts{claims_about_tilings,
-                               claims_about_methodology,
-                               claims_about_darts,
-                               claims_about_lloyd,
-                               claims_about_aperiodic_sets,
-                               claims_about_textures,
-                               claims_about_building,
-                               claims_about_spheres,
-                               claims_about_accelerated_darts,
-                               claims_about_early_tiles,
-                               claims_about_peaks,
-                               claims_about_recursive_tiles,
-                               claims_about_penrose_tilings,
-                               claims_about_edge_tiles,
-                               claims_about_template_tiles,
-                               claims_about_corner_tiles,
-                               recommendations,
+    constexpr std::array parts{claims_about_tilings,         claims_about_methodology,     claims_about_darts,
+                               claims_about_lloyd,           claims_about_aperiodic_sets,  claims_about_textures,
+                               claims_about_building,        claims_about_spheres,         claims_about_jones,
+                               claims_about_sector_darts,    claims_about_early_tiles,     claims_about_peaks,
+                               claims_about_recursive_tiles, claims_about_penrose_tilings, claims_about_edge_tiles,
+                               claims_about_template_tiles,  claims_about_corner_tiles,    recommendations,
                                claims_about_applications};
     std::vector<PaperClaim> all;
     for (const auto& part : parts) std::ranges::move(part(), std::back_inserter(all));

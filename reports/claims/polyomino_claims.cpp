@@ -51,8 +51,7 @@ PolyominoOutcome have_weaker_spikes(const ClaimSeries& report)
 PolyominoOutcome are_fast(const ClaimSeries& report)
 {
     if (of_even_density(report, "polyominoes", SeriesQuery::Needs::anything).empty()) return std::nullopt;
-    return shown_times(report, {{.sampler = "polyominoes", .points = usual_points},
-                                {.sampler = "dart-throwing", .points = usual_points}});
+    return shown_times(report, {"polyominoes", "dart-throwing"});
 }
 
 }

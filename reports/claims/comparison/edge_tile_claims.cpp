@@ -162,10 +162,10 @@ EdgeOutcome wider_plates_alias_more(const ClaimSeries& report)
 
 EdgeOutcome tiles_are_fast(const ClaimSeries& report)
 {
-    std::vector<SeriesQuery> methods{{.sampler = "dart-throwing", .points = usual_points}};
-    for (const char* sampler : poisson_tiles) methods.push_back({.sampler = sampler, .points = usual_points});
-    const bool has_tiles =
-        std::any_of(methods.begin() + 1, methods.end(), [&](const SeriesQuery& query) { return report.one(query); });
+    std::vector<const char*> methods{"dart-throwing"};
+    methods.insert(methods.end(), poisson_tiles.begin(), poisson_tiles.end());
+    const bool has_tiles = std::ranges::any_of(
+        poisson_tiles, [&](const char* sampler) { return !of_usual_size(report, sampler).empty(); });
     return has_tiles ? shown_times(report, methods) : std::nullopt;
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 using Recommendation = std::optional<ClaimOutcome>;
 
-/// Series of a 2D method, of some 16,384 points and the same density everywhere.
+/// Those of the same density everywhere.
 std::vector<const ReportSeries*> usual_series(const ClaimSeries& report, const char* sampler)
 {
-    auto found = report.all({.sampler = sampler, .points = usual_points});
+    auto found = of_usual_size(report, sampler);
     std::erase_if(found, [](const ReportSeries* series) { return follows_density(*series); });
     return found;
 }
@@ -24,13 +24,6 @@ std::optional<Estimate> excess_anisotropy(const ReportSeries& series)
 {
     if (!has_estimated_spectrum(series) || tiles_of_set(series) == 1) return std::nullopt;
     return mean_excess_anisotropy(series);
-}
-
-Recommendation shown_times_of(const ClaimSeries& report, const std::vector<const char*>& samplers)
-{
-    std::vector<SeriesQuery> methods;
-    for (const char* sampler : samplers) methods.push_back({.sampler = sampler, .points = usual_points});
-    return shown_times(report, methods);
 }
 
 /// What Shade's tiles lack, beside that of later tiles.
@@ -192,17 +185,17 @@ std::vector<PaperClaim> recommendations()
     return {
         {"6.16-not-interactive", "6.16",
          "Dart throwing, relaxation dart throwing and Lloyd's method only suit applications that are not interactive.",
-         slow_criterion, [=](const ClaimSeries& report) { return shown_times_of(report, untiled); }},
+         slow_criterion, [=](const ClaimSeries& report) { return shown_times(report, untiled); }},
         {"6.16-interactive", "6.16",
          "The algorithms of Jones and of Dunbar and Humphreys suit interactive applications.", slow_criterion,
          [](const ClaimSeries& report) {
-             return shown_times_of(report, {"voronoi-darts", "sector-darts"});
+             return shown_times(report, {"voronoi-darts", "sector-darts"});
          }},
         {"6.16-real-time", "6.16", "Tile-based approaches suit real-time applications.", fast_criterion,
-         [=](const ClaimSeries& report) { return shown_times_of(report, tiled); }},
+         [=](const ClaimSeries& report) { return shown_times(report, tiled); }},
         {"6.16-only-option", "6.16",
          "Dart throwing, relaxation dart throwing and Lloyd's method do not suit real-time applications.",
-         fast_criterion, [=](const ClaimSeries& report) { return shown_times_of(report, untiled); }},
+         fast_criterion, [=](const ClaimSeries& report) { return shown_times(report, untiled); }},
         {"6.16-shade", "6.16", "Shade's tiles have major shortcomings and should not be used.",
          "shown, as a recommendation: the worst relative radius, and the density within a disk's radius of the borders "
          "of tiles, beside those of later tiles",

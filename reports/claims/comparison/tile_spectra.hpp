@@ -4,6 +4,7 @@
 #include "reports/claims/claim_series.hpp"
 #include "reports/claims/findings.hpp"
 
+#include <algorithm>
 #include <initializer_list>
 #include <optional>
 #include <string>

@@ -88,7 +88,7 @@ std::vector<ClaimCase> sector_cases()
          [](MadeUpReport& r, Told what) {
              MadeUpReport::set_curve(full_darts(r), {});
              MadeUpReport::set_curve(lloyd(r, 16), {.peak = 3.0});
-             MadeUpReport::set_curve(lloyd(r, 1), {.peak = 1.5}); // fewer than the dissertation shows at most
+             MadeUpReport::set_curve(lloyd(r, 100), {.peak = 1.5}); // more than the dissertation shows
              ReportSeries& boundary = sectors(r, "boundary");
              MadeUpReport::set_curve(boundary, {.peak = told(what, 2.8, 1.6, 2.25)});
          }},

@@ -47,6 +47,9 @@ std::vector<ClaimCase> wang_tile_cases()
                  if (what != Told::nothing || points == 16)
                      MadeUpReport::set_radius(averaged(r, points), told(what, points == 16 ? 0.5 : 0.39, 0.6, 0.39));
              MadeUpReport::set_radius(averaged(r, 53, 1000), 0.756); // more than the paper's iterations
+             ReportSeries& random = averaged(r, 53);                 // one surrounding at a time
+             stored_of(random).parameters.emplace_back("variant", "one-surrounding");
+             MadeUpReport::set_radius(random, 0.1);
          }},
         {"6.7-converges",
          [](MadeUpReport& r, Told what) {

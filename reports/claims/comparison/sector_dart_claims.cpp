@@ -1,6 +1,7 @@
-// The dissertation's claims about accelerated dart throwing: sections 6.12 and 6.13.
+// The dissertation's claims about the darts of Dunbar and Humphreys: section 6.13.
 #include "analysis/statistics/welch.hpp"
 #include "reports/claims/claim_words.hpp"
+#include "reports/claims/comparison/dart_comparisons.hpp"
 #include "reports/claims/comparison/lloyd_series.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 namespace poissonlab {
 namespace {
@@ -17,25 +17,7 @@ namespace {
 using DartOutcome = std::optional<ClaimOutcome>;
 using DartNeeds = SeriesQuery::Needs;
 using DartSeries = std::vector<const ReportSeries*>;
-
-/// Jones' darts and those of dart throwing, of as many points and the same relative radius.
 using DartPair = std::pair<const ReportSeries*, const ReportSeries*>;
-
-std::vector<DartPair> pairs_of_equal_radius(const ClaimSeries& report, std::optional<std::size_t> points,
-                                            DartNeeds needs)
-{
-    std::vector<DartPair> pairs;
-    for (const ReportSeries* voronoi : report.all({.sampler = "voronoi-darts", .points = points, .needs = needs})) {
-        const auto radius = number_parameter(*voronoi, "relative_radius");
-        if (!radius) continue;
-        const ReportSeries* darts = report.one({.sampler = "dart-throwing",
-                                                .numbers = {{"relative_radius", *radius}},
-                                                .points = voronoi->stored->points,
-                                                .needs = needs});
-        if (darts) pairs.emplace_back(voronoi, darts);
-    }
-    return pairs;
-}
 
 DartSeries sector_darts(const ClaimSeries& report, const std::string& variant, DartNeeds needs)
 {
@@ -52,79 +34,6 @@ DartSeries full_darts(const ClaimSeries& report, DartNeeds needs)
     return found;
 }
 
-// Radii
-
-/// The smallest relative radius of each series, over the largest that dart throwing has in all realizations.
-DartOutcome radii_beside(const DartSeries& own, const DartSeries& darts)
-{
-    constexpr double similar = 0.05;
-    double largest = 0;
-    for (const ReportSeries* series : darts)
-        if (series->stored->relative_radius) largest = std::max(largest, series->stored->relative_radius->min);
-    Tally tally;
-    std::vector<std::string> words;
-    if (largest > 0)
-        for (const ReportSeries* series : own) {
-            const auto& radius = series->stored->relative_radius;
-            if (!radius) continue;
-            const Estimate ratio = ratio_of(mean_of_realizations(*radius), {largest, {}});
-            tally.add(is_within(ratio, 1 - similar, 1 + similar));
-            words.push_back(fmt::format("{}: {}", series->label, format_fixed(radius->mean, 3)));
-        }
-    if (tally.empty()) return std::nullopt;
-    words.push_back("dart throwing " + format_fixed(largest, 3));
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
-}
-
-/// Of the series of Jones the one of the largest radius tells how far it goes.
-DartOutcome jones_reaches_as_much(const ClaimSeries& report)
-{
-    auto own = report.all({.sampler = "voronoi-darts"});
-    std::erase_if(own, [](const ReportSeries* series) { return !series->stored->relative_radius; });
-    if (own.empty()) return std::nullopt;
-    const auto largest = std::ranges::max_element(
-        own, {}, [](const ReportSeries* series) { return series->stored->relative_radius->min; });
-    return radii_beside({*largest}, report.all({.sampler = "dart-throwing"}));
-}
-
-// Spectra and pictures
-
-DartOutcome same_spectra(const ClaimSeries& report)
-{
-    Tally tally;
-    std::vector<Estimate> distances;
-    for (const auto& [voronoi, darts] : pairs_of_equal_radius(report, usual_points, DartNeeds::spectrum)) {
-        const auto distance = distance_of_curves(*voronoi, *darts);
-        if (!distance) continue;
-        tally.add(is_below(*distance, 0.03));
-        distances.push_back(*distance);
-    }
-    if (distances.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(distances, 2), tally.words()})};
-}
-
-/// Errors of pictures of one set each, as a ratio: alike within 2 %, different beyond 5 %, by which sets of one method
-/// do not differ.
-DartOutcome plates_alike(const std::vector<DartPair>& pairs)
-{
-    constexpr double alike = 0.02, different = 0.05;
-    Tally tally;
-    std::vector<double> ratios;
-    for (const auto& [own, other] : pairs) {
-        const double ours = plate_error(*own, 0, 1), theirs = plate_error(*other, 0, 1);
-        if (ours == 0 || theirs == 0) continue;
-        ratios.push_back(ours / theirs);
-        const double off = std::abs(ratios.back() - 1);
-        tally.add(off < alike ? Finding::holds : off < different ? Finding::open : Finding::fails);
-    }
-    if (ratios.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(ratios, 3), tally.words()})};
-}
-constexpr auto plates_alike_criterion =
-    "the root mean square errors of the zone plate differ by less than 2 %; open up to 5 %, as pictures are of one set "
-    "each";
-
 /// The logarithmic variant beside dart throwing of as many points: of any radius, since full sets have their own.
 DartOutcome logarithmic_plates(const ClaimSeries& report)
 {
@@ -135,17 +44,6 @@ DartOutcome logarithmic_plates(const ClaimSeries& report)
             if (darts->stored->relative_radius && darts->stored->relative_radius->min > 0.745)
                 pairs.emplace_back(own, darts);
     return plates_alike(pairs);
-}
-
-/// The sets of the dissertation end at the borders of the square, those of the laboratory do not.
-DartOutcome lines_on_axes(const ClaimSeries& report)
-{
-    std::vector<Estimate> excess;
-    for (const ReportSeries* series : report.all({.sampler = "voronoi-darts", .needs = DartNeeds::spectrum}))
-        excess.push_back(mean_excess_anisotropy(*series));
-    if (excess.empty()) return std::nullopt;
-    return ClaimOutcome{Agreement::shown,
-                        fmt::format("sets are toroidal here: {} dB above chance on average", range_words(excess, 2))};
 }
 
 DartOutcome like_dart_throwing(const ClaimSeries& report)
@@ -212,7 +110,7 @@ std::optional<Estimate> nearer_to(const ReportSeries& own, const ReportSeries& s
     return Estimate{mean.value, mean.standard_error};
 }
 
-/// Relaxed sets of as many iterations as the dissertation shows at most, against dart throwing of full sets.
+/// Relaxed sets of as many iterations as the dissertation shows, each against dart throwing of full sets.
 DartOutcome boundary_is_like_lloyd(const ClaimSeries& report)
 {
     constexpr double most_shown = 16;
@@ -221,7 +119,8 @@ DartOutcome boundary_is_like_lloyd(const ClaimSeries& report)
     for (const ReportSeries* own : sector_darts(report, "boundary", DartNeeds::spectrum))
         for (const ReportSeries* lloyd : lloyd_of_darts(report, DartNeeds::spectrum))
             for (const ReportSeries* darts : full_darts(report, DartNeeds::spectrum)) {
-                if (number_parameter(*lloyd, "iterations") != most_shown) continue;
+                const double iterations = number_parameter(*lloyd, "iterations").value_or(0);
+                if (iterations < 1 || iterations > most_shown) continue;
                 const auto nearer = nearer_to(*own, *lloyd, *darts);
                 if (!nearer) continue;
                 tally.add(is_above(*nearer, 0));
@@ -233,22 +132,6 @@ DartOutcome boundary_is_like_lloyd(const ClaimSeries& report)
                         joined_words({fmt::format("{} from Lloyd relaxation on average, {} from dart throwing",
                                                   range_words(to_lloyd, 2), range_words(to_darts, 2)),
                                       tally.words()})};
-}
-
-// Times
-
-/// Of the traditional algorithm, which the paper means, and of the one here.
-DartOutcome times_beside_darts(const ClaimSeries& report)
-{
-    std::vector<double> ratios;
-    for (const auto& [voronoi, darts] : pairs_of_equal_radius(report, usual_points, DartNeeds::anything)) {
-        const auto ours = median_seconds(*voronoi), theirs = median_seconds(*darts);
-        if (ours && theirs) ratios.push_back(*ours / *theirs);
-    }
-    if (ratios.empty()) return std::nullopt;
-    return ClaimOutcome{Agreement::shown, range_words(ratios, 2) +
-                                              " times the time of dart throwing here; in the paper "
-                                              "1/10 and 1/77 of that of the traditional one"};
 }
 
 constexpr std::array variants = {"logarithmic", "linear", "boundary"};
@@ -275,46 +158,15 @@ DartOutcome shown_variants(const ClaimSeries& report)
 DartOutcome variants_beside_jones(const ClaimSeries& report)
 {
     auto words = times_of_variants(report);
-    const auto jones = shown_times(report, {{.sampler = "voronoi-darts", .points = usual_points}});
+    const auto jones = shown_times(report, {"voronoi-darts"});
     if (words.empty() || !jones) return std::nullopt;
     words.push_back(jones->measured);
     return ClaimOutcome{Agreement::shown, joined_words(words)};
 }
 
-std::vector<PaperClaim> claims_about_jones()
-{
-    const auto jones = [](double radius) {
-        return SeriesQuery{
-            .sampler = "voronoi-darts", .numbers = {{"relative_radius", radius}}, .points = usual_points};
-    };
-    return {
-        {"6.12-radius", "6.12", "In terms of radius, the method of Jones is very similar to dart throwing.",
-         "the largest mean relative radius of a series is within 5 % of the largest that dart throwing has in all "
-         "realizations of a series, full sets among them",
-         jones_reaches_as_much},
-        {"6.12-spectrum", "6.12",
-         "The method of Jones has the same spectral properties as the traditional dart throwing algorithm.",
-         "radial curves of sets of the same relative radius differ by less than 0.03 on average, by two standard "
-         "errors",
-         same_spectra},
-        {"6.12-plate", "6.12", "The method of Jones has the same sampling performance as dart throwing.",
-         plates_alike_criterion,
-         [](const ClaimSeries& report) {
-             return plates_alike(pairs_of_equal_radius(report, plate_points, DartNeeds::plate));
-         }},
-        {"6.12-lines", "6.12",
-         "Sets of the method of Jones are not toroidal, which explains lines on the axes of the spectrum and "
-         "anisotropy at low frequencies.",
-         "shown: the anisotropy of sets that are toroidal", lines_on_axes},
-        {"6.12-fast", "6.12", "The method of Jones is significantly faster than the traditional implementation.",
-         "shown, as dart throwing here is not the traditional one: it does not draw darts that fall on covered cells",
-         times_beside_darts},
-        time_claim("6.12-time", "6.12", "16,384 points take 3.511 s for ρ = 0.70 and 3.403 s for ρ = 0.75.",
-                   {{"ρ = 0.70", jones(0.70)}, {"ρ = 0.75", jones(0.75)}}),
-    };
 }
 
-std::vector<PaperClaim> claims_about_sectors()
+std::vector<PaperClaim> claims_about_sector_darts()
 {
     return {
         {"6.13-radius", "6.13",
@@ -342,7 +194,7 @@ std::vector<PaperClaim> claims_about_sectors()
          [](const ClaimSeries& report) { return larger_peaks(report, "boundary", 1.2); }},
         {"6.13-lloyd", "6.13",
          "The spectrum of the boundary algorithm is somewhat similar to that of sets optimised by Lloyd relaxation.",
-         "the radial curve is nearer to that of dart throwing with 16 iterations of relaxation, the most that the "
+         "the radial curve is nearer to that of each relaxation of dart throwing by 1 to 16 iterations, as the "
          "dissertation shows, than to that of dart throwing of full sets, ring by ring on average, by two standard "
          "errors",
          boundary_is_like_lloyd},
@@ -359,15 +211,6 @@ std::vector<PaperClaim> claims_about_sectors()
          "7.002 s, linear 7.911 s, boundary 0.137 s.",
          "shown: medians, which depend on the machine", shown_variants},
     };
-}
-
-}
-
-std::vector<PaperClaim> claims_about_accelerated_darts()
-{
-    auto claims = claims_about_jones();
-    std::ranges::move(claims_about_sectors(), std::back_inserter(claims));
-    return claims;
 }
 
 }
