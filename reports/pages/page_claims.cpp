@@ -56,8 +56,8 @@ std::string summary(const std::vector<JudgedClaim>& claims)
     const auto count = [&](Agreement agreement) {
         return std::ranges::count(claims, agreement, [](const auto& judged) { return judged.outcome.agreement; });
     };
-    return fmt::format("{} claims: {} agree, {} in part, {} disagree, {} open; {} shown and not judged.",
-                       claims.size(), count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
+    return fmt::format("{} claims: {} agree, {} in part, {} disagree, {} open; {} shown and not judged.", claims.size(),
+                       count(Agreement::agrees), count(Agreement::partly), count(Agreement::disagrees),
                        count(Agreement::open), count(Agreement::shown));
 }
 

@@ -34,7 +34,6 @@ ReportSeries& MadeUpReport::add(const std::string& sampler, const NamedTexts& pa
     return series;
 }
 
-
 void MadeUpReport::set_radius(ReportSeries& series, double radius)
 {
     stored_of(series).relative_radius = Statistic{radius, radius, radius, {}};
