@@ -85,7 +85,7 @@ Finding TileSetFlag::if_several(std::initializer_list<SeriesPointer> series, Fin
 
 std::string TileSetFlag::words() const
 {
-    return has_single_ ? "of one tile set each (sets = 1): errors between sets are not known" : "";
+    return has_single_ ? "cases of one tile set (sets = 1) are open: errors between sets are not known" : "";
 }
 
 std::optional<Finding> has_weaker_plates(const ClaimSeries& report, const ReportSeries& first,

@@ -233,7 +233,7 @@ TEST(PaperClaimList, OneTileSetOfEachKindLeavesItOpen)
     test::have_one_set(few);
     test::have_one_set(many);
     EXPECT_EQ(report.outcome("6.7-more-tiles")->agreement, Agreement::open);
-    EXPECT_THAT(report.outcome("6.7-more-tiles")->measured, HasSubstr("of one tile set each (sets = 1)"));
+    EXPECT_THAT(report.outcome("6.7-more-tiles")->measured, HasSubstr("cases of one tile set (sets = 1) are open"));
 }
 
 /// The best series of a method does not stand for it.
