@@ -2,6 +2,7 @@
 #include "host/sampling/optimized/ordered_sampler.hpp"
 
 #include "base/geometry/relative_radius.hpp"
+#include "base/random/random.hpp"
 #include "host/config/plan.hpp"
 #include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
@@ -11,6 +12,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace poissonlab {
 namespace {
@@ -44,6 +48,61 @@ double prefix_radius(PointSet points, std::size_t count)
 {
     points.coordinates.resize(count * static_cast<std::size_t>(points.dimension));
     return relative_radius(test::brute_force_min_distance(points), count, points.dimension);
+}
+
+/// So many points of a set by chance, by the order of random words.
+PointSet random_part(const PointSet& points, std::size_t count, std::uint32_t realization)
+{
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        order.emplace_back(philox({static_cast<std::uint32_t>(i), realization, 0, 0}, {7, 7})[0], i);
+    std::ranges::sort(order);
+    PointSet part{points.dimension, {}};
+    for (std::size_t i = 0; i < count; ++i)
+        part.coordinates.insert(part.coordinates.end(), points[order[i].second].begin(), points[order[i].second].end());
+    return part;
+}
+
+/// The power at the frequencies up to a quarter of the root of the number of points, one of each f and -f.
+std::vector<double> low_powers(const PointSet& points)
+{
+    std::vector<double> powers;
+    const auto most = static_cast<int>(std::sqrt(static_cast<double>(points.size())) / 4);
+    for (int y = 0; y <= most; ++y)
+        for (int x = -most; x <= most; ++x)
+            if ((y > 0 || x > 0) && 16 * (x * x + y * y) <= static_cast<int>(points.size()))
+                powers.push_back(test::brute_force_power(points, {x, y, 0}));
+    return powers;
+}
+
+double mean_of(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// A part p of the points of an even set, by chance, has the power of noise, 1 - p, at low frequencies, up to p times
+/// that of the set; those that come first in the order have less than half of that.
+TEST(OrderedSampler, FirstPartsHaveLessPowerAtLowFrequenciesThanRandomOnes)
+{
+    const auto plan = ordered_plan("sampler = \"lloyd\"\niterations = 20\norder = \"sample-elimination\"\n");
+    const auto sampler = plain_sampler(plan[0]);
+    std::vector<PointSet> sets;
+    for (std::uint32_t realization = 0; realization < 6; ++realization) sets.push_back(sampler->sample(realization));
+    for (const std::size_t count : {512U, 256U, 128U}) {
+        std::vector<double> first, random;
+        for (std::uint32_t k = 0; k < sets.size(); ++k) {
+            PointSet prefix = sets[k];
+            prefix.coordinates.resize(2 * count);
+            std::ranges::copy(low_powers(prefix), std::back_inserter(first));
+            std::ranges::copy(low_powers(random_part(sets[k], count, k)), std::back_inserter(random));
+        }
+        const double noise = 1 - static_cast<double>(count) / 1024;
+        // Powers of noise are exponentially distributed: their deviation is their mean.
+        const double error = noise / std::sqrt(static_cast<double>(random.size()));
+        EXPECT_NEAR(mean_of(random), noise, 4 * error + 0.02) << count << ", and a fiftieth of the set itself";
+        EXPECT_LT(mean_of(first), noise / 2) << count;
+        EXPECT_GT(mean_of(first), 0) << count;
+    }
 }
 
 TEST(OrderedSampler, MovesNoPointAndMakesEveryFirstPartGood)
