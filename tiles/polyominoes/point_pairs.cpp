@@ -1,13 +1,8 @@
 #include "tiles/polyominoes/point_pairs.hpp"
 
+#include "tiles/polyominoes/farther_pairs.hpp"
+
 namespace poissonlab {
-namespace {
-
-/// The distance of a tile's middle to its farthest corner is 2.23 cells at most.
-constexpr double tile_radius = 2.25;
-
-}
-
 PairSearch::PairSearch(const KeptTiles& tiles, std::uint32_t levels, double reach)
     : tiles_(tiles), numbers_(tiles.numbers()), levels_(levels),
       centroid_(centroid_sum(tiles.neighbourhoods.rule.shape)),

@@ -49,13 +49,21 @@ public:
     template <class Action>
     void run(const Action& action) const
     {
-        const Neighbourhoods& all = tiles_.neighbourhoods;
-        for (std::uint32_t i = 0; i < all.collars.size(); ++i)
-            descend(start(i, Pose{}), start(i, Pose{}), levels_, i, action);
-        for (std::size_t i = 0; i < all.pairs.size(); ++i)
-            descend(start(all.pairs[i].first, Pose{}), start(all.pairs[i].second, all.pairs[i].pose), levels_,
-                    all.collars.size() + i, action);
+        run(tiles_.neighbourhoods.pairs, action);
     }
+
+    /// The same for other pairs of ancestors than those that are near.
+    template <class Action>
+    void run(const std::vector<NearTiles>& pairs, const Action& action) const
+    {
+        const std::size_t classes = tiles_.neighbourhoods.collars.size();
+        for (std::uint32_t i = 0; i < classes; ++i) descend(start(i, Pose{}), start(i, Pose{}), levels_, i, action);
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            descend(start(pairs[i].first, Pose{}), start(pairs[i].second, pairs[i].pose), levels_, classes + i, action);
+    }
+
+    /// The distance of two ancestors' middles up to which their points are surely visited, in cells of theirs.
+    double reach_of_ancestors() const { return reach_.back(); }
 
 private:
     /// A tile on the way to its descendants.

@@ -139,12 +139,12 @@ PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points)
     return set;
 }
 
-std::optional<double> proven_distance(const PolyominoTorus& torus, std::size_t points)
+double proven_distance(const PolyominoTorus& torus, std::size_t points)
 {
     const std::uint32_t level = torus.counts().level_of(static_cast<double>(points));
     const RowProof& proof = torus.table().proofs[torus.counts().row_of(static_cast<double>(points), level) - 1];
-    if (level < proof.divisions) return std::nullopt;
-    return std::sqrt(static_cast<double>(proof.squared_distance)) / static_cast<double>(torus.side_units(level));
+    const auto squared = static_cast<double>(proof.squared_distance_after(level));
+    return std::sqrt(squared) / static_cast<double>(torus.side_units(level));
 }
 
 double polyomino_values(std::size_t points, const Density& density)

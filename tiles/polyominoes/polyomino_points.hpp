@@ -89,13 +89,12 @@ private:
 /// Exactly `points` points, evenly: a part of those of a row of the table.
 PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points);
 
-/// The distance on the unit torus that the table proves of these; nothing for so few points that the tiles' ancestors
-/// are those that the torus began with.
-std::optional<double> proven_distance(const PolyominoTorus& torus, std::size_t points);
+/// The distance on the unit torus that the table proves of these.
+double proven_distance(const PolyominoTorus& torus, std::size_t points);
 
 /// About `points` points that follow a density over the torus. A value has a point where the density at its tile
-/// exceeds it: that of the level and the row that are for so many points. No distance is proven of them, and those of
-/// neighbouring levels may lie close to each other.
+/// exceeds it: that of the level and the row that are for so many points. A density that is the same everywhere has the
+/// points of none; of others no distance is proven, and those of neighbouring levels may lie close to each other.
 PointSet polyomino_points(const PolyominoTorus& torus, std::size_t points, const Density& density);
 
 /// The largest number of values that is looked through for a density.

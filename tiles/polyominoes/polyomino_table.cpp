@@ -2,6 +2,7 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "tiles/polyominoes/child_order.hpp"
+#include "tiles/polyominoes/farther_pairs.hpp"
 #include "tiles/polyominoes/frequencies.hpp"
 #include "tiles/polyominoes/point_pairs.hpp"
 #include "tiles/polyominoes/table_relaxation.hpp"
@@ -25,8 +26,10 @@ std::int64_t largest_correction(const std::vector<Correction>& row)
     return static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(largest)))) + 1;
 }
 
-/// The least squared distance of pairs that PairSearch visits.
-std::uint64_t least_visited(const PolyominoTable& table, std::uint32_t row, std::uint32_t levels, double reach)
+/// The least squared distance of the pairs that PairSearch visits: of ancestors that are near, or of all that can be
+/// seen from each other.
+std::uint64_t least_visited(const PolyominoTable& table, std::uint32_t row, std::uint32_t levels, double reach,
+                            bool are_near)
 {
     const std::vector<Correction>& corrections = table.rows[row - 1];
     const KeptTiles tiles{table.neighbourhoods, table.depth, row};
@@ -36,10 +39,15 @@ std::uint64_t least_visited(const PolyominoTable& table, std::uint32_t row, std:
         return point_of(tile.pose, anchor, corrections[tile.entry / numbers * row + tile.entry % numbers]);
     };
     auto least = std::numeric_limits<std::int64_t>::max();
-    PairSearch(tiles, levels, reach).run([&](const TableTile& a, const TableTile& b, std::size_t) {
+    const auto visit = [&](const TableTile& a, const TableTile& b, std::size_t) {
         const LatticePlace d = point(b) - point(a);
         least = std::min(least, d.x * d.x + d.y * d.y);
-    });
+    };
+    const PairSearch search(tiles, levels, reach);
+    if (are_near)
+        search.run(visit);
+    else
+        search.run(pairs_within(table.neighbourhoods, search.reach_of_ancestors()), visit);
     return static_cast<std::uint64_t>(least);
 }
 
@@ -72,7 +80,10 @@ RowProof proof_of_row(const PolyominoTable& table, std::uint32_t row)
         // corrections only.
         const std::int64_t apart = gap - 2 * correction;
         if (static_cast<double>(apart) < spacing * cell_units) continue;
-        return {least_visited(table, row, levels, reach), table.neighbourhoods.first_level + levels};
+        const std::uint64_t proven = least_visited(table, row, levels, reach, true);
+        const bool needs_more = levels > table.depth;
+        return {proven, table.neighbourhoods.first_level + levels,
+                needs_more ? std::min(proven, least_visited(table, row, table.depth, reach, false)) : proven};
     }
 }
 

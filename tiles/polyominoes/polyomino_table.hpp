@@ -30,10 +30,21 @@ constexpr std::uint32_t table_depth_of(Polyomino shape) { return shape == Polyom
 /// The proof about a row: two points have at least this distance, over all tilings of the plane and of tori whose
 /// tiles have been divided so often, whatever they were before. Points are few in the first rows, and further ancestors
 /// have to be known.
+///
+/// Tiles that have been divided less often, down to the first level that the table is for, have fewer known ancestors.
+/// What is proven of them looks at all pairs of tiles that can be seen from each other, of which tilings may not have
+/// all: it may be less.
 struct RowProof
 {
     std::uint64_t squared_distance = 0; ///< in squared units
     std::uint32_t divisions = 0;
+    std::uint64_t squared_distance_before = 0; ///< after fewer divisions
+
+    /// The squared distance after so many divisions.
+    std::uint64_t squared_distance_after(std::uint32_t level) const
+    {
+        return level < divisions ? squared_distance_before : squared_distance;
+    }
 };
 
 struct PolyominoTable

@@ -49,7 +49,7 @@ void serialize(Archive& archive, Neighbourhoods& all)
 template <class Archive>
 void serialize(Archive& archive, RowProof& proof)
 {
-    archive(proof.squared_distance, proof.divisions);
+    archive(proof.squared_distance, proof.divisions, proof.squared_distance_before);
 }
 
 template <class Archive>

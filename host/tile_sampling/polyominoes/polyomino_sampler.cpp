@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 namespace poissonlab {
@@ -25,6 +27,13 @@ Polyomino shape_of(const Parameters& given) { return *polyominoes.find(given.tex
 
 /// Fewer points than these are in rows of the table that are proven after more divisions, with a side of 10.
 constexpr std::size_t fewest_points_for_ten = 6401;
+
+/// A density that is the same everywhere has the points of none, and their distance.
+bool is_constant(const Density& density)
+{
+    return std::ranges::all_of(density.weights,
+                               [&](std::uint64_t weight) { return weight == density.weights.front(); });
+}
 
 /// The side of the torus before its tiles are divided, in cells.
 std::uint32_t side_of(const Parameters& given, std::size_t points)
@@ -52,8 +61,7 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const PolyominoTorus torus(table_, side_, seed_, realization);
-        if (const auto distance = proven_distance(torus, points_); distance && !density_)
-            proven_ = relative_radius(*distance, points_, 2);
+        if (!density_ || is_constant(*density_)) proven_ = relative_radius(proven_distance(torus, points_), points_, 2);
         if (density_) return polyomino_points(torus, points_, *density_);
         return generator_ ? generator_->points(torus, points_) : polyomino_points(torus, points_);
     }
@@ -106,10 +114,10 @@ SamplerSpec polyomino_sampler()
          .symbol = "S",
          .unless_given = "10 (P; 5 for 6,400 points and less) or 12 (G)"}};
     for (ParameterSpec& spec : density_parameters()) parameters.push_back(std::move(spec));
-    SamplerSpec spec =
-        plain_spec("polyominoes", "Polyominoes",
-                   "a tiling with polyominoes whose points are moved by a table, at a distance that is proven", {2},
-                   std::move(parameters));
+    SamplerSpec spec = plain_spec(
+        "polyominoes", "Polyominoes",
+        "a tiling with polyominoes whose points are moved by a table; even points at a distance that is proven", {2},
+        std::move(parameters));
     spec.check = check_polyominoes;
     spec.outside_input = density_hash;
     // Values that have a point are counted as the density says, but for where tiles straddle its changes.
