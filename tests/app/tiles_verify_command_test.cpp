@@ -94,13 +94,14 @@ TEST_F(TilesCommand, RefusesPromisesThatAreNotProven)
     EXPECT_EQ(more.status, 2);
     EXPECT_THAT(more.out, HasSubstr("MORE than is proven"));
     EXPECT_THAT(more.error, MatchesRegex("poissonlab: error: a.ptiles: guarantees a squared minimum distance of "
-                                         "[0-9]+: must be at most [0-9]+, which is proven\n"));
+                                         "[0-9]+: must be at most [0-9]+, which is proven: see the points at "
+                                         "\\([-0-9]+, [-0-9]+\\) and \\([-0-9]+, [-0-9]+\\) of tile [0-9]+\n"));
 
     const PoissonTileSet spread = random_points(template_parameters(1));
     const Outcome less = verify(spread);
     EXPECT_EQ(less.status, 2);
     EXPECT_THAT(less.error, MatchesRegex("poissonlab: error: a.ptiles: relative_radius = 0.55: must be at most "
-                                         "0\\.[0-9]+, which is proven\n"));
+                                         "0\\.[0-9]+, which is proven: see the points at .* of tile 0\n"));
 }
 
 TEST_F(TilesCommand, RefusesFilesThatAreNoTileSets)

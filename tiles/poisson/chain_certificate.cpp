@@ -48,13 +48,37 @@ void for_each_chain(const ChainPieces& pieces, const Visit& visit)
             for (std::uint32_t upper = 0; upper < pieces.colors; ++upper) visit(direction, lower, upper);
 }
 
-void check_chains(const ChainPieces& pieces, std::int64_t squared_distance)
+/// The fault of the first chain that does not keep this distance; empty: all do.
+std::string fault_of_chains(const ChainPieces& pieces, std::int64_t squared_distance)
 {
     constexpr std::array names{"to the right", "upwards"};
+    std::string first;
     for_each_chain(pieces, [&](std::size_t direction, std::uint32_t lower, std::uint32_t upper) {
+        if (!first.empty()) return;
         if (const auto fault = fault_of_chain(pieces, direction, lower, upper, squared_distance))
-            throw InputError(fmt::format("chain {} from colour {} to {}: {}", names[direction], lower, upper, *fault));
+            first = fmt::format("chain {} from colour {} to {}: {}", names[direction], lower, upper, *fault);
     });
+    return first;
+}
+
+void check_chains(const ChainPieces& pieces, std::int64_t squared_distance)
+{
+    if (const std::string fault = fault_of_chains(pieces, squared_distance); !fault.empty()) throw InputError(fault);
+}
+
+/// Where chains do not even keep what was asked for, it is said which. Chains that do keep it may have links too long
+/// for a smaller distance: then it is said which points are so near, as chains are innocent of that.
+void check_what_was_asked(const ChainPieces& pieces, const ClosureMeasures& measures, std::int64_t measured,
+                          std::int64_t asked)
+{
+    const bool are_too_near = measured < asked && measured == static_cast<std::int64_t>(measures.squared_distance);
+    check_chains(pieces, are_too_near ? asked : std::min(measured, asked));
+    if (!are_too_near || fault_of_chains(pieces, measured).empty()) return;
+    throw InputError(fmt::format("{} are {:.1f} units apart: must be at least {:.1f}, the distance of the set's "
+                                 "relative radius",
+                                 described(measures.nearest, 2),
+                                 std::sqrt(static_cast<double>(measures.squared_distance)),
+                                 std::sqrt(static_cast<double>(asked))));
 }
 
 std::int64_t clearance(const ChainPieces& pieces)
@@ -137,8 +161,7 @@ TileCertificate certify_chains(const PoissonTileSet& set)
         measure_closures(p, [&](std::uint32_t tile, Closure& closure) { find_chain_closure(pieces, tile, closure); });
     const std::int64_t apart = separation(pieces);
     const auto measured = std::min(static_cast<std::int64_t>(measures.squared_distance), apart * apart);
-    // Where chains do not even keep what was asked for, it is said which.
-    check_chains(pieces, std::min(measured, static_cast<std::int64_t>(asked_squared_distance(p))));
+    check_what_was_asked(pieces, measures, measured, static_cast<std::int64_t>(asked_squared_distance(p)));
     const auto kept = static_cast<std::uint64_t>(std::min(apart * apart, clearance(pieces)));
     TileCertificate result = certificate_of(p, measures, kept);
     check_chains(pieces, static_cast<std::int64_t>(result.squared_min_distance));

@@ -9,7 +9,7 @@
 
 namespace poissonlab {
 
-/// The same as certify(), for sets with chains. Throws InputError, a sentence that starts with the tile or the chain,
+/// The same as certify(), for sets with chains. Throws InputError, a sentence that names the tile or the chain,
 /// where the theorem does not hold.
 TileCertificate certify_chains(const PoissonTileSet& set);
 

@@ -15,26 +15,38 @@ namespace {
 /// ones.
 constexpr std::uint32_t first_tiles = 32;
 
-/// Goes along x: points that are farther apart along it than the smallest distance are not compared.
-std::uint64_t squared_min_distance(std::vector<UnitPosition>& points)
+/// Points of a tile, and their squared distance.
+struct MeasuredPair
+{
+    std::int64_t squared_distance = INT64_MAX;
+    NearestPair pair;
+};
+
+/// The nearest points of a tile. Goes along x: points that are farther apart along it than the smallest distance are
+/// not compared.
+MeasuredPair nearest_pair(std::uint32_t tile, std::vector<UnitPosition>& points)
 {
     std::ranges::sort(points, {}, [](const UnitPosition& position) { return position[0]; });
-    std::int64_t smallest = INT64_MAX;
+    MeasuredPair nearest;
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (std::size_t j = i + 1; j < points.size(); ++j) {
             const std::int64_t x = points[j][0] - points[i][0];
-            if (x * x >= smallest) break;
+            if (x * x >= nearest.squared_distance) break;
             const std::int64_t y = points[j][1] - points[i][1];
             const std::int64_t z = points[j][2] - points[i][2];
-            smallest = std::min(smallest, x * x + y * y + z * z);
+            const std::int64_t squared = x * x + y * y + z * z;
+            if (squared < nearest.squared_distance) nearest = {squared, {tile, {points[i], points[j]}}};
         }
     }
-    return static_cast<std::uint64_t>(smallest);
+    return nearest;
 }
 
 ClosureMeasures joined(ClosureMeasures a, const ClosureMeasures& b)
 {
-    a.squared_distance = std::min(a.squared_distance, b.squared_distance);
+    if (b.squared_distance < a.squared_distance) {
+        a.squared_distance = b.squared_distance;
+        a.nearest = b.nearest;
+    }
     a.empty_radius = std::max(a.empty_radius, b.empty_radius);
     return a;
 }
@@ -49,11 +61,11 @@ ClosureMeasures measure_range(int dimension, const ClosureSource& closure_of, st
             Closure closure;
             for (std::uint32_t tile = range.begin(); tile < range.end(); ++tile) {
                 closure_of(tile, closure);
-                const std::uint64_t squared = squared_min_distance(closure.points);
+                const auto [squared, pair] = nearest_pair(tile, closure.points);
                 const double empty_radius = closure.border.empty()
                                                 ? search.radius(closure.points, known_empty_radius)
                                                 : search.radius_in(closure.border, closure.points, known_empty_radius);
-                measures = joined(measures, {squared, empty_radius});
+                measures = joined(measures, {static_cast<std::uint64_t>(squared), pair, empty_radius});
             }
             return measures;
         },
@@ -77,6 +89,7 @@ TileCertificate certificate_of(const PoissonTileParameters& p, const ClosureMeas
     TileCertificate result{p.tiles, p.points_per_tile};
     result.squared_closure_distance = measures.squared_distance;
     result.squared_separation = squared_separation;
+    result.nearest = measures.nearest;
     result.squared_min_distance = std::min(result.squared_closure_distance, result.squared_separation);
     result.relative_radius = relative_radius_of(result.squared_min_distance, p);
     result.largest_empty_radius = (1 + EmptyBallSearch::tolerance) * measures.empty_radius / tile_units;

@@ -12,6 +12,7 @@ namespace poissonlab {
 struct ClosureMeasures
 {
     std::uint64_t squared_distance = UINT64_MAX; ///< the smallest in any closure, in squared units
+    NearestPair nearest;                         ///< the points that have it, of the first tile that has two
     double empty_radius = 0;                     ///< as EmptyBallSearch::radius(), of all tiles
 };
 

@@ -6,6 +6,7 @@
 #include "tiles/poisson/shared_pieces.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -120,16 +121,29 @@ TileCertificate certify(const PoissonTileSet& set)
     return p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
 }
 
+std::string described(const NearestPair& pair, int dimension)
+{
+    const auto place = [&](const UnitPosition& at) {
+        return fmt::format("({})", fmt::join(at.begin(), at.begin() + dimension, ", "));
+    };
+    return fmt::format("the points at {} and {} of tile {}", place(pair.points[0]), place(pair.points[1]), pair.tile);
+}
+
 void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
                     const TileCertificate& certificate)
 {
     const std::uint64_t proven = certificate.squared_min_distance;
+    std::string nearest; // where they are two points that are seen to be that near
+    if (proven == certificate.squared_closure_distance)
+        nearest = fmt::format(": see {}", described(certificate.nearest, parameters.dimension));
     if (stored_squared_distance > proven)
-        throw InputError(fmt::format("guarantees a squared minimum distance of {}: must be at most {}, which is proven",
-                                     stored_squared_distance, proven));
+        throw InputError(
+            fmt::format("guarantees a squared minimum distance of {}: must be at most {}, which is proven{}",
+                        stored_squared_distance, proven, nearest));
     if (proven < asked_squared_distance(parameters))
-        throw InputError(fmt::format("relative_radius = {}: must be at most {:.6f}, which is proven",
-                                     parameters.relative_radius, std::floor(certificate.relative_radius * 1e6) / 1e6));
+        throw InputError(fmt::format("relative_radius = {}: must be at most {:.6f}, which is proven{}",
+                                     parameters.relative_radius, std::floor(certificate.relative_radius * 1e6) / 1e6,
+                                     nearest));
 }
 
 }

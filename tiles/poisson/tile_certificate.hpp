@@ -26,8 +26,18 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace poissonlab {
+
+/// Two points of a closure, and the first tile that has it; relative to the tile's lower left corner.
+struct NearestPair
+{
+    std::uint32_t tile = 0;
+    std::array<UnitPosition, 2> points{};
+
+    bool operator==(const NearestPair&) const = default;
+};
 
 struct TileCertificate
 {
@@ -42,6 +52,7 @@ struct TileCertificate
     /// and a lower bound for all others.
     std::uint64_t squared_closure_distance = 0;
     std::uint64_t squared_separation = 0;
+    NearestPair nearest = {}; ///< the points that have the distance that occurs
 
     std::array<RegionCounts, 4> regions{}; ///< by the dimension of the cell: corners first, the interior last
 
@@ -59,8 +70,11 @@ struct TileCertificate
 /// that should share points near a corner, an edge or a face do not, or a tile has two equal points.
 TileCertificate certify(const PoissonTileSet& set);
 
+/// "the points at (1, 2) and (3, 4) of tile 5", with coordinates in units.
+std::string described(const NearestPair& pair, int dimension);
+
 /// Throws InputError, a sentence, where the file of a set promises more than its certificate proves: by the squared
-/// minimum distance that it states, or by its relative radius.
+/// minimum distance that it states, or by its relative radius. It names the points that are too near.
 void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
                     const TileCertificate& certificate);
 

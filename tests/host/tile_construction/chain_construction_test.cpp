@@ -202,6 +202,29 @@ TEST(ChainCertificate, RefusesLinksThatAreTooLong)
     EXPECT_THAT(message, HasSubstr("link from "));
 }
 
+/// A point inside of a tile that came a little nearer to another one than was asked for, or only than was proven
+/// before: its own tile is named, and no link of a chain, which may be too long for the smaller distance.
+TEST(ChainCertificate, NamesTheTileWhosePointsAreTooNear)
+{
+    const TileCertificate whole = certify(three_colors());
+    const std::uint64_t asked = asked_squared_distance(three_colors().parameters);
+    for (const std::uint64_t wanted : {asked, whole.squared_min_distance}) {
+        constexpr std::uint32_t tile = 23;
+        PoissonTileSet set = changed_set([&](ChainPieces& p) {
+            UnitPosition& moved = p.interiors[tile].front();
+            const UnitPosition at = p.interiors[tile].back();
+            // On the other point's right, at the largest even distance that is too small.
+            const auto distance = static_cast<std::int32_t>(std::sqrt(static_cast<double>(wanted))) / 2 * 2 - 2;
+            moved = {at[0] + distance, at[1], 0};
+        });
+        set.squared_min_distance = whole.squared_min_distance;
+        const std::string message =
+            refusal_of([&] { check_promises(set.parameters, set.squared_min_distance, certify(set)); });
+        EXPECT_THAT(message, testing::AnyOf(HasSubstr("of tile 23"), testing::StartsWith("tile 23: "))) << wanted;
+        EXPECT_THAT(message, testing::Not(HasSubstr("link")));
+    }
+}
+
 TEST(ChainCertificate, RefusesTilesThatDifferInWhatTheyShare)
 {
     PoissonTileSet set = three_colors();
@@ -219,12 +242,14 @@ TEST(ChainCertificate, RefusesTilesThatDifferInWhatTheyShare)
 
 TEST(ChainCertificate, SaysWhatDistanceThereIs)
 {
-    // Where two points inside of a tile are closer together, links are too long for what distance is left.
+    // Where two points inside of a tile are closer together, links are too long for what distance is left: the points
+    // are what is wrong.
     const std::string message = refusal_after([](ChainPieces& p) {
         const UnitPosition a = p.interiors[7][3];
         p.interiors[7][4] = {a[0] + 2000, a[1], 0};
     });
-    EXPECT_THAT(message, HasSubstr("must be at most sqrt 3 times the minimum distance, 3464.1"));
+    EXPECT_THAT(message, testing::MatchesRegex("the points at .* and .* of tile 7 are 2000.0 units apart: must be at "
+                                               "least 9336.9, the distance of the set's relative radius"));
 }
 
 // The gain of chains.
