@@ -14,7 +14,8 @@ namespace poissonlab {
 /// One list of records a realization, which may differ in length.
 using IterationRecords = std::vector<std::vector<IterationRecord>>;
 
-/// The text of iterations.csv: realization,iteration,relative_radius,energy; 17 significant digits.
+/// The text of iterations.csv: realization,iteration,relative_radius,energy, and relative_radius_within_tiles where all
+/// records have it; 17 significant digits.
 std::string iterations_csv(const IterationRecords& records);
 
 /// Reads what iterations_csv() wrote. Throws InputError with file and line.
@@ -37,6 +38,7 @@ struct Iterations
     std::vector<std::size_t> realizations; ///< how many got to each iteration: never growing; empty: without means
     IterationSpread relative_radius;
     IterationSpread energy;
+    std::optional<IterationSpread> relative_radius_within_tiles; ///< of tiles that are relaxed
 
     bool operator==(const Iterations&) const = default;
 

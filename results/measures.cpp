@@ -184,6 +184,12 @@ std::vector<Measure> sizes_and_distances()
                       MeasureKind::size, significant(4),
                       "What is known without measuring: no set of the method has a smaller relative radius, by a proof "
                       "over all neighbourhoods that tiles can have.")),
+        detail(
+            number("relative_radius_within_tiles", "relative radius within tiles", of_largest_distance, Better::higher,
+                   MeasureKind::estimate, significant(4),
+                   "Of sets that are tiled: that of the nearest two points of one tile, where the relative radius is "
+                   "of any two. Far above it, tiles do not fit at their borders; above 1 it can be where tiles have "
+                   "few points. The mean over the K sets, with its standard error.")),
         detail(number("mean_nearest_distance", "mean nearest distance", of_largest_distance, Better::neither,
                       MeasureKind::estimate, significant(4),
                       "The distance from a point to the nearest other one, on average over all points and the K sets, "

@@ -25,6 +25,7 @@ void members(JsonMembers& m, Stored<Iterations> auto& iterations)
     m.member("realizations", iterations.realizations);
     m.object("relative_radius", iterations.relative_radius);
     m.object("energy", iterations.energy);
+    m.object("relative_radius_within_tiles", iterations.relative_radius_within_tiles);
 }
 
 void members(JsonMembers& m, Stored<ZonePlateResult> auto& plate)
@@ -109,6 +110,8 @@ void check(const StoredObject& object, const Iterations& iterations)
     if (count == 0) throw object.error("realizations", "must have a number for each iteration");
     check(object.object("relative_radius"), iterations.relative_radius, count);
     check(object.object("energy"), iterations.energy, count);
+    if (const auto& within = iterations.relative_radius_within_tiles)
+        check(object.object("relative_radius_within_tiles"), *within, count);
 }
 
 void check(const StoredObject& object, const Series& series)

@@ -1,6 +1,7 @@
 #include "host/measuring/series_analysis.hpp"
 
 #include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/distance_within_tiles.hpp"
 #include "analysis/measures/lattice_share.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
@@ -131,6 +132,8 @@ bool SeriesAnalysis::add(const PointSet& points)
         }
     }
     if (options_.progressive) set.prefix_radius = prefix_radius(points);
+    if (options_.tiles > 1)
+        set.radius_within = relative_radius(min_distance_within_tiles(points, options_.tiles), n, points.dimension);
     sets_.push_back(set);
     if (integration_) integration_->add(points);
     if (seams_) seams_->add(points);
@@ -233,6 +236,9 @@ Series SeriesAnalysis::result() const
     series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
     if (series.relative_radius) series.measures.numbers["mean_nearest_distance"] = mean_of(&SetMeasures::mean_nearest);
     if (options_.progressive) series.measures.numbers["prefix_relative_radius"] = mean_of(&SetMeasures::prefix_radius);
+    if (options_.tiles > 1)
+        if (const Estimate within = mean_of(&SetMeasures::radius_within); std::isfinite(within.value))
+            series.measures.numbers["relative_radius_within_tiles"] = within;
     if (integration_) series.measures.integration = integration_->mean();
     if (estimate_ && options_.tiles > 0)
         series.measures.numbers["lattice_share"] = mean_of(&SetMeasures::lattice_share);

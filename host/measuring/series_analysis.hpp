@@ -125,13 +125,13 @@ private:
         double lattice_share = 0;     ///< of tiled sets
         double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
         double prefix_radius = 0;     ///< of sets in progressive order
+        double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
 
         template <class Archive>
         void serialize(Archive& archive)
         {
             archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
-                    lattice_share,
-                    mean_nearest, prefix_radius);
+                    lattice_share, mean_nearest, prefix_radius, radius_within);
         }
     };
 

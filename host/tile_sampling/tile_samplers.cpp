@@ -202,14 +202,7 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
                      .kind = Kind::boolean,
                      .help = "in these, make the mean tile even, so that tilings show less of their lattice",
                      .unless_given = "true where there are joint iterations"});
-    specs.push_back({.key = "sets",
-                     .kind = Kind::integer,
-                     .help = "tile sets, of this seed and those after it, that realizations take in turn: errors are "
-                             "then between sets",
-                     .minimum = 1,
-                     .maximum = most_sets,
-                     .symbol = "sets",
-                     .otherwise = std::int64_t{1}});
+    specs.push_back(tile_sets_parameter());
     return specs;
 }
 
@@ -319,6 +312,18 @@ std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, 
     for (const auto& [family, word] : poisson_tile_families.entries)
         if (family.dimension == 2 && sampler_name(family) == sampler) return tile_parameters(family, parameters, seed);
     return std::nullopt;
+}
+
+ParameterSpec tile_sets_parameter()
+{
+    return {.key = "sets",
+            .kind = ParameterSpec::Kind::integer,
+            .help = "tile sets, of this seed and those after it, that realizations take in turn: errors are then "
+                    "between sets",
+            .minimum = 1,
+            .maximum = most_sets,
+            .symbol = "sets",
+            .otherwise = std::int64_t{1}};
 }
 
 std::uint32_t tiling_side(std::size_t points, double points_per_tile, int dimension)

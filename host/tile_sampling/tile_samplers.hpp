@@ -24,6 +24,9 @@ SamplerSpec sphere_tile_sampler();
 std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,
                                                     std::uint64_t seed);
 
+/// The parameter "sets", the number of tile sets that realizations take in turn.
+ParameterSpec tile_sets_parameter();
+
 /// The side of the toroidal tiling whose number of points is nearest to `points`, in tiles; at least 1. Tiles of which
 /// only a part of the points is kept have that many on average.
 std::uint32_t tiling_side(std::size_t points, double points_per_tile, int dimension);

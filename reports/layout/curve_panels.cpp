@@ -129,6 +129,9 @@ std::string radius_caption(const Iterations& iterations)
     if (best != means.end() - 1)
         text += fmt::format("Largest {} after {}. ", format_fixed(*best, 4),
                             format_count(static_cast<std::uint64_t>(best - means.begin())));
+    if (const auto& within = iterations.relative_radius_within_tiles)
+        text += fmt::format("Within tiles from {} to {}. ", format_fixed(within->mean.front(), 4),
+                            format_fixed(within->mean.back(), 4));
     return text + means_of_what(iterations);
 }
 
@@ -213,17 +216,24 @@ void add_iteration_panels(const ReportSeries& series, std::size_t index, const R
     if (!series.stored->iterations) return;
     const auto& iterations = *series.stored->iterations;
     const StoredFile csv{"csv", series.run->folder / iterations.file};
+    std::string guide =
+        "How the smallest distance grows while the method moves its points; 0 is where it started. Level: nothing more "
+        "to gain. The line is the mean over the <i>K</i> sets that got so far, the band reaches from the least to the "
+        "largest.";
+    if (iterations.relative_radius_within_tiles)
+        guide +=
+            " The line is of tilings, dots are of the nearest two points of one tile: what is between them is lost "
+            "where tiles meet.";
     panels.push_back({.stem = "relative-radius",
                       .picture = alone(*plots.radius, index),
                       .title = "Relative radius over iterations",
                       .caption = radius_caption(iterations),
-                      .guide =
-                          "How the smallest distance grows while the method moves its points; 0 is where it started. "
-                          "Level: nothing more to gain. The line is the mean over the <i>K</i> sets that got so far, "
-                          "the band reaches from the least to the largest.",
+                      .guide = guide,
                       .stored = {csv}});
+    const std::optional<Plot>& energy = has_own_energy(series) ? plots.own_energy : plots.energy;
+    if (!energy || !has_curve(*energy, index)) return;
     panels.push_back({.stem = "energy",
-                      .picture = alone(has_own_energy(series) ? *plots.own_energy : *plots.energy, index),
+                      .picture = alone(*energy, index),
                       .title = "Energy over iterations",
                       .caption = from_to(iterations.energy, iterations.count()) + means_of_what(iterations),
                       .guide = energy_guide(series),

@@ -75,7 +75,7 @@ void add_iteration_panels(const SeriesList& series, std::vector<Panel>& panels)
                       "over iterations",
                       "The higher, the further apart the nearest two points. A method that has found its balance runs "
                       "level; one that still climbs would gain from more iterations. Means over the sets that got so "
-                      "far."});
+                      "far. Dots, of tiles, are of the nearest two points of one tile."});
     const auto energies = energy_curves(series, false);
     if (energies.size() < 2) return;
     panels.push_back({"energy-all", together(energy_plot(energies)), "Energy", "over iterations",
@@ -142,6 +142,14 @@ std::vector<Panel> region_panels(const SeriesList& series)
     const auto curves = region_curves(series);
     if (curves.empty()) return {};
     return {{"region-points", region_points_plot(curves), "Points in the regions of tiles",
+             "over the number of points a tile"}};
+}
+
+std::vector<Panel> tile_radius_panels(const SeriesList& series)
+{
+    const auto curves = tile_radius_curves(series);
+    if (curves.empty()) return {};
+    return {{"tile-radius", tile_radius_plot(curves), "Relative radius within tiles (dots) and of tilings (lines)",
              "over the number of points a tile"}};
 }
 

@@ -26,4 +26,7 @@ std::vector<Panel> integration_panels(const SeriesList& series);
 /// Points in the regions of tiles against the points a tile; nothing or one plot.
 std::vector<Panel> region_panels(const SeriesList& series);
 
+/// The relative radius within tiles beside that of tilings against the points a tile; nothing or one plot.
+std::vector<Panel> tile_radius_panels(const SeriesList& series);
+
 }

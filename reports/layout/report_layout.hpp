@@ -47,6 +47,7 @@ struct ReportRun
     std::vector<Panel> overlays;    ///< plots of all series
     std::vector<Panel> integration; ///< errors of integrals against N, one an integrand
     std::vector<Panel> regions;     ///< points in regions of tiles, where sets differ in size: one plot
+    std::vector<Panel> tile_radii;  ///< relative radii within tiles and of tilings, where sets differ in size: one plot
 };
 
 /// The runs in order, as they are stored. With one run that lies in `out`, its pictures go to out and

@@ -32,6 +32,13 @@ std::vector<std::size_t> first_of_method(const SeriesList& series)
     return result;
 }
 
+std::vector<const Series*> stored_series(const SeriesList& series)
+{
+    std::vector<const Series*> stored;
+    for (const auto& entry : series) stored.push_back(entry.series->stored);
+    return stored;
+}
+
 }
 
 SeriesList series_of(const ReportRun& run)
@@ -123,7 +130,11 @@ std::vector<IterationCurve> iteration_curves(const SeriesList& series)
 std::vector<IterationCurve> energy_curves(const SeriesList& series, bool are_own)
 {
     std::vector<IterationCurve> curves = iteration_curves(series);
-    std::erase_if(curves, [&](const IterationCurve& curve) { return curve.is_own_energy != are_own; });
+    std::erase_if(curves, [&](const IterationCurve& curve) {
+        const auto& energies = curve.stored->energy.mean;
+        const bool has_none = std::ranges::all_of(energies, [](double energy) { return energy == 0; });
+        return has_none || curve.is_own_energy != are_own;
+    });
     return curves;
 }
 
@@ -160,11 +171,11 @@ std::vector<IntegrationCurve> integration_curves(const SeriesList& series)
     return curves;
 }
 
-std::vector<RegionCurve> region_curves(const SeriesList& series)
+std::vector<TileSizeCurve> region_curves(const SeriesList& series) { return region_curves(stored_series(series)); }
+
+std::vector<TileSizeCurve> tile_radius_curves(const SeriesList& series)
 {
-    std::vector<const Series*> stored;
-    for (const auto& entry : series) stored.push_back(entry.series->stored);
-    return region_curves(stored);
+    return tile_radius_curves(stored_series(series));
 }
 
 }

@@ -6,7 +6,7 @@
 #include "reports/plots/integration_curves.hpp"
 #include "reports/plots/iteration_curves.hpp"
 #include "reports/plots/pair_correlation_curves.hpp"
-#include "reports/plots/region_curves.hpp"
+#include "reports/plots/tile_size_curves.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
 
 #include <string>
@@ -50,7 +50,7 @@ std::vector<IterationCurve> iteration_curves(const SeriesList& series);
 /// Does a method record an energy of its own, rather than that of Lloyd relaxation?
 bool has_own_energy(const ReportSeries& series);
 
-/// The curves of methods that do, or of those that do not.
+/// The curves of methods that do, or of those that do not; without those that have no energy at all.
 std::vector<IterationCurve> energy_curves(const SeriesList& series, bool are_own);
 
 /// The errors of the series that have sampled the zone plate.
@@ -60,7 +60,8 @@ std::vector<ZonePlateCurve> zone_plate_curves(const SeriesList& series);
 /// sizes.
 std::vector<IntegrationCurve> integration_curves(const SeriesList& series);
 
-/// The points in regions of tiles over the number of points a tile.
-std::vector<RegionCurve> region_curves(const SeriesList& series);
+/// The points in regions of tiles, and the relative radius within tiles, over the number of points a tile.
+std::vector<TileSizeCurve> region_curves(const SeriesList& series);
+std::vector<TileSizeCurve> tile_radius_curves(const SeriesList& series);
 
 }

@@ -71,6 +71,7 @@ void lay_out_panels(ReportRun& run)
     run.overlays = overlay_panels(series);
     run.integration = integration_panels(series);
     run.regions = region_panels(series);
+    run.tile_radii = tile_radius_panels(series);
 }
 
 }

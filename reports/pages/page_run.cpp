@@ -108,6 +108,8 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     page.set("integrated", !run.integration.empty());
     page.set("regions", overlays(run.regions, {}, place));
     page.set("has_regions", !run.regions.empty());
+    page.set("tile_radii", overlays(run.tile_radii, {}, place));
+    page.set("has_tile_radii", !run.tile_radii.empty());
     page.set("plate", zone_plate_reference_data(run, page_folder));
     page.set("tilings", tiling_sections(run, page_folder));
     page.set("has_tilings", !run.tilings.empty());

@@ -88,7 +88,13 @@ Plot relative_radius_plot(const std::vector<IterationCurve>& curves)
 {
     Plot plot = plot_of(curves, &Iterations::relative_radius);
     double radius = 0;
-    for (const auto& curve : curves) radius = std::max(radius, std::ranges::max(curve.stored->relative_radius.max));
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        const Iterations& stored = *curves[k].stored;
+        radius = std::max(radius, std::ranges::max(stored.relative_radius.max));
+        if (!stored.relative_radius_within_tiles) continue;
+        radius = std::max(radius, std::ranges::max(stored.relative_radius_within_tiles->mean));
+        plot.curves[k].dots = curve_of(curves[k], *stored.relative_radius_within_tiles, IterationAxis(curves)).y;
+    }
     const double top = std::max(0.2, std::ceil(10 * radius - 1e-9) / 10);
     plot.y = {.label = "relative radius", .high = top, .step = top > 0.5 ? 0.2 : 0.1};
     return plot;

@@ -25,7 +25,7 @@ struct IterationCurve
 double least_energy(int dimension);
 
 /// All curves, of which there must be one: the mean over realizations in a band from the least to the largest, over
-/// iterations, on a logarithmic axis where there are more than 100.
+/// iterations, on a logarithmic axis where there are more than 100. Dots are the mean within tiles, of tiles.
 Plot relative_radius_plot(const std::vector<IterationCurve>& curves);
 /// Energies of one kind.
 Plot energy_plot(const std::vector<IterationCurve>& curves);

@@ -69,7 +69,7 @@ void export_plots(const Site& site, Exporter& exporter)
     for (const ReportRun& run : site.runs) {
         for (const ReportSeries& series : run.series)
             for (const Panel& panel : series.panels) exporter.add(panel, series.pictures);
-        for (const auto* panels : {&run.overlays, &run.integration, &run.regions})
+        for (const auto* panels : {&run.overlays, &run.integration, &run.regions, &run.tile_radii})
             for (const Panel& panel : *panels) exporter.add(panel, run.root);
     }
     if (site.has_several_runs())

@@ -58,7 +58,7 @@ std::vector<GnuplotPicture> all_plots(const Site& site)
     for (const auto& run : site.runs) {
         for (const auto& series : run.series)
             for (const auto& panel : series.panels) add_plot(panel, series.pictures, plots);
-        for (const auto* panels : {&run.overlays, &run.integration, &run.regions})
+        for (const auto* panels : {&run.overlays, &run.integration, &run.regions, &run.tile_radii})
             for (const auto& panel : *panels) add_plot(panel, run.root, plots);
     }
     if (site.has_several_runs())

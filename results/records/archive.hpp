@@ -20,7 +20,7 @@ namespace poissonlab {
 template <class Archive>
 void serialize(Archive& archive, IterationRecord& record)
 {
-    archive(record.relative_radius, record.energy);
+    archive(record.relative_radius, record.energy, record.relative_radius_within_tiles);
 }
 
 template <class Archive>

@@ -12,7 +12,11 @@ namespace poissonlab {
 struct IterationRecord
 {
     double relative_radius = 0;
-    double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension)
+    double energy = 0; ///< mean squared distance of the torus to its nearest point, times N^(2/dimension); 0: no energy
+    std::optional<double> relative_radius_within_tiles =
+        {}; ///< of tiles, of which the nearest two points may be in two
+
+    bool operator==(const IterationRecord&) const = default;
 };
 
 /// The time that building a tile set took, and the machine.

@@ -24,6 +24,23 @@ TEST(IterationsTable, IsReadAsItWasWritten)
     EXPECT_EQ(read[1][0].relative_radius, 0.2);
 }
 
+/// Of tiles a further column, of which all records have a number or none has.
+TEST(IterationsTable, HasRadiiWithinTilesWhereAllRecordsHave)
+{
+    const TemporaryFolder folder;
+    IterationRecords records = {{{0.1, 0, 0.7}, {0.3, 0, 1.0 / 3}}};
+    const std::string text = iterations_csv(records);
+    EXPECT_THAT(text,
+                testing::StartsWith("realization,iteration,relative_radius,energy,relative_radius_within_tiles\n"));
+    EXPECT_EQ(read_iterations_table(folder.write("a.csv", text)), records);
+    const auto means = iterations_of(records);
+    ASSERT_TRUE(means && means->relative_radius_within_tiles);
+    EXPECT_EQ(means->relative_radius_within_tiles->mean, (std::vector<double>{0.7, 1.0 / 3}));
+    records[0][1].relative_radius_within_tiles.reset();
+    EXPECT_THAT(iterations_csv(records), testing::StartsWith(header));
+    EXPECT_FALSE(iterations_of(records)->relative_radius_within_tiles);
+}
+
 TEST(IterationsTable, ComplainsOfWhatDoesNotFollow)
 {
     const TemporaryFolder folder;

@@ -38,47 +38,53 @@ double mean_size(const WangPoints& points)
 class WangTileSampler final : public DeviceSampler
 {
 public:
-    /// `build` is given the device that is the engine, or null.
-    WangTileSampler(const SampleRequest& request, Engine engine, const DeviceProvider& device,
-                    const std::function<BuiltTiles(Device*)>& build)
+    /// `build` is given the device that is the engine, or null, and the seed of a tile set: `sets` of them, of the
+    /// request's seed and those after it.
+    WangTileSampler(const SampleRequest& request, std::uint32_t sets, Engine engine, const DeviceProvider& device,
+                    const std::function<BuiltTiles(Device*, std::uint64_t seed)>& build)
         : DeviceSampler(engine, device), seed_(request.seed)
     {
         const auto begin = std::chrono::steady_clock::now();
-        built_ = build(device_);
-        side_ = std::min(tiling_side(request.points, std::max(1.0, mean_size(built_.points)), 2), 65'536U);
+        for (std::uint32_t i = 0; i < sets; ++i) built_.push_back(build(device_, request.seed + i));
+        const double size = std::max(1.0, mean_size(built_.front().points));
+        side_ = std::min(tiling_side(request.points, size, 2), 65'536U);
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         preparation_seconds_ = seconds - build_seconds();
     }
 
     PointSet sample(std::uint32_t realization) override
     {
+        last_ = realization % built_.size();
         const StreamKey key = stream_key(seed_, Purpose::wang_tilings, realization);
-        return wang_torus(built_.points, std::uint64_t{key[0]} << 32 | key[1], side_);
+        return wang_torus(built_[last_].points, std::uint64_t{key[0]} << 32 | key[1], side_);
     }
 
     /// Tiles of darts have different numbers of points.
     bool sizes_vary() const override
     {
-        for (const auto& tile : built_.points.tiles)
-            if (tile.size() != built_.points.tiles.front().size()) return true;
+        for (const BuiltTiles& built : built_)
+            for (const auto& tile : built.points.tiles)
+                if (tile.size() != built_.front().points.tiles.front().size()) return true;
         return false;
     }
 
-    std::vector<IterationRecord> iterations() const override { return built_.iterations; }
+    std::vector<IterationRecord> iterations() const override { return built_[last_].iterations; }
     std::uint32_t tiles_along_axis() const override { return side_; }
+    std::uint32_t tile_sets() const override { return static_cast<std::uint32_t>(built_.size()); }
     double preparation_seconds() const override { return preparation_seconds_; }
 
     std::optional<TileSetRecord> tile_set() const override
     {
         TileSetRecord record;
         record.tiles = wang_point_tiles;
-        record.points_per_tile = static_cast<std::uint64_t>(std::lround(mean_size(built_.points)));
+        record.points_per_tile = static_cast<std::uint64_t>(std::lround(mean_size(built_.front().points)));
         return record;
     }
 
 private:
     std::uint64_t seed_;
-    BuiltTiles built_;
+    std::vector<BuiltTiles> built_;
+    std::size_t last_ = 0; ///< set of the last sample()
     std::uint32_t side_ = 1;
     double preparation_seconds_ = 0;
 };
@@ -89,6 +95,8 @@ double shade_distance(const Parameters& given)
                             2);
 }
 
+std::uint32_t sets_of(const Parameters& given) { return static_cast<std::uint32_t>(given.integer("sets")); }
+
 BuiltTiles shade_tiles(const Parameters& given, std::uint64_t seed)
 {
     const double distance = shade_distance(given) * tile_units;
@@ -98,27 +106,33 @@ BuiltTiles shade_tiles(const Parameters& given, std::uint64_t seed)
     return built;
 }
 
-/// The relative radius of tilings, which is that of the two nearest points that can be near.
-double relative_radius_across(const WangPoints& points)
+/// The relative radius of tilings, which is that of the two nearest points that can be near; and that of the two
+/// nearest of one tile, where tiles have two.
+IterationRecord record_of(const WangPoints& points)
 {
-    const std::int64_t squared = std::min(squared_distance_within(points), squared_distance_across(points));
-    return relative_radius(std::sqrt(static_cast<double>(squared)) / tile_units, points.tiles.front().size(), 2);
+    const std::size_t size = points.tiles.front().size();
+    const auto radius = [&](std::int64_t squared) {
+        return relative_radius(std::sqrt(static_cast<double>(squared)) / tile_units, size, 2);
+    };
+    const std::int64_t within = squared_distance_within(points);
+    IterationRecord record{radius(std::min(within, squared_distance_across(points))), 0};
+    if (size > 1) record.relative_radius_within_tiles = radius(within);
+    return record;
 }
 
-BuiltTiles averaged_tiles(const Parameters& given, const SampleRequest& request, Device* device)
+BuiltTiles averaged_tiles(const Parameters& given, const SampleRequest& request, Device* device, std::uint64_t seed)
 {
     const AveragedVariant variant = *averaged_variants.find(given.text("variant"));
-    BuiltTiles built{start_averaged_tiles(static_cast<std::uint32_t>(given.integer("points_per_tile")), request.seed),
-                     {}};
+    BuiltTiles built{start_averaged_tiles(static_cast<std::uint32_t>(given.integer("points_per_tile")), seed), {}};
     const auto iterations = static_cast<std::uint32_t>(given.integer("iterations"));
     std::optional<AveragedTiles> kernels;
     if (device) kernels.emplace(*device);
     for (std::uint32_t i = 0; i <= iterations; ++i) {
-        built.iterations.push_back({relative_radius_across(built.points), 0});
+        built.iterations.push_back(record_of(built.points));
         if (i == iterations) break;
         if (request.on_step) request.on_step(fmt::format("averaged tiles: iteration {} of {}", i + 1, iterations));
-        built.points = kernels ? kernels->average_once(built.points, variant, i, request.seed)
-                               : average_once(built.points, variant, i, request.seed);
+        built.points = kernels ? kernels->average_once(built.points, variant, i, seed)
+                               : average_once(built.points, variant, i, seed);
     }
     return built;
 }
@@ -128,7 +142,7 @@ ParameterSpec points_per_tile_spec()
     return {.key = "points_per_tile",
             .kind = ParameterSpec::Kind::integer,
             .help = "N, points of each tile",
-            .minimum = 2,
+            .minimum = 1,
             .maximum = 4096,
             .symbol = "N",
             .otherwise = std::int64_t{32}};
@@ -142,6 +156,7 @@ SamplerSpec described(std::string name, std::string title, std::string summary, 
     spec.summary = std::move(summary);
     spec.dimensions = {2};
     spec.parameters = std::move(parameters);
+    spec.parameters.push_back(tile_sets_parameter());
     spec.most_points = [](const Parameters& given, const SampleRequest& request) -> std::size_t {
         // The nearest number of whole tiles may be one row and column more.
         return 3 * request.points / 2 + 4 * static_cast<std::size_t>(given.integer("points_per_tile"));
@@ -182,8 +197,8 @@ SamplerSpec shade_tile_sampler()
     };
     // The darts of eight tiles wait for each other, and take milliseconds: the host throws them.
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine, const DeviceProvider& device) {
-        return std::make_unique<WangTileSampler>(request, Engine::reference, device,
-                                                 [&](Device*) { return shade_tiles(given, request.seed); });
+        return std::make_unique<WangTileSampler>(request, sets_of(given), Engine::reference, device,
+                                                 [&](Device*, std::uint64_t seed) { return shade_tiles(given, seed); });
     };
     return spec;
 }
@@ -215,8 +230,9 @@ SamplerSpec averaged_tile_sampler()
     };
     spec.create = [](const Parameters& given, const SampleRequest& request, Engine engine,
                      const DeviceProvider& device) {
-        return std::make_unique<WangTileSampler>(request, engine, device,
-                                                 [&](Device* used) { return averaged_tiles(given, request, used); });
+        return std::make_unique<WangTileSampler>(
+            request, sets_of(given), engine, device,
+            [&](Device* used, std::uint64_t seed) { return averaged_tiles(given, request, used, seed); });
     };
     return spec;
 }

@@ -1,5 +1,7 @@
 // Tiles of the methods before Poisson disk tiles: distances over all pairs of tiles, the mean over all 4,096
 // surroundings by CGAL, and tilings that are what their tiles say.
+#include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/distance_within_tiles.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
 #include "host/config/sampler_registry.hpp"
@@ -205,6 +207,52 @@ TEST(AveragedTiles, AreWorseAcrossTilesThanWithin)
         EXPECT_GT(within, 0.6);
         EXPECT_GT(across, 0.35);
         EXPECT_LT(across, 0.78);
+    }
+}
+
+/// The last record of the iterations is what the tilings have, measured among their points: within tiles and of any
+/// two. Realizations take tile sets in turn, and each has its own iterations.
+TEST(AveragedTiles, RecordWhatTheirTilingsHave)
+{
+    const SamplerSpec& spec = *find_sampler("averaged-tiles");
+    Parameters given(spec.parameters);
+    given.set("points_per_tile", std::int64_t{9}, {"test.toml", 1});
+    given.set("iterations", std::int64_t{5}, {"test.toml", 1});
+    given.set("sets", std::int64_t{2}, {"test.toml", 1});
+    const auto sampler = spec.create(given, {9000, 2, 4}, Engine::reference, {});
+    EXPECT_EQ(sampler->tile_sets(), 2U);
+    std::vector<std::vector<IterationRecord>> records;
+    for (std::uint32_t realization = 0; realization < 4; ++realization) {
+        const PointSet points = sampler->sample(realization);
+        records.push_back(sampler->iterations());
+        ASSERT_EQ(records.back().size(), 6U);
+        const double within = min_distance_within_tiles(points, static_cast<int>(sampler->tiles_along_axis()));
+        EXPECT_NEAR(*records.back().back().relative_radius_within_tiles, relative_radius(within, points.size(), 2),
+                    1e-9);
+        EXPECT_NEAR(records.back().back().relative_radius,
+                    relative_radius(min_toroidal_distance(points), points.size(), 2), 1e-9);
+    }
+    EXPECT_EQ(records[0], records[2]);
+    EXPECT_EQ(records[1], records[3]);
+    EXPECT_NE(records[0], records[1]);
+    const auto second = spec.create(Parameters(given), {9000, 2, 5}, Engine::reference, {});
+    second->sample(0);
+    EXPECT_EQ(second->iterations(), records[1]) << "the set of the next seed";
+}
+
+/// A tile of one point has no distance within it, and moves to where it is as far from others as it can be.
+TEST(AveragedTiles, OfOnePointHaveNoRadiusWithin)
+{
+    const SamplerSpec& spec = *find_sampler("averaged-tiles");
+    Parameters given(spec.parameters);
+    given.set("points_per_tile", std::int64_t{1}, {"test.toml", 1});
+    given.set("iterations", std::int64_t{3}, {"test.toml", 1});
+    const auto sampler = spec.create(given, {64, 2, 4}, Engine::reference, {});
+    EXPECT_EQ(sampler->sample(0).size(), 64U);
+    for (const IterationRecord& record : sampler->iterations()) {
+        EXPECT_FALSE(record.relative_radius_within_tiles);
+        EXPECT_GT(record.relative_radius, 0.4);    // from the middles, half a tile apart at least
+        EXPECT_LE(record.relative_radius, 0.9307); // of the square lattice
     }
 }
 

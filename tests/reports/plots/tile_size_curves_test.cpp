@@ -1,5 +1,5 @@
-// Which tile sets make a curve of points in regions.
-#include "reports/plots/region_curves.hpp"
+// Which tile sets make a curve of points in regions, or of radii within tiles.
+#include "reports/plots/tile_size_curves.hpp"
 
 #include <gmock/gmock.h>
 
@@ -25,7 +25,7 @@ protected:
         stored_.push_back(series);
     }
 
-    std::vector<RegionCurve> curves()
+    std::vector<TileSizeCurve> curves()
     {
         std::vector<const Series*> series;
         for (const Series& stored : stored_) series.push_back(&stored);
@@ -35,7 +35,7 @@ protected:
     std::vector<std::string> labels()
     {
         std::vector<std::string> labels;
-        for (const RegionCurve& curve : curves()) labels.push_back(curve.label);
+        for (const TileSizeCurve& curve : curves()) labels.push_back(curve.label);
         return labels;
     }
 
@@ -50,12 +50,37 @@ TEST_F(RegionCurves, JoinTileSetsThatDifferOnlyInTheirPoints)
     add("corner-tiles", "0.8", 64, 4.1);
     EXPECT_THAT(labels(), ElementsAre("corners, relative_radius = 0.7", "edges, relative_radius = 0.7",
                                       "corners, relative_radius = 0.8", "edges, relative_radius = 0.8"));
-    const RegionCurve corners = curves().front();
+    const TileSizeCurve corners = curves().front();
     ASSERT_EQ(corners.samples.size(), 2);
     EXPECT_EQ(corners.samples[0].points_per_tile, 16);
-    EXPECT_EQ(corners.samples[0].points, 2.9);
-    EXPECT_EQ(corners.samples[0].expected, 3);
+    EXPECT_EQ(corners.samples[0].dot, 2.9);
+    EXPECT_EQ(corners.samples[0].line, 3);
     EXPECT_EQ(corners.samples[1].points_per_tile, 64);
+}
+
+/// Radii within tiles are dots, those of tilings lines; where both are the same everywhere there is nothing to show.
+TEST_F(RegionCurves, ShowRadiiWithinTilesWhereTilingsHaveSmallerOnes)
+{
+    for (const std::int64_t points : {40, 20}) {
+        add("averaged-tiles", "0.7", points, 0);
+        Series& series = stored_.back();
+        series.relative_radius = Statistic{0.3, 0.4, 0.5, {}};
+        series.measures.numbers["relative_radius_within_tiles"] = {points == 20 ? 0.9 : 0.8, {}};
+    }
+    std::vector<const Series*> series;
+    for (const Series& stored : stored_) series.push_back(&stored);
+    const auto radii = tile_radius_curves(series);
+    ASSERT_EQ(radii.size(), 1U);
+    EXPECT_EQ(radii[0].label, "averaged-tiles");
+    ASSERT_EQ(radii[0].samples.size(), 2U);
+    EXPECT_EQ(radii[0].samples[0].points_per_tile, 20);
+    EXPECT_EQ(radii[0].samples[0].dot, 0.9);
+    EXPECT_EQ(radii[0].samples[0].line, 0.4);
+    const Plot plot = tile_radius_plot(radii);
+    EXPECT_EQ(plot.curves.front().dots, (std::vector<double>{0.9, 0.8}));
+    EXPECT_DOUBLE_EQ(plot.y.high, 0.9);
+    for (Series& stored : stored_) stored.measures.numbers["relative_radius_within_tiles"].value = 0.4;
+    EXPECT_TRUE(tile_radius_curves(series).empty());
 }
 
 TEST_F(RegionCurves, NeedTwoNumbersOfPoints)
