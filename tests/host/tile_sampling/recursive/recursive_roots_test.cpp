@@ -53,8 +53,11 @@ TEST(RecursiveRoots, FitAndDifferUntilAllAreDrawn)
             EXPECT_TRUE(fits_on_torus(roots.of(k), side));
             EXPECT_TRUE(drawn.insert(least_shifted(roots.of(k), side)).second) << k;
         }
-        if (side == 3) EXPECT_FALSE(drawn.insert(least_shifted(roots.of(128), 3)).second) << "a 129th";
     }
+    RealizationRoots all_of_three(3, 7);
+    std::set<RootTiles> drawn;
+    for (std::uint32_t k = 0; k < 129; ++k) drawn.insert(least_shifted(all_of_three.of(k), 3));
+    EXPECT_EQ(drawn.size(), 128U);
 }
 
 /// Whichever were asked for before; and hashed ones unless these are there already.
