@@ -233,7 +233,8 @@ std::vector<Paper> papers_on_textures()
            edges_fit},
           {"cohen-2003-more-tiles", "3.2", "Artefacts that come from few samples are overcome by more tiles.",
            "18 tiles have less power at multiples of 1/T than 8, by two standard errors; open with one texture set of "
-           "each", more_tiles_repeat_less},
+           "each",
+           more_tiles_repeat_less},
           {"cohen-2003-marked", "3.4",
            "With marked corners eight Wang tiles become 128, or 64 that still leave a random choice.",
            "as many tiles fit by edges and marks; 64 serve marks at random only, since a map, which gives the fourth "
@@ -242,18 +243,22 @@ std::vector<Paper> papers_on_textures()
         {"ng-2005",
          "Ng, Wen, Tan, Zhang and Kim, <cite>Generating an ω-Tile Set for Texture Synthesis</cite> (2005)",
          {{"ng-2005-large", "3.2", "Omega tiles repeat less visibly than Wang tiles.",
-           "less power at multiples of 1/2T, at equal memory, by two standard errors; open with one texture set of each",
+           "less power at multiples of 1/2T, at equal memory, by two standard errors; open with one texture set of "
+           "each",
            [](const ClaimSeries& report) {
                return compared(report, is_omega_texture, is_wang_texture, "double_lattice_power", 1);
            }},
           {"ng-2005-junctions", "5", "Omega tiles have less prominent junctions than Wang tiles.",
-           "a smaller part of their seams is conspicuous, at equal memory, by two standard errors; open with one texture "
+           "a smaller part of their seams is conspicuous, at equal memory, by two standard errors; open with one "
+           "texture "
            "set of each",
            [](const ClaimSeries& report) {
                return compared(report, is_omega_texture, is_wang_texture, "conspicuous_seams", 1);
            }},
           {"ng-2005-straight", "5", "On a regular brick wall omega tiles are inferior to Wang tiles.",
-           "the mismatch at seams is larger, at equal memory, by two standard errors; open with one texture set of each", straightness}}},
+           "the mismatch at seams is larger, at equal memory, by two standard errors; open with one texture set of "
+           "each",
+           straightness}}},
     };
 }
 

@@ -70,7 +70,7 @@ TEST_F(CommandLine, SamplersAreListedWithTheirParameters)
 {
     const Outcome samplers = run({"samplers"});
     EXPECT_EQ(samplers.status, 0);
-    EXPECT_THAT(samplers.out, HasSubstr("dart-throwing: Dart throwing (2D, 3D)"));
+    EXPECT_THAT(samplers.out, HasSubstr("dart-throwing: Dart throwing (2D, 3D, device memory ~ N)"));
     EXPECT_THAT(samplers.out, HasSubstr("relative_radius = a number greater than 0 and at most 1"));
     EXPECT_EQ(run({"help", "samplers"}).out, samplers.out);
 }

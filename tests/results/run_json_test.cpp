@@ -65,7 +65,7 @@ protected:
         series.pair_correlation_file = file("pair-correlation.csv");
         series.folded_density = FoldedDensityFile{42, file("folded-density.exr")};
         series.iterations =
-            Iterations{file("iterations.csv"), {2, 1}, {{1, 2}, {3, 4}, {5, 6}}, {{7, 8}, {9, 1}, {2, 3}}};
+            Iterations{file("iterations.csv"), {2, 1}, {{1, 2}, {3, 4}, {5, 6}}, {{7, 8}, {9, 1}, {2, 3}}, {}};
         series.zone_plate = ZonePlateResult{8, file("zone-plate.exr"), file("zone-plate.csv"),
                                             *statistic_of({0.25, 0.75}), statistic_of({0.125, 0.5})};
         series.point_files = {file("realization-000.dat"), file("realization-001.dat")};
@@ -125,7 +125,7 @@ protected:
         result.period = {0, 4, 5};
         result.statistics = TilingStatistics{1024, 262144, FrequencyTest{70.5, 0.5}, {}};
         ColorStatistics colors{"corners", {1, 2, 3}, {1.5, 0.25}, file("a.exr"), {}};
-        colors.autocorrelation = {320, {}, 4.5, {3, -4}, 5.25};
+        colors.autocorrelation = {320, {}, 0.5, 4.5, {3, -4}, 0.75, 5.25};
         result.statistics->colors = {colors};
         return result;
     }

@@ -1,5 +1,5 @@
 // What tiles have in common, against sets where that is known.
-#include "tiles/poisson/shared_points.hpp"
+#include "tiles/poisson/counts/shared_points.hpp"
 
 #include "tests/support/random_tile_set.hpp"
 

@@ -1,4 +1,4 @@
-#include "tiles/poisson/shared_points.hpp"
+#include "tiles/poisson/counts/shared_points.hpp"
 
 #include <algorithm>
 #include <vector>
