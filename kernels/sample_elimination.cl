@@ -1,13 +1,16 @@
-// Sample elimination in rounds, with the result of the sequential algorithm: the heaviest point is removed, again and
+// Sample elimination side by side, with the result of the sequential algorithm: the heaviest point is removed, again and
 // again.
 //
 // Yuksel, Sample elimination for generating Poisson disk sample sets, Computer Graphics Forum 34(2), 2015. Weights only
 // fall, so a point that is heavier than all within its reach is removed before any of them, and at the weight that it
-// has: all such points are removed at once. The order of removal is that of weights at removal. The plain twin, with a
-// heap, is host/sampling/optimized/reference/sample_elimination.cpp.
-//   weigh_points   the weights before the first removal
-//   find_heaviest  (in rounds, with the next) marks the points that are heavier than all within their reach
-//   remove_points  removes them, and takes their part off the weights of others
+// has, whatever happens elsewhere. The order of removal is that of weights at removal. The plain twin, with a heap, is
+// host/sampling/optimized/reference/sample_elimination.cpp.
+//   weigh_points     the weights before the first removal
+//   eliminate_tiles  (again and again, for one colour after the other) removes what can be removed in a tile
+//
+// Tiles are blocks of grid cells, coloured like a chessboard: between two of a colour lies one that is two cells wide or
+// wider. A point's removal changes no weight farther away than a cell, so that tiles of a colour never meet, and the
+// order does not depend on how many tiles there are, nor on which of them are done at once.
 //
 // Points are sorted by grid cells, see point_grid.cl. Of equal weights, that of the lower id counts as the heavier.
 // Needs DIMENSION (2 or 3).
@@ -20,96 +23,193 @@
 #include "kernels/common/torus.clh"
 
 typedef struct Elimination Elimination;
+typedef struct EliminationCounts EliminationCounts;
 
-ALWAYS_INLINE Position position_at(global const uint* coordinates, uint stride, uint item)
+/// Structs are filled in: Oclgrind 21.10 lacks an intrinsic that inlining of returned ones brings in.
+ALWAYS_INLINE void find_position(global const uint* coordinates, uint stride, uint item, Position* position)
 {
-    Position position;
-    FOR_EACH_AXIS(k) position.c[k] = coordinates[k * stride + item];
-    return position;
+    FOR_EACH_AXIS(k) position->c[k] = coordinates[k * stride + item];
 }
 
 /// (1 - d / d_max)^8 in units.
-ALWAYS_INLINE ulong weight_of(const Elimination* e, ulong squared)
+ALWAYS_INLINE long weight_of(const Elimination* e, ulong squared)
 {
     const double distance = sqrt((double)squared);
     const double rest = 1 - (distance < e->least ? e->least : distance) / e->reach;
     const double squared_rest = rest * rest;
     const double fourth = squared_rest * squared_rest;
-    return (ulong)(fourth * fourth * WEIGHT_UNITS + 0.5);
+    return (long)(fourth * fourth * WEIGHT_UNITS + 0.5);
 }
 
-/// BODY sees `other` and `squared` of each other point within reach: calls are textual, as OpenCL C has no function
-/// pointers.
-#define FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, BODY)                                                      \
-    const Position position_ = position_at(coordinates, (e).stride, item);                                             \
-    const int n_ = (int)(e).grid_size;                                                                                 \
+ALWAYS_INLINE uint cell_of(const Elimination* e, uint coordinate)
+{
+    return (uint)(((ulong)coordinate * e->grid_size) >> 32);
+}
+
+/// BODY sees `other` and `squared` of each other point within reach for which WHERE, which sees `other`, is true: calls
+/// are textual, as OpenCL C has no function pointers. Cells that follow each other along an axis hold points that do.
+#define FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, WHERE, BODY)                                               \
+    Position position_, there_;                                                                                        \
+    find_position(coordinates, (e)->stride, item, &position_);                                                         \
+    const int n_ = (int)(e)->grid_size;                                                                                \
     int first_[3] = {0, 0, 0}, cells_[3] = {1, 1, 1};                                                                  \
     FOR_EACH_AXIS(k) {                                                                                                 \
-        const int cell_ = (int)(((ulong)position_.c[k] * (e).grid_size) >> 32);                                        \
-        first_[k] = n_ < 3 ? 0 : cell_ + n_ - 1;                                                                       \
+        const int cell_ = (int)cell_of(e, position_.c[k]);                                                             \
+        first_[k] = n_ < 3 ? 0 : cell_ > 0 ? cell_ - 1 : n_ - 1;                                                       \
         cells_[k] = min(n_, 3);                                                                                        \
     }                                                                                                                  \
     for (int z_ = 0; z_ < cells_[2]; ++z_) {                                                                           \
         for (int y_ = 0; y_ < cells_[1]; ++y_) {                                                                       \
-            const uint row_ = (uint)(((first_[2] + z_) % n_ * n_ + (first_[1] + y_) % n_) * n_);                       \
-            for (int x_ = 0; x_ < cells_[0]; ++x_) {                                                                   \
-                const uint c_ = row_ + (uint)((first_[0] + x_) % n_);                                                  \
-                for (uint other = starts[c_]; other < starts[c_ + 1]; ++other) {                                       \
-                    const Position there_ = position_at(coordinates, (e).stride, other);                               \
+            const int row_ = (wrapped(first_[2] + z_, n_) * n_ + wrapped(first_[1] + y_, n_)) * n_;                    \
+            for (int x_ = 0, run_; x_ < cells_[0]; x_ += run_) {                                                       \
+                const int begin_ = wrapped(first_[0] + x_, n_);                                                        \
+                run_ = min(cells_[0] - x_, n_ - begin_);                                                               \
+                const uint end_ = starts[row_ + begin_ + run_];                                                        \
+                for (uint other = starts[row_ + begin_]; other < end_; ++other) {                                      \
+                    if (!(WHERE)) continue;                                                                            \
+                    find_position(coordinates, (e)->stride, other, &there_);                                           \
                     const ulong squared = squared_distance(&position_, &there_);                                       \
-                    if (squared >= (e).squared_reach || other == item) continue;                                       \
+                    if (squared >= (e)->squared_reach || other == item) continue;                                      \
                     BODY                                                                                               \
                 }                                                                                                      \
             }                                                                                                          \
         }                                                                                                              \
     }
 
-/// One work-item owns one point. Also makes it alive.
+ALWAYS_INLINE int wrapped(int cell, int n) { return cell < n ? cell : cell - n; }
+
+/// What stands for the weight of a removed point: a negative number that keeps the weight that it had.
+ALWAYS_INLINE long of_removed(long weight) { return ~weight; }
+
+ALWAYS_INLINE bool is_heavier(global const long* weights, global const uint* ids, uint item, uint other)
+{
+    return weights[item] > weights[other] || (weights[item] == weights[other] && ids[item] < ids[other]);
+}
+
+/// One work-item owns one point. Nothing is known of heavier ones yet, which `heavier` says by the point itself.
 kernel void weigh_points(Elimination e, global const uint* coordinates, global const uint* starts,
-                         global ulong* weights, global uchar* is_removed, global uchar* is_heaviest)
+                         global long* weights, global uint* heavier)
 {
     const uint item = get_global_id(0);
     if (item >= e.points) return;
-    ulong sum = 0;
-    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, { sum += weight_of(&e, squared); })
+    long sum = 0;
+    FOR_EACH_WITHIN_REACH(&e, item, coordinates, starts, true, { sum += weight_of(&e, squared); })
     weights[item] = sum;
-    is_removed[item] = is_heaviest[item] = 0;
+    heavier[item] = item;
 }
 
-/// One work-item owns one point.
-kernel void find_heaviest(Elimination e, global const uint* coordinates, global const uint* starts,
-                          global const uint* ids, global const ulong* weights, global const uchar* is_removed,
-                          global uchar* is_heaviest)
+/// The heaviest point within reach of one, which may be the point itself.
+uint find_heaviest(const Elimination* e, global const uint* coordinates, global const uint* starts,
+                   global const uint* ids, global const long* weights, uint item)
 {
-    const uint item = get_global_id(0);
-    if (item >= e.points) return;
-    is_heaviest[item] = 0;
-    if (is_removed[item]) return;
-    const ulong weight = weights[item];
-    const uint id = ids[item];
-    bool is_lighter = false;
-    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, {
-        if (is_removed[other] || weights[other] < weight) continue;
-        is_lighter = is_lighter || weights[other] > weight || ids[other] < id;
-    })
-    is_heaviest[item] = !is_lighter;
+    uint heaviest = item;
+    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, is_heavier(weights, ids, other, heaviest), { heaviest = other; })
+    return heaviest;
 }
 
-/// One work-item owns one point. `is_left` becomes 1 where points remain.
-kernel void remove_points(Elimination e, global const uint* coordinates, global const uint* starts,
-                          global ulong* weights, global uchar* is_removed, global const uchar* is_heaviest,
-                          global uint* is_left)
+void remove_point(const Elimination* e, global const uint* coordinates, global const uint* starts,
+                  global long* weights, uint item)
 {
-    const uint item = get_global_id(0);
-    if (item >= e.points || is_removed[item]) return;
-    if (is_heaviest[item]) {
-        is_removed[item] = 1;
-        return;
+    weights[item] = of_removed(weights[item]);
+    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, weights[other] >= 0,
+                          { weights[other] -= weight_of(e, squared); })
+}
+
+/// A block of cells; beyond the last axis, one cell.
+typedef struct { uint tile[3], begin[3], end[3]; } Tile;
+
+/// The tile of a number among those of its colour, which has a bit for each axis.
+ALWAYS_INLINE void find_tile(const Elimination* e, uint colour, uint number, Tile* t)
+{
+    for (int k = 0; k < 3; ++k) {
+        t->tile[k] = t->begin[k] = 0;
+        t->end[k] = 1;
     }
-    ulong less = 0;
-    FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, {
-        if (is_heaviest[other]) less += weight_of(&e, squared);
-    })
-    weights[item] -= less;
-    *is_left = 1;
+    const uint of_colour = max(e->tiles / 2, 1u);
+    FOR_EACH_AXIS(k) {
+        t->tile[k] = e->tiles == 1 ? 0 : 2 * (number % of_colour) + (colour >> k & 1);
+        number /= of_colour;
+        t->begin[k] = (uint)((ulong)t->tile[k] * e->grid_size / e->tiles);
+        t->end[k] = (uint)((ulong)(t->tile[k] + 1) * e->grid_size / e->tiles);
+    }
+}
+
+ALWAYS_INLINE bool is_inside(const Elimination* e, const Tile* t, global const uint* coordinates, uint item)
+{
+    bool inside = true;
+    FOR_EACH_AXIS(k) {
+        const uint cell = cell_of(e, coordinates[k * e->stride + item]);
+        inside = inside && cell >= t->begin[k] && cell < t->end[k];
+    }
+    return inside;
+}
+
+/// Marks a tile and those around it.
+void mark_around(const Elimination* e, const Tile* t, global uchar* marks)
+{
+    const uint n = e->tiles;
+    for (uint z = 0; z < (DIMENSION == 3 ? 3 : 1); ++z)
+        for (uint y = 0; y < 3; ++y)
+            for (uint x = 0; x < 3; ++x) {
+                const uint plane = DIMENSION == 3 ? (t->tile[2] + n + z - 1) % n * n : 0;
+                marks[(plane + (t->tile[1] + n + y - 1) % n) * n + (t->tile[0] + n + x - 1) % n] = 1;
+            }
+}
+
+/// From a point to heavier ones, as far as they lie in the tile; the last, if none within its reach is heavier, is
+/// removed. Again, until the point itself is removed, too light, or waits for another tile. `heavier` has a point that
+/// was heavier, for each: it is looked for anew only where it is no longer. The number of points removed.
+uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, global const uint* starts,
+           global const uint* ids, global long* weights, global uint* heavier, long least, uint from)
+{
+    uint removed = 0;
+    uint item = from;
+    while (weights[from] >= least) {
+        uint next = heavier[item];
+        if (!is_heavier(weights, ids, next, item)) {
+            next = find_heaviest(e, coordinates, starts, ids, weights, item);
+            heavier[item] = next;
+        }
+        if (next == item) {
+            remove_point(e, coordinates, starts, weights, item);
+            ++removed;
+            item = from;
+        } else if (is_inside(e, t, coordinates, next)) {
+            item = next;
+        } else {
+            break;
+        }
+    }
+    return removed;
+}
+
+/// One work-item owns one tile of a colour, and leaves those alone around which nothing has changed since, unless
+/// `is_first`. No point that is lighter than `least` is removed.
+kernel void eliminate_tiles(Elimination e, uint colour, long least, uint is_first, global const uint* coordinates,
+                            global const uint* starts, global const uint* ids, global long* weights,
+                            global uint* heavier, global uchar* marks, global EliminationCounts* counts)
+{
+    uint tiles = 1;
+    FOR_EACH_AXIS(k) tiles *= max(e.tiles / 2, 1u);
+    if (get_global_id(0) >= tiles) return;
+    Tile t;
+    find_tile(&e, colour, get_global_id(0), &t);
+    const uint number = (t.tile[2] * e.tiles + t.tile[1]) * e.tiles + t.tile[0];
+    if (!is_first && !marks[number]) return;
+    uint removed = 0, before;
+    do {
+        before = removed;
+        for (uint z = t.begin[2]; z < t.end[2]; ++z)
+            for (uint y = t.begin[1]; y < t.end[1]; ++y) {
+                const uint row = (z * e.grid_size + y) * e.grid_size;
+                for (uint item = starts[row + t.begin[0]]; item < starts[row + t.end[0]]; ++item)
+                    removed += climb(&e, &t, coordinates, starts, ids, weights, heavier, least, item);
+            }
+    } while (removed > before);
+    if (removed > 0) {
+        mark_around(&e, &t, marks);
+        atomic_add(&counts->removed, removed);
+        atomic_add(&counts->of_round, removed);
+    }
+    marks[number] = 0;
 }

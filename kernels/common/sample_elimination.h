@@ -16,8 +16,15 @@ struct Elimination
     double least;        ///< d_min: nearer pairs weigh no more
     uint points;
     uint grid_size; ///< cells along each axis, of at least the reach, or one
+    uint tiles;     ///< along each axis: one, or an even number of tiles that are two cells wide or wider
     uint stride;    ///< of coordinates
-    uint unused;
+};
+
+/// What the tiles count.
+struct EliminationCounts
+{
+    uint removed;  ///< points, so far
+    uint of_round; ///< those of a round
 };
 
 END_CONTRACT

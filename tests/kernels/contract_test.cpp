@@ -163,10 +163,12 @@ TEST(Contract, OfGaussianBlueNoise)
 
 TEST(Contract, OfSampleElimination)
 {
-    using contract::sample_elimination::Elimination;
-    const std::size_t layout[] = {LAYOUT_OF(Elimination, stride)};
-    EXPECT_THAT(on_device("kernels/common/sample_elimination.h", layout_of("Elimination", "stride")),
-                ElementsAreArray(layout));
+    using namespace contract::sample_elimination;
+    const std::string file = "kernels/common/sample_elimination.h";
+    const std::size_t elimination[] = {LAYOUT_OF(Elimination, stride)};
+    EXPECT_THAT(on_device(file, layout_of("Elimination", "stride")), ElementsAreArray(elimination));
+    const std::size_t counts[] = {LAYOUT_OF(EliminationCounts, of_round)};
+    EXPECT_THAT(on_device(file, layout_of("EliminationCounts", "of_round")), ElementsAreArray(counts));
 }
 
 TEST(Contract, OfDistributions)

@@ -36,9 +36,10 @@ public:
                                                "the order needs a torus; leave it out");
         const PointSet points = made_->sample(realization);
         if (!elimination_) return eliminate(points, points.size(), reference::removal_order);
-        return eliminate(points, points.size(), [&](const PointSet& left, const EliminationReach& reach) {
-            return elimination_->removal_order(left, reach);
-        });
+        return eliminate(points, points.size(),
+                         [&](const PointSet& left, const EliminationReach& reach, std::size_t count) {
+                             return elimination_->removal_order(left, reach, count);
+                         });
     }
 
     bool sizes_vary() const override { return made_->sizes_vary(); }

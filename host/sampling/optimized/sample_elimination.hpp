@@ -32,15 +32,16 @@ struct EliminationReach
 /// = 1.5.
 EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dimension);
 
-/// The numbers of all points of a set in the order in which they are removed, if all are. Coordinates count to 2^-32.
-using RemovalOrder = std::function<std::vector<std::uint32_t>(const PointSet&, const EliminationReach&)>;
+/// The numbers of the first `count` points of a set that are removed, in that order. Coordinates count to 2^-32.
+using RemovalOrder =
+    std::function<std::vector<std::uint32_t>(const PointSet&, const EliminationReach&, std::size_t count)>;
 
 /// The points of a set that are kept, in progressive order.
 PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order);
 
 namespace reference {
 /// By a heap.
-std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach);
+std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
 }
 
 /// The same, by kernels/sample_elimination.cl: the same order on every device.
@@ -50,7 +51,7 @@ public:
     /// `work_group_size` 0: the default.
     explicit SampleElimination(Device device, std::size_t work_group_size = 0);
 
-    std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach);
+    std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
 
     /// The memory that eliminate() takes.
     static DeviceMemory memory(int dimension, std::size_t points, std::size_t kept);

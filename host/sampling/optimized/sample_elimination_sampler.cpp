@@ -43,9 +43,10 @@ public:
         const PointSet candidates = request_.dimension == 2 ? random_candidates<2>(candidates_, stream)
                                                             : random_candidates<3>(candidates_, stream);
         if (!elimination_) return eliminate(candidates, request_.points, reference::removal_order);
-        return eliminate(candidates, request_.points, [&](const PointSet& points, const EliminationReach& reach) {
-            return elimination_->removal_order(points, reach);
-        });
+        return eliminate(candidates, request_.points,
+                         [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
+                             return elimination_->removal_order(points, reach, count);
+                         });
     }
 
     bool is_progressive() const override { return true; }

@@ -50,7 +50,7 @@ std::vector<std::vector<Partner>> partners_within(const PointSet& points, const 
 
 }
 
-std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach)
+std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count)
 {
     const auto partners = partners_within(points, reach);
     // The heaviest first; of equal weights, the lower number.
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> removal_order(const PointSet& points, const Eliminati
         heap.emplace(weights.back(), static_cast<std::uint32_t>(weights.size() - 1));
     }
     std::vector<std::uint32_t> order;
-    while (!heap.empty()) {
+    while (order.size() < count) {
         const std::uint32_t heaviest = heap.begin()->second;
         heap.erase(heap.begin());
         order.push_back(heaviest);

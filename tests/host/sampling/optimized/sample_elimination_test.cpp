@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <span>
 
 namespace poissonlab {
 namespace {
@@ -43,15 +44,21 @@ TEST_P(SampleEliminationOrder, IsThatOfTheHeap)
     const auto [dimension, points, kept] = GetParam();
     const PointSet set = random_set(points, dimension, 7);
     const EliminationReach reach = elimination_reach(kept, points, dimension);
-    const auto expected = reference::removal_order(set, reach);
+    const auto expected = reference::removal_order(set, reach, points);
     ASSERT_EQ(expected.size(), points);
-    for (const std::size_t group : {std::size_t{1}, std::size_t{0}})
-        EXPECT_EQ(SampleElimination(Device::open(), group).removal_order(set, reach), expected);
+    for (const std::size_t group : {std::size_t{1}, std::size_t{0}}) {
+        SampleElimination elimination(Device::open(), group);
+        EXPECT_EQ(elimination.removal_order(set, reach, points), expected);
+        const auto first = elimination.removal_order(set, reach, points - kept);
+        ASSERT_EQ(first.size(), points - kept);
+        EXPECT_TRUE(std::ranges::equal(first, std::span(expected).first(points - kept)));
+    }
 }
 
-// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+// Oclgrind interprets these as well, see tests/CMakeLists.txt: one tile, and four of each colour.
 INSTANTIATE_TEST_SUITE_P(Small, SampleEliminationOrder,
-                         ::testing::Values(EliminationCase{2, 40, 8}, EliminationCase{3, 20, 4}));
+                         ::testing::Values(EliminationCase{2, 40, 8}, EliminationCase{2, 160, 80},
+                                           EliminationCase{3, 20, 4}));
 INSTANTIATE_TEST_SUITE_P(Sizes, SampleEliminationOrder,
                          ::testing::Values(EliminationCase{2, 1, 1}, EliminationCase{2, 5, 1}, EliminationCase{2, 9, 3},
                                            EliminationCase{2, 700, 100}, EliminationCase{2, 10000, 2000},
@@ -66,7 +73,7 @@ TEST(SampleElimination, RemovesTheHeaviestPointByDirectSums)
     EXPECT_NEAR(reach.most, std::sqrt(2 / (std::sqrt(3.0) * kept)), 1e-12);         // 2 r_max, equation 2 of the paper
     EXPECT_NEAR(reach.least / reach.most, (1 - std::pow(0.25, 1.5)) * 0.65, 1e-12); // equation 4
     std::vector<bool> is_there(points, true);
-    for (const std::uint32_t removed : SampleElimination(Device::open()).removal_order(set, reach)) {
+    for (const std::uint32_t removed : SampleElimination(Device::open()).removal_order(set, reach, points)) {
         std::vector<double> weights(points, -1);
         for (std::size_t i = 0; i < points; ++i) {
             if (!is_there[i]) continue;
@@ -86,9 +93,10 @@ TEST(SampleElimination, KeepsPointsOfTheSetInAnOrderWhosePrefixesAreSpread)
 {
     const PointSet set = random_set(10240, 2, 5);
     SampleElimination elimination(Device::open());
-    const PointSet kept = eliminate(set, 2048, [&](const PointSet& points, const EliminationReach& reach) {
-        return elimination.removal_order(points, reach);
-    });
+    const PointSet kept =
+        eliminate(set, 2048, [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
+            return elimination.removal_order(points, reach, count);
+        });
     ASSERT_EQ(kept.size(), 2048u);
     EXPECT_EQ(kept, eliminate(set, 2048, reference::removal_order));
     std::set<std::pair<double, double>> all, chosen;
