@@ -2,8 +2,10 @@
 // point's weight.
 //
 // De Goes, Breeden, Ostromoukhov, Desbrun, Blue noise through optimal transport, ACM Transactions on Graphics 31(6),
-// 2012. Each cell is cut by the points around it, ring after ring of the grid, until no point farther away can matter.
-// The plain twin is host/sampling/optimized/reference/power_cells.cpp.
+// 2012. Each cell is cut by the points around it, ring after ring of the grid, until no point farther away can matter:
+// weights change little from point to point where they change much across the torus, so that the largest ones around are
+// known for ever larger blocks of the grid. The plain twin, host/sampling/optimized/reference/power_cells.cpp, takes the
+// largest of all.
 //
 // Points are sorted by grid cells, see point_grid.cl.
 
@@ -24,9 +26,30 @@ double2 turns_of(uint label)
     return (double2)(image % (2 * MAX_TURNS + 1) - MAX_TURNS, image / (2 * MAX_TURNS + 1) - MAX_TURNS);
 }
 
+/// True where no point that is more than `ring` cells away cuts a cell of a radius: one at a distance d cuts no farther
+/// from the site than (d^2 - excess) / (2 d), where its weight exceeds the site's. `largest` has for blocks of 2, 4, 8...
+/// cells the largest weight in them and the blocks around, until these are all.
+bool is_beyond_all(global const double* largest, uint grid_size, uint cell_x, uint cell_y, double weight, int ring,
+                   double radius)
+{
+    for (int level = 1;; ++level) {
+        const uint blocks = max(grid_size >> level, 1u);
+        const bool are_all = blocks < 3;
+        if (1 << level > ring || are_all) {
+            const double excess =
+                largest[min(cell_y >> level, blocks - 1) * blocks + min(cell_x >> level, blocks - 1)] - weight;
+            const double distance = max(ring, 1 << (level - 1)) * ((1 - 0x1p-40) / (int)grid_size);
+            if (distance * distance - excess < 2 * distance * radius) return false;
+        }
+        if (are_all) return true;
+        largest += blocks * blocks;
+    }
+}
+
 /// The cell of a point; without vertices where others take all of it. False where it has too many.
 bool find_power_cell(global const double2* positions, global const uint* ids, global const double* weights,
-                     global const uint* starts, uint grid_size, double weight_range, uint site, Polygon* cell)
+                     global const uint* starts, uint grid_size, global const double* largest, uint site,
+                     Polygon* cell)
 {
     const double2 place = positions[site];
     const double weight = weights[ids[site]];
@@ -54,25 +77,23 @@ bool find_power_cell(global const double2* positions, global const uint* ids, gl
                 }
             }
         }
-        // A point at a distance d cuts no farther from the site than (d^2 - weight_range) / (2 d).
-        const double beyond = ring * ((1 - 0x1p-40) / n);
-        if (ring > 0 && beyond * beyond - weight_range >= 2 * beyond * sqrt(squared_radius)) break;
+        if (ring > 0 && is_beyond_all(largest, grid_size, cell_x, cell_y, weight, ring, sqrt(squared_radius))) break;
     }
     return true;
 }
 
 /// One work-item owns one point: the area of its cell, the way to its centroid, the integral of the squared distance to
 /// it, and the neighbours by their ids (MAX_NEIGHBORS each, then NO_NEIGHBOUR) with how much area a neighbour gives for
-/// a unit of weight. `weight_range`: the largest weight less the smallest. Cells of too many vertices have an area of 0.
+/// a unit of weight. `largest`: weights, see is_beyond_all(). Cells of too many vertices have an area of 0.
 kernel void measure_power_cells(global const double2* positions, global const uint* ids, global const double* weights,
-                                global const uint* starts, uint grid_size, uint point_count, double weight_range,
-                                global double* areas, global double2* displacements, global double* energies,
+                                global const uint* starts, uint grid_size, uint point_count,
+                                global const double* largest, global double* areas, global double2* displacements, global double* energies,
                                 global uint* neighbours, global double* exchanges)
 {
     const uint site = get_global_id(0);
     if (site >= point_count) return;
     Polygon cell;
-    if (!find_power_cell(positions, ids, weights, starts, grid_size, weight_range, site, &cell)) cell.count = 0;
+    if (!find_power_cell(positions, ids, weights, starts, grid_size, largest, site, &cell)) cell.count = 0;
     double area = 0, energy = 0;
     double2 moment = 0;
     uint count = 0;

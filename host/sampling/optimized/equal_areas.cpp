@@ -5,89 +5,44 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
-#include "kernels/common/power_cells.h"
+#include "host/sampling/optimized/area_exchange.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
+#include <utility>
 
 namespace poissonlab {
 namespace {
 
-using contract::power_cells::MAX_NEIGHBORS;
 using Values = std::vector<double>;
 
 constexpr int max_newton_steps = 30;
 constexpr int max_halvings = 12;
 constexpr double solver_tolerance = 1e-4; ///< of the right side; Newton's method corrects the rest
-constexpr int max_solver_steps = 400;
 
-double inner_product(const Values& a, const Values& b)
+/// The numbers of points row by row of a grid, so that what is near in the torus is near in memory.
+std::vector<std::uint32_t> in_rows(const PointSet& points)
 {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-/// The change of all areas by weights: each cell takes from, or gives to, its neighbours.
-void exchange_areas(const PowerCells& cells, const Values& weights, Values& changes)
-{
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        double change = 0;
-        for (std::size_t k = i * MAX_NEIGHBORS; k < (i + 1) * MAX_NEIGHBORS; ++k) {
-            if (cells.neighbours[k] == UINT32_MAX) break;
-            change += cells.exchanges[k] * (weights[i] - weights[cells.neighbours[k]]);
-        }
-        changes[i] = change;
-    }
-}
-
-/// Weights that change areas as wanted, nearly: conjugate gradients with a diagonal preconditioner. The sum of `wanted`
-/// is zero.
-Values weights_for(const PowerCells& cells, const Values& wanted)
-{
-    const std::size_t n = wanted.size();
-    Values inverse(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        double sum = 0;
-        for (std::size_t k = i * MAX_NEIGHBORS; k < (i + 1) * MAX_NEIGHBORS; ++k) {
-            if (cells.neighbours[k] == UINT32_MAX) break;
-            sum += cells.exchanges[k];
-        }
-        inverse[i] = sum > 0 ? 1 / sum : 0;
-    }
-    Values weights(n), rest = wanted, scaled(n), direction(n), image(n);
-    const auto precondition = [&] {
-        for (std::size_t i = 0; i < n; ++i) scaled[i] = inverse[i] * rest[i];
-    };
-    precondition();
-    direction = scaled;
-    double product = inner_product(rest, scaled);
-    const double enough = solver_tolerance * solver_tolerance * inner_product(wanted, wanted);
-    for (int step = 0; step < max_solver_steps && inner_product(rest, rest) > enough; ++step) {
-        exchange_areas(cells, direction, image);
-        const double curvature = inner_product(direction, image);
-        if (!(curvature > 0)) break;
-        const double length = product / curvature;
-        for (std::size_t i = 0; i < n; ++i) {
-            weights[i] += length * direction[i];
-            rest[i] -= length * image[i];
-        }
-        precondition();
-        const double next = inner_product(rest, scaled);
-        for (std::size_t i = 0; i < n; ++i) direction[i] = scaled[i] + next / product * direction[i];
-        product = next;
-    }
-    return weights;
+    const double rows = std::ceil(std::sqrt(static_cast<double>(points.size())));
+    std::vector<std::pair<double, std::uint32_t>> places;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        places.emplace_back(std::floor(points[i][1] * rows) * rows + std::floor(points[i][0] * rows), i);
+    std::ranges::sort(places);
+    std::vector<std::uint32_t> numbers;
+    for (const auto& [place, number] : places) numbers.push_back(number);
+    return numbers;
 }
 
 class Equalizer
 {
 public:
     Equalizer(const PointSet& points, const PowerCellsOf& cells_of)
-        : cells_of_(cells_of), mean_(1 / static_cast<double>(points.size()))
+        : cells_of_(cells_of), mean_(1 / static_cast<double>(points.size())), numbers_(in_rows(points)),
+          points_(points), weights_(points.size())
     {
-        result_.points = points;
-        result_.weights.resize(points.size());
+        for (std::size_t i = 0; i < numbers_.size(); ++i)
+            std::ranges::copy(points[numbers_[i]], points_.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * i));
     }
 
     EqualAreas run(std::size_t iterations)
@@ -96,7 +51,7 @@ public:
             stop_if_interrupted();
             equalize();
             record();
-            if (iteration == iterations) return std::move(result_);
+            if (iteration == iterations) return result();
             move();
         }
     }
@@ -112,8 +67,9 @@ private:
 
     double deviation(const PowerCells& cells) const
     {
-        const Values values = lacking(cells);
-        return std::sqrt(inner_product(values, values) / static_cast<double>(values.size())) / mean_;
+        double sum = 0;
+        for (const double value : lacking(cells)) sum += value * value;
+        return std::sqrt(sum / static_cast<double>(cells.areas.size())) / mean_;
     }
 
     static double smallest(const PowerCells& cells) { return std::ranges::min(cells.areas); }
@@ -121,13 +77,13 @@ private:
     /// Newton's method from the weights that there are or, where these leave a cell without area, from none.
     void equalize()
     {
-        result_.cells = cells_of_(result_.points, result_.weights);
-        if (smallest(result_.cells) <= 0) {
-            std::ranges::fill(result_.weights, 0);
-            result_.cells = cells_of_(result_.points, result_.weights);
+        cells_ = cells_of_(points_, weights_);
+        if (smallest(cells_) <= 0) {
+            std::ranges::fill(weights_, 0);
+            cells_ = cells_of_(points_, weights_);
         }
-        const double least = std::min(smallest(result_.cells), mean_) / 2;
-        for (int step = 0; step < max_newton_steps && deviation(result_.cells) > equal_area_tolerance; ++step)
+        const double least = std::min(smallest(cells_), mean_) / 2;
+        for (int step = 0; step < max_newton_steps && deviation(cells_) > equal_area_tolerance; ++step)
             if (!newton_step(least)) return;
     }
 
@@ -135,19 +91,19 @@ private:
     /// much more equal as it should. False where there is none.
     bool newton_step(double least)
     {
-        Values wanted = lacking(result_.cells);
+        Values wanted = lacking(cells_);
         const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / static_cast<double>(wanted.size());
         for (double& value : wanted) value -= mean; // rounding
-        const Values change = weights_for(result_.cells, wanted);
-        const double before = deviation(result_.cells);
+        const Values change = ExchangeSolver(area_exchange(cells_)).weights_for(wanted, solver_tolerance);
+        const double before = deviation(cells_);
         double part = 1;
         for (int halving = 0; halving < max_halvings; ++halving, part /= 2) {
-            Values weights = result_.weights;
+            Values weights = weights_;
             for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += part * change[i];
-            PowerCells cells = cells_of_(result_.points, weights);
+            PowerCells cells = cells_of_(points_, weights);
             if (!(smallest(cells) >= least && deviation(cells) <= (1 - part / 2) * before)) continue;
-            result_.weights = std::move(weights);
-            result_.cells = std::move(cells);
+            weights_ = std::move(weights);
+            cells_ = std::move(cells);
             return true;
         }
         return false;
@@ -155,24 +111,39 @@ private:
 
     void record()
     {
-        const double integral = std::accumulate(result_.cells.energies.begin(), result_.cells.energies.end(), 0.0);
-        const std::size_t n = result_.points.size();
-        result_.iterations.push_back(
-            {relative_radius(min_toroidal_distance(result_.points), n, 2), lloyd_energy(integral, n, 2)});
+        const double integral = std::accumulate(cells_.energies.begin(), cells_.energies.end(), 0.0);
+        const std::size_t n = points_.size();
+        iterations_.push_back({relative_radius(min_toroidal_distance(points_), n, 2), lloyd_energy(integral, n, 2)});
     }
 
     void move()
     {
-        for (std::size_t i = 0; i < result_.points.coordinates.size(); ++i) {
-            const double moved = result_.points.coordinates[i] + result_.cells.displacements[i];
+        for (std::size_t i = 0; i < points_.coordinates.size(); ++i) {
+            const double moved = points_.coordinates[i] + cells_.displacements[i];
             const double wrapped = moved - std::floor(moved);
-            result_.points.coordinates[i] = wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
+            points_.coordinates[i] = wrapped < 1 ? wrapped : 0; // just below 0, the sum rounds to 1
         }
+    }
+
+    /// In the order that the set had.
+    EqualAreas result()
+    {
+        EqualAreas result{points_, weights_, std::move(iterations_)};
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            const std::size_t number = numbers_[i];
+            std::ranges::copy(points_[i], result.points.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * number));
+            result.weights[number] = weights_[i];
+        }
+        return result;
     }
 
     const PowerCellsOf& cells_of_;
     double mean_;
-    EqualAreas result_;
+    std::vector<std::uint32_t> numbers_; ///< that points had, in the order in which they are here
+    PointSet points_;
+    Values weights_;
+    PowerCells cells_; ///< of the points with their weights
+    std::vector<IterationRecord> iterations_;
 };
 
 }

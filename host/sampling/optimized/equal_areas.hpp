@@ -26,7 +26,6 @@ struct EqualAreas
 {
     PointSet points;
     std::vector<double> weights;
-    PowerCells cells; ///< of the points with their weights
     std::vector<IterationRecord> iterations;
 };
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -29,6 +30,15 @@ std::vector<double> random_weights(std::size_t points, double part, unsigned see
     std::mt19937_64 random(seed);
     std::vector<double> weights(points);
     for (double& weight : weights) weight = part * test::uniform(random) / static_cast<double>(points);
+    return weights;
+}
+
+/// Weights that change little from point to point and much across the torus, as those of equal areas do.
+std::vector<double> wave_weights(const PointSet& points)
+{
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        weights.push_back(0.005 * std::cos(2 * std::numbers::pi * (points[i][0] + points[i][1])));
     return weights;
 }
 
@@ -52,8 +62,8 @@ TEST_P(PowerDiagrams, AreTheSameByKernelAndReference)
 {
     const std::size_t n = GetParam();
     const PointSet points = random_power_points(n, 3);
-    for (const double part : {0.0, 0.5, 3.0}) {
-        const auto weights = random_weights(n, part, 4);
+    for (const auto& weights :
+         {random_weights(n, 0, 4), random_weights(n, 0.5, 4), random_weights(n, 3, 4), wave_weights(points)}) {
         const PowerCells expected = reference::power_cells(points, weights);
         for (const std::size_t group : {std::size_t{1}, std::size_t{0}}) {
             const PowerCells cells = PowerDiagram(Device::open(), n, group).cells(points, weights);
