@@ -21,19 +21,19 @@ int transform_grid(int reach)
 
 }
 
+/// Transforms are made in place: rows of the grid have room for their frequencies.
 struct NonuniformTransform::Plans
 {
     explicit Plans(int size)
-        : columns(static_cast<std::size_t>(size) / 2 + 1),
-          grid(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
-          spectrum(static_cast<std::size_t>(size) * columns),
-          forward(make_fftw_plan(fftw_plan_dft_r2c_2d, size, size, grid.data(), fftw(spectrum.data()), FFTW_ESTIMATE)),
-          backward(make_fftw_plan(fftw_plan_dft_c2r_2d, size, size, fftw(spectrum.data()), grid.data(), FFTW_ESTIMATE))
+        : columns(static_cast<std::size_t>(size) / 2 + 1), spectrum(static_cast<std::size_t>(size) * columns),
+          grid(reinterpret_cast<double*>(spectrum.data())),
+          forward(make_fftw_plan(fftw_plan_dft_r2c_2d, size, size, grid, fftw(spectrum.data()), FFTW_ESTIMATE)),
+          backward(make_fftw_plan(fftw_plan_dft_c2r_2d, size, size, fftw(spectrum.data()), grid, FFTW_ESTIMATE))
     {}
 
     std::size_t columns;
-    std::vector<double> grid;
     std::vector<std::complex<double>> spectrum;
+    double* grid; ///< the same memory: rows of 2 * columns values
     FftwPlan forward, backward;
 };
 
@@ -64,7 +64,7 @@ void NonuniformTransform::for_each_weight(const PointSet& points, std::size_t po
     const int y = weights_at(points[point][1], along_y.data());
     const auto wrapped = [&](int i) { return static_cast<std::size_t>(i) & static_cast<std::size_t>(grid_ - 1); };
     for (int j = 0; j < spread_width; ++j) {
-        const std::size_t row = wrapped(y + j) * static_cast<std::size_t>(grid_);
+        const std::size_t row = wrapped(y + j) * 2 * plans_->columns;
         for (int i = 0; i < spread_width; ++i)
             what(row + wrapped(x + i), along_y[static_cast<std::size_t>(j)] * along_x[static_cast<std::size_t>(i)]);
     }
@@ -72,7 +72,7 @@ void NonuniformTransform::for_each_weight(const PointSet& points, std::size_t po
 
 HalfPlane NonuniformTransform::forward(const PointSet& points)
 {
-    std::ranges::fill(plans_->grid, 0.0);
+    std::ranges::fill(plans_->spectrum, 0.0);
     for (std::size_t j = 0; j < points.size(); ++j)
         for_each_weight(points, j, [&](std::size_t place, double weight) { plans_->grid[place] += weight; });
     fftw_execute(plans_->forward.get());

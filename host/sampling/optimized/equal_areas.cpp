@@ -6,6 +6,7 @@
 #include "base/programs/interrupt.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "host/sampling/optimized/area_exchange.hpp"
+#include "host/sampling/optimized/row_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +22,13 @@ constexpr int max_newton_steps = 30;
 constexpr int max_halvings = 12;
 constexpr double solver_tolerance = 1e-4; ///< of the right side; Newton's method corrects the rest
 
-/// The numbers of points row by row of a grid, so that what is near in the torus is near in memory.
-std::vector<std::uint32_t> in_rows(const PointSet& points)
-{
-    const double rows = std::ceil(std::sqrt(static_cast<double>(points.size())));
-    std::vector<std::pair<double, std::uint32_t>> places;
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-        places.emplace_back(std::floor(points[i][1] * rows) * rows + std::floor(points[i][0] * rows), i);
-    std::ranges::sort(places);
-    std::vector<std::uint32_t> numbers;
-    for (const auto& [place, number] : places) numbers.push_back(number);
-    return numbers;
-}
-
 class Equalizer
 {
 public:
     Equalizer(const PointSet& points, const PowerCellsOf& cells_of)
-        : cells_of_(cells_of), mean_(1 / static_cast<double>(points.size())), numbers_(in_rows(points)),
-          points_(points), weights_(points.size())
-    {
-        for (std::size_t i = 0; i < numbers_.size(); ++i)
-            std::ranges::copy(points[numbers_[i]], points_.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * i));
-    }
+        : cells_of_(cells_of), mean_(1 / static_cast<double>(points.size())), order_(points),
+          points_(order_.sorted(points)), weights_(points.size())
+    {}
 
     EqualAreas run(std::size_t iterations)
     {
@@ -51,7 +36,8 @@ public:
             stop_if_interrupted();
             equalize();
             record();
-            if (iteration == iterations) return result();
+            if (iteration == iterations)
+                return {order_.restored(points_), order_.restored(weights_), std::move(iterations_)};
             move();
         }
     }
@@ -125,21 +111,9 @@ private:
         }
     }
 
-    /// In the order that the set had.
-    EqualAreas result()
-    {
-        EqualAreas result{points_, weights_, std::move(iterations_)};
-        for (std::size_t i = 0; i < numbers_.size(); ++i) {
-            const std::size_t number = numbers_[i];
-            std::ranges::copy(points_[i], result.points.coordinates.begin() + static_cast<std::ptrdiff_t>(2 * number));
-            result.weights[number] = weights_[i];
-        }
-        return result;
-    }
-
     const PowerCellsOf& cells_of_;
     double mean_;
-    std::vector<std::uint32_t> numbers_; ///< that points had, in the order in which they are here
+    RowOrder order_; ///< in which points are here
     PointSet points_;
     Values weights_;
     PowerCells cells_; ///< of the points with their weights

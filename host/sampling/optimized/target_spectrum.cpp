@@ -4,6 +4,7 @@
 #include "analysis/spectra/nonuniform_transform.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
+#include "host/sampling/optimized/row_order.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,8 +64,9 @@ TargetCurve step_curve(double frequency, double peak)
 struct SpectrumDifference::State
 {
     State(std::size_t count, const TargetCurve& target)
-        : points(static_cast<double>(count)), reach(static_cast<int>(ring_reach * std::sqrt(points))), transform(reach),
-          wanted(static_cast<std::size_t>(reach) + 1), samples(wanted.size())
+        : points(static_cast<double>(count)), reach(static_cast<int>(ring_reach * std::sqrt(points))),
+          nonuniform(reach), transform(reach), wanted(static_cast<std::size_t>(reach) + 1), samples(wanted.size()),
+          power(wanted.size())
     {
         for (std::size_t k = 0; k < wanted.size(); ++k)
             wanted[k] = target.at(static_cast<double>(k) / std::sqrt(points));
@@ -84,8 +86,10 @@ struct SpectrumDifference::State
 
     double points;
     int reach;
-    NonuniformTransform transform;
+    NonuniformTransform nonuniform;
+    HalfPlane transform;                 ///< of the last set
     std::vector<double> wanted, samples; ///< power and number of frequencies of each ring
+    std::vector<double> power;           ///< of the last set
 };
 
 SpectrumDifference::SpectrumDifference(std::size_t points, const TargetCurve& target)
@@ -93,41 +97,47 @@ SpectrumDifference::SpectrumDifference(std::size_t points, const TargetCurve& ta
 {}
 SpectrumDifference::~SpectrumDifference() = default;
 
-double SpectrumDifference::of(const PointSet& points, std::vector<double>* gradient)
+double SpectrumDifference::of(const PointSet& points)
 {
     State& s = *state_;
-    const HalfPlane transform = s.transform.forward(points);
-    std::vector<double> power(s.wanted.size());
+    s.transform = s.nonuniform.forward(points);
+    std::ranges::fill(s.power, 0);
     s.for_each_frequency([&](int u, int v, std::size_t ring, double weight) {
-        power[ring] += weight * std::norm(transform.at(u, v)) / s.points / s.samples[ring];
+        s.power[ring] += weight * std::norm(s.transform.at(u, v)) / s.points / s.samples[ring];
     });
     double sum = 0;
-    for (std::size_t k = 1; k < power.size(); ++k) sum += (power[k] - s.wanted[k]) * (power[k] - s.wanted[k]) / s.reach;
-    if (gradient == nullptr) return sum;
+    for (std::size_t k = 1; k < s.power.size(); ++k)
+        sum += (s.power[k] - s.wanted[k]) * (s.power[k] - s.wanted[k]) / s.reach;
+    return sum;
+}
 
-    // d |F(f)|^2 / dx_j is twice the real part of 2 pi i f F(f) exp(2 pi i f.x_j); both f and -f are summed up.
+/// d |F(f)|^2 / dx_j is twice the real part of 2 pi i f F(f) exp(2 pi i f.x_j); both f and -f are summed up.
+std::vector<double> SpectrumDifference::gradient(const PointSet& points)
+{
+    State& s = *state_;
+    std::vector<double> gradient(points.coordinates.size());
     for (const int axis : {0, 1}) {
         HalfPlane coefficients(s.reach);
         s.for_each_frequency([&](int u, int v, std::size_t ring, double) {
-            const double by_power = 2 * (power[ring] - s.wanted[ring]) / s.samples[ring] / s.reach;
+            const double by_power = 2 * (s.power[ring] - s.wanted[ring]) / s.samples[ring] / s.reach;
             coefficients.at(u, v) =
                 std::complex<double>(0, 4 * std::numbers::pi / s.points * by_power * (axis == 0 ? u : v)) *
-                transform.at(u, v);
+                s.transform.at(u, v);
         });
-        const std::vector<double> along_axis = s.transform.adjoint(coefficients, points);
-        gradient->resize(points.coordinates.size());
+        const std::vector<double> along_axis = s.nonuniform.adjoint(coefficients, points);
         for (std::size_t j = 0; j < points.size(); ++j)
-            (*gradient)[2 * j + static_cast<std::size_t>(axis)] = along_axis[j];
+            gradient[2 * j + static_cast<std::size_t>(axis)] = along_axis[j];
     }
-    return sum;
+    return gradient;
 }
 
 LloydResult follow_curve(const PointSet& points, const TargetCurve& target, std::size_t iterations)
 {
     SpectrumDifference difference(points.size(), target);
-    LloydResult result{points, {}, 0};
-    std::vector<double> gradient;
-    double energy = difference.of(result.points, &gradient);
+    const RowOrder order(points);
+    LloydResult result{order.sorted(points), {}, 0};
+    double energy = difference.of(result.points);
+    std::vector<double> gradient = difference.gradient(result.points);
     const double longest = longest_move / std::sqrt(static_cast<double>(points.size()));
     double step = 0;
     for (std::size_t iteration = 0;; ++iteration) {
@@ -136,7 +146,7 @@ LloydResult follow_curve(const PointSet& points, const TargetCurve& target, std:
         result.iterations.push_back({relative_radius(min_toroidal_distance(result.points), points.size(), 2), energy});
         double steepest = 0;
         for (const double g : gradient) steepest = std::max(steepest, std::abs(g));
-        if (iteration == iterations || steepest == 0) return result;
+        if (iteration == iterations || steepest == 0) break;
 
         // The first step, and none later, moves a coordinate farther than this.
         step = step > 0 ? std::min(step, longest / steepest) : longest / steepest;
@@ -144,19 +154,21 @@ LloydResult follow_curve(const PointSet& points, const TargetCurve& target, std:
         double next_energy = energy;
         for (int halving = 0; halving < most_halvings && !(next_energy < energy); ++halving, step /= 2) {
             next = moved_against(result.points, gradient, step);
-            next_energy = difference.of(next, nullptr);
+            next_energy = difference.of(next);
         }
-        if (!(next_energy < energy)) return result;
+        if (!(next_energy < energy)) break;
         step *= 2; // what was taken
 
-        std::vector<double> next_gradient;
-        energy = difference.of(next, &next_gradient);
+        energy = next_energy;
+        std::vector<double> next_gradient = difference.gradient(next);
         double turned = 0; // (next gradient - gradient) . gradient
         for (std::size_t i = 0; i < gradient.size(); ++i) turned += (gradient[i] - next_gradient[i]) * gradient[i];
         step = turned > 0 ? step * squared_norm(gradient) / turned : 2 * step;
         gradient = std::move(next_gradient);
         result.points = std::move(next);
     }
+    result.points = order.restored(result.points);
+    return result;
 }
 
 }

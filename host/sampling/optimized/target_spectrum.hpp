@@ -43,8 +43,10 @@ public:
     SpectrumDifference(std::size_t points, const TargetCurve& target);
     ~SpectrumDifference();
 
-    /// `gradient`: the derivatives by coordinates; null where they are not asked for.
-    double of(const PointSet& points, std::vector<double>* gradient);
+    double of(const PointSet& points);
+
+    /// Its derivatives by coordinates, of the set that it was last asked of.
+    std::vector<double> gradient(const PointSet& points);
 
 private:
     struct State;
