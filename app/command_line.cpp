@@ -79,7 +79,10 @@ CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
         added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',')->check(number(true));
     const bool has_place = !option.name.starts_with('-');
     // An option with a text takes one word: the word after it is not one more text of a list.
-    if constexpr (std::is_same_v<Value, std::vector<std::string>>) added->allow_extra_args(has_place);
+    if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+        added->allow_extra_args(has_place);
+        if (option.most_values > 1) added->expected(1, option.most_values)->allow_extra_args(false)->delimiter(',');
+    }
     if (has_place || option.is_required) added->required();
     if (!option.value_name.empty()) added->option_text(option.value_name);
     return added;
@@ -132,7 +135,8 @@ std::vector<Command> all_commands(const std::string& typed)
             {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
             {"texture", "Texture tile sets", {}, "", {}, std::move(of_textures)},
             devices_command(),
-            samplers_command()};
+            samplers_command(),
+            kinds_command()};
 }
 
 /// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the

@@ -108,5 +108,6 @@ Command isohedral_list_command();
 Command isohedral_draw_command();
 Command devices_command();
 Command samplers_command();
+Command kinds_command();
 
 }

@@ -23,6 +23,17 @@ ConfigNode* find(ConfigTable& table, const std::string& key)
 
 namespace {
 
+/// A value with everything in it, in one line.
+std::string text_of_node(const ConfigNode& node)
+{
+    if (const auto* table = node.get_if<ConfigTable>()) return "{ " + text_of(*table) + "}";
+    const auto* list = node.get_if<ConfigList>();
+    if (!list) return node.text;
+    std::string text;
+    for (const ConfigNode& item : *list) text += text_of_node(item) + ", ";
+    return "[ " + text + "]";
+}
+
 std::string whole_text(const ConfigNode& node)
 {
     if (node.get_if<ConfigTable>()) return "{...}";
@@ -33,6 +44,13 @@ std::string whole_text(const ConfigNode& node)
     return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
+}
+
+std::string text_of(const ConfigTable& table)
+{
+    std::string text;
+    for (const ConfigEntry& entry : table) text += entry.key + " = " + text_of_node(entry.node) + ", ";
+    return text;
 }
 
 std::string shown(const ConfigNode& node)

@@ -57,6 +57,9 @@ ConfigNode* find(ConfigTable& table, const std::string& key);
 /// The value in a message: as typed, lists in brackets, tables as {...}; long ones are cut.
 std::string shown(const ConfigNode& node);
 
+/// A table with everything in it, in one line.
+std::string text_of(const ConfigTable& table);
+
 /// The InputError for a key whose value is not allowed, at the value's own line.
 InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed);
 

@@ -3,6 +3,7 @@
 #include "base/densities/density_text.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
 #include "results/file_names.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -21,31 +22,10 @@ struct MakeKind
     const DistributionPlace& place;
     DistributionFiles& files;
 
-    DistributionResult operator()(const WarpSettings& settings) const
+    DistributionResult operator()(const KindSettings& settings) const
     {
-        return make_warped(settings, config.seed, place, files);
+        return find_kind("distribution", config.kind)->make(settings, config.seed, place, files);
     }
-    DistributionResult operator()(const ObjectSettings& settings) const
-    {
-        return make_objects(settings, config.seed, place, files);
-    }
-    DistributionResult operator()(const SelfSimilarSettings& settings) const
-    {
-        return make_self_similar_tile(settings, place, files);
-    }
-    DistributionResult operator()(const StippleSettings& settings) const
-    {
-        return make_stippled(settings, config.seed, place, files);
-    }
-    DistributionResult operator()(const IconSettings& settings) const
-    {
-        return make_icons(settings, config.seed, place, files);
-    }
-    DistributionResult operator()(const InstanceSettings& settings) const
-    {
-        return make_instances(settings, config.seed, place, files);
-    }
-    DistributionResult operator()(const RankSettings& settings) const { return make_ranked(settings, files); }
     DistributionResult operator()(const SchemeSettings& settings) const
     {
         return make_scheme(settings, config.seed, files);

@@ -29,21 +29,8 @@ EvenMethod chosen_method(const EvenMethodChoice& choice);
 std::string method_words(const EvenMethodChoice& choice);
 
 // One function a kind, each in a file of the folder runs.
-DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                               DistributionFiles& files);
-DistributionResult make_self_similar_tile(const SelfSimilarSettings& settings, const DistributionPlace& place,
-                                          DistributionFiles& files);
-DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& files);
-DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                                 DistributionFiles& files);
-DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                              DistributionFiles& files);
-DistributionResult make_instances(const InstanceSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                                  DistributionFiles& files);
 DistributionResult make_texture(const TextureSettings& settings, const DistributionPlace& place,
                                 DistributionFiles& files);
 DistributionResult make_packing(const PackingSettings& settings, DistributionFiles& files);
-DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                                DistributionFiles& files);
 
 }

@@ -58,11 +58,11 @@ VectorField read_field(const IconSettings& settings)
     if (settings.field.empty()) {
         field = {formula_values(settings.u, 1, 1), formula_values(settings.v, 1, 1)};
     } else {
-        const LinearPicture picture = read_linear_picture(settings.field);
+        const LinearPicture picture = read_linear_picture(settings.field.string());
         if (picture.channels.size() < 2)
-            throw InputError(fmt::format("{}: has one channel; a field needs two", settings.field));
-        field = {picture_values(picture, picture.channels[0], settings.field),
-                 picture_values(picture, picture.channels[1], settings.field)};
+            throw InputError(fmt::format("{}: has one channel; a field needs two", settings.field.string()));
+        field = {picture_values(picture, picture.channels[0], settings.field.string()),
+                 picture_values(picture, picture.channels[1], settings.field.string())};
     }
     bool has_vectors = false;
     for (std::size_t i = 0; i < field.u.values.size(); ++i) {

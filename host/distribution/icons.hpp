@@ -12,10 +12,21 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace poissonlab {
+
+struct IconSettings
+{
+    std::filesystem::path field; ///< a picture whose first two channels are the vectors; empty: `u` and `v`
+    std::string u;               ///< formulas
+    std::string v;
+    std::size_t points = 0;
+    EvenMethodChoice method;
+    bool have_one_length = false; ///< else as long as their vectors
+};
 
 /// Vectors of a rectangle's pixels: u to the right, v upwards. Neither finite is a hole.
 struct VectorField

@@ -15,6 +15,11 @@
 
 namespace poissonlab {
 
+struct RankSettings;
+
+/// The density of ranked points: the middle of a picture or formula, by the zoom. Throws InputError.
+Density rank_density(const RankSettings& settings);
+
 /// The most points of a tile.
 inline constexpr std::uint32_t max_self_similar_points = 24;
 

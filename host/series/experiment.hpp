@@ -3,11 +3,11 @@
 #pragma once
 
 #include "host/config/analysis_options.hpp"
-#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/distributions/packing_table.hpp"
 #include "host/config/distributions/texture_table.hpp"
 #include "host/config/tiling_table.hpp"
 #include "host/distribution/distribution_place.hpp"
+#include "host/distribution/tables/distribution_table.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/scenes/construction_run.hpp"
 #include "host/store/unit_key.hpp"

@@ -7,8 +7,8 @@
 #include "host/tile_construction/tile_ranking.hpp"
 #include "host/tile_sampling/building_lock.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
-#include "tiles/poisson/counts/region_counts.hpp"
 #include "tiles/poisson/counts/shared_points.hpp"
+#include "tiles/poisson/region_counts.hpp"
 #include "tiles/poisson/tile_certificate.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 

@@ -15,6 +15,7 @@ interpreter's lock, one call at a time, and ends on Ctrl-C. Other processes can 
 not forked: multiprocessing.get_context("spawn").
 """
 
+from . import distribute
 from . import samplers as _samplers
 from ._poissonlab import DeviceError, InputError, StorageError
 from ._poissonlab import version as __version__
@@ -27,6 +28,6 @@ from .tiles import Certificate, NearestPoints, TilePoints, TileSet
 # Not `open`, so that `from poissonlab import *` leaves the interpreter's own.
 __all__ = [
     "Analysis", "Certificate", "DeviceError", "InputError", "Measure", "NearestPoints", "PairCorrelation", "Radial",
-    "Results", "StorageError", "TilePoints", "TileSet", "analyze", "read_points", "run", "write_points",
+    "Results", "StorageError", "TilePoints", "TileSet", "analyze", "distribute", "read_points", "run", "write_points",
     *_samplers.__all__,
 ]

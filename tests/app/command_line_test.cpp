@@ -109,7 +109,7 @@ TEST_F(CommandLine, NumbersAreNumbers)
 {
     for (const std::string word : {"foo", "1x", "nan", "inf"})
         expect_error_like({"distribute", "hatch", "--image", "1", "--points", "9", "--angle", word, "--out", "a.svg"},
-                          2, "--angle: " + word + ": must be a number");
+                          2, "--angle " + word + ": must be a number");
 }
 
 TEST_F(CommandLine, WrongConfigs)

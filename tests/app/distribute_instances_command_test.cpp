@@ -91,22 +91,24 @@ TEST_F(DistributeInstances, RefuseWhatTheyCannotDo)
         words.insert(words.end(), {"--out", "out.csv"});
         expect_error("instances", words, message);
     };
-    refuse("wood", "distribute instances: wood: must be one of forest, sunflowers, asteroids");
-    refuse("forest --window 0 0 1", "--window 0 0 1: must be X Y W H");
-    refuse("forest --window 0 0 1 0", "--window 0 0 1 0: must be");
-    refuse("forest --window 0 0 a 1", "--window: a: must be a number");
+    refuse("wood", "distribute instances: SCENE wood: must be one of \"forest\", \"sunflowers\", \"asteroids\"");
+    refuse("forest --window 0 0 1", "--window 0 0 1: must be [x, y, width, height]");
+    refuse("forest --window 0 0 1 0",
+           "--window 0 0 1 0: must be [x, y, width, height]; height must be a number from 0.001");
+    refuse("forest --window 0 0 a 1", "--window 0 0 a 1: must be [x, y, width, height]; width must be a number");
     refuse("forest --window 0 0 9000 9000", "instances in the window: must be at most 1000000");
-    refuse("forest --terrain x", "--terrain and --terrain-area go together");
-    refuse("forest --height 2", "--height: goes with --terrain");
-    refuse("forest --ring 1 2 3", "--ring: is for asteroids");
-    refuse("asteroids --ring 1 2", "--ring 1 2: must be INNER OUTER THICKNESS");
-    refuse("asteroids --ring 0 1 1e300", "--ring 0 1 1e+300: must be INNER OUTER THICKNESS, each at most 1e6");
+    refuse("forest --terrain x", "--terrain x: needs --terrain-area");
+    refuse("forest --height 2", "--height 2: goes with --terrain");
+    refuse("forest --ring 1 2 3", "--ring 1 2 3: is for asteroids");
+    refuse("asteroids --ring 1 2", "--ring 1 2: must be [inner, outer, thickness]");
+    refuse("asteroids --ring 0 1 1e300",
+           "--ring 0 1 1e300: must be [inner, outer, thickness]; thickness must be a number from 0.001 to 1000000");
     refuse("asteroids --ring 2 1 3", "must be [inner, outer, thickness] with");
     refuse("asteroids --tiles " + tiles_, "are tiles in 2 dimensions; must be in 3");
-    refuse("forest --scale 0.5 2", "--scale 0.5 2: must be LOW HIGH");
-    refuse("forest --models 0", "--models 0: must be from 1 to 65536");
-    refuse("forest --models many", "--models: many: must be an integer from 1 to 65536");
-    refuse("forest --out a.obj", "must be a file that ends in .csv, .ply, .usda or .png");
+    refuse("forest --scale 0.5 2", "--scale 0.5 2: must be a number from 0.001 to 1, { uniform = [a, b] }");
+    refuse("forest --models 0", "--models 0: must be an integer from 1 to 65536");
+    refuse("forest --models many", "--models many: must be an integer from 1 to 65536");
+    refuse("forest --out a.obj", "must end in .csv, .ply, .usda or .png");
 }
 
 TEST_F(DistributeInstances, HaveNeighboursThatAreIcons)
@@ -126,9 +128,9 @@ TEST_F(DistributeInstances, HaveNeighboursThatRefuseFields)
         expect_error("icons", words, message);
     };
     refuse({"--u", "x"}, "distribute icons: needs --field, or --u and --v");
-    refuse({"--u", "x", "--v", "x+"}, "distribute icons: formula \"x+\"");
+    refuse({"--u", "x", "--v", "x+"}, "distribute icons: --v: formula \"x+\"");
     refuse({"--u", "0", "--v", "0"}, "the field has no vectors");
-    refuse({"--u", "x", "--v", "y", "--length", "two"}, "--length two: must be magnitude or one");
+    refuse({"--u", "x", "--v", "y", "--length", "two"}, "--length two: must be one of \"magnitude\", \"one\"");
     refuse({"--field", "none.exr"}, "none.exr");
     refuse({"--u", "x", "--v", "y", "--out", "a.txt"}, "must end in .svg, .png or .csv");
 }

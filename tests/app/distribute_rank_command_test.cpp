@@ -60,10 +60,10 @@ TEST_F(DistributeRank, AddsPointsAndMovesNoneUntilTilesAreDivided)
 TEST_F(DistributeRank, RefusesWhatItCannotDo)
 {
     for (const auto& [density, points, words] :
-         {std::tuple{"none.png", 8, "distribute rank: --density none.png: no such file"},
-          {"x +", 8, "distribute rank: --density formula \"x +\""},
+         {std::tuple{"none.png", 8, "distribute rank: --density: none.png: no such file"},
+          {"x +", 8, "distribute rank: --density: formula \"x +\""},
           {"0*x", 8, "is 0 everywhere"},
-          {"1", 0, "--points 0: must be from 1 to"}}) {
+          {"1", 0, "--points 0: must be an integer from 1 to"}}) {
         const Outcome outcome = run(density, static_cast<std::size_t>(points), "out.txt");
         EXPECT_EQ(outcome.status, 2);
         EXPECT_THAT(outcome.error, HasSubstr(words));

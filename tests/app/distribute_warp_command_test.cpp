@@ -115,19 +115,20 @@ TEST_F(DistributeWarp, RefusesWhatItCannotDo)
         words.insert(words.end(), out.begin(), out.end());
         return words;
     };
-    expect_error(with({"--density", "none.png"}), "distribute warp: --density none.png: no such file");
-    expect_error(with({"--density", "x +"}), "distribute warp: --density formula \"x +\"");
+    expect_error(with({"--density", "none.png"}), "distribute warp: --density: none.png: no such file");
+    expect_error(with({"--density", "x +"}), "distribute warp: --density: formula \"x +\"");
     expect_error(with({"--density", "0*x"}), "is 0 everywhere");
     expect_error(with({"--density", "half.png", "--density-from", "Z"}), "must be light, ink or a channel");
     expect_error(with({"--density", "x+1", "--density-from", "ink"}), "is for pictures");
     expect_error(with({"--density", "half.png", "--lights", "l.csv"}), "--lights: goes with --environment");
-    expect_error(with({"--density", "x+1", "--seen-from", "above"}), "--seen-from above: must be inside or outside");
-    expect_error(with({"--density", "x+1", "--seen-from", "outside"}), "--seen-from: goes with --lights");
+    expect_error(with({"--density", "x+1", "--seen-from", "above"}),
+                 "--seen-from above: must be one of \"inside\", \"outside\"");
+    expect_error(with({"--density", "x+1", "--seen-from", "outside"}), "--seen-from outside: goes with --environment");
     expect_error(with({"--density", "half.png", "--density-from", "ink", "--environment"}), "takes the light");
-    expect_error(with({"--density", "x+1", "--engine", "fast"}), "--engine \"fast\": must be one of");
+    expect_error(with({"--density", "x+1", "--engine", "fast"}), "--engine fast: must be one of");
     expect_error(with({"--density", "x+1", "--method", "dart-trowing"}), "did you mean");
     expect_error(with({"--density", "x+1", "--method", "{ sampler = "}), "distribute warp: --method");
-    expect_error({"--density", "x+1", "--points", "0", "--out", "out.txt"}, "--points 0: must be from 1 to");
+    expect_error({"--density", "x+1", "--points", "0", "--out", "out.txt"}, "--points 0: must be an integer from 1 to");
     expect_error({"--density", "x+1", "--points", "8", "--out", "no/out.txt"}, "there is no folder no");
     expect_error({"--density", "x+1", "--points", "8", "--out", "out.png"}, "--out out.png: is the name of a picture");
     write_picture("square.png", 2, 2, {1, 2, 3, 4});

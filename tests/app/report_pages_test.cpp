@@ -128,8 +128,9 @@ protected:
             is_png ? plain_part(test::decode_png(bytes)) : browser_->evaluate(plain_part_script(bytes)).get<double>();
         EXPECT_LT(plain, 0.9999) << file << " is blank";
         // Plots have curves, not axes alone.
-        if (bytes.find("gnuplot_canvas") != std::string::npos)
+        if (bytes.find("gnuplot_canvas") != std::string::npos) {
             EXPECT_NE(bytes.find("id=\"gnuplot_plot_"), std::string::npos) << file << " has no curve";
+        }
     }
 
     TemporaryFolder folder_;
@@ -147,11 +148,14 @@ TEST_P(ShippedReports, ShowWhatTheyHave)
     for (const std::string& picture : pictures) check_picture(picture);
 }
 
-INSTANTIATE_TEST_SUITE_P(Configs, ShippedReports, testing::ValuesIn(shipped_config_names()), [](const auto& info) {
-    std::string name = info.param;
+std::string words_of_config(const testing::TestParamInfo<std::string>& config)
+{
+    std::string name = config.param;
     std::ranges::replace(name, '-', '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Configs, ShippedReports, testing::ValuesIn(shipped_config_names()), words_of_config);
 
 }
 }

@@ -1,10 +1,10 @@
 // Every config that ships can be run.
 #include "host/config/collection.hpp"
-#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/distributions/packing_table.hpp"
 #include "host/config/distributions/texture_table.hpp"
 #include "host/config/plan.hpp"
 #include "host/config/plan_memory.hpp"
+#include "host/distribution/tables/distribution_table.hpp"
 #include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>

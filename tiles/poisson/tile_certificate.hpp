@@ -22,7 +22,7 @@
 #pragma once
 
 #include "tiles/poisson/poisson_tile_set.hpp"
-#include "tiles/poisson/counts/region_counts.hpp"
+#include "tiles/poisson/region_counts.hpp"
 
 #include <array>
 #include <cstdint>

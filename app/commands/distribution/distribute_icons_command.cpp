@@ -1,9 +1,10 @@
 // poissonlab distribute icons: arrows that show a vector field and cannot overlap.
-#include "app/commands/distribution/distribute_options.hpp"
+#include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/icons.hpp"
+#include "host/distribution/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>
@@ -22,37 +23,12 @@ one that is not a number a hole. Formulas that begin with a minus sign are writt
 
 constexpr std::uint32_t most_icon_pixels = max_drawing_pixels / 2;
 
-struct IconOptions : DistributeOptions
+struct IconOptions : KindOptions
 {
-    IconSettings settings;
-    std::string length = "magnitude";
-    std::vector<std::string> outs;
+    using KindOptions::KindOptions;
+    OutputFiles outs{{".svg", ".png", ".csv"}};
     std::uint32_t pixels = 1024;
 };
-
-IconSettings checked_icons(const IconOptions& o)
-{
-    check_engine(o);
-    check_points(o);
-    IconSettings settings = o.settings;
-    const bool has_formulas = !settings.u.empty() && !settings.v.empty();
-    if (settings.field.empty() ? !has_formulas : !(settings.u.empty() && settings.v.empty()))
-        throw InputError(o.command + ": needs --field, or --u and --v");
-    if (o.length != "magnitude" && o.length != "one")
-        throw InputError(fmt::format("{}: --length {}: must be magnitude or one", o.command, printable(o.length)));
-    if (o.pixels < 1 || o.pixels > most_icon_pixels)
-        throw InputError(fmt::format("{}: --pixels {}: must be from 1 to {}", o.command, o.pixels, most_icon_pixels));
-    for (const std::string& out : o.outs) {
-        const std::string extension = std::filesystem::path(out).extension();
-        if (extension != ".svg" && extension != ".png" && extension != ".csv")
-            throw InputError(fmt::format("{}: --out {}: must end in .svg, .png or .csv", o.command, printable(out)));
-        check_output(o, out);
-    }
-    settings.points = o.points;
-    settings.have_one_length = o.length == "one";
-    settings.method = even_method_choice(o);
-    return settings;
-}
 
 void write_icons(const std::filesystem::path& file, const Icons& icons, const VectorField& field, int pixels)
 {
@@ -71,35 +47,25 @@ void write_icons(const std::filesystem::path& file, const Icons& icons, const Ve
 
 void draw_icons(const IconOptions& o)
 {
-    const IconSettings settings = checked_icons(o);
-    try {
-        const VectorField field = read_field(settings);
-        const SquarePoints points = even_points(chosen_method(settings.method), settings.points, field.u.width,
-                                                field.u.height, o.seed, make_place(o));
-        const Icons icons = icons_at(points, field, settings.have_one_length);
-        for (const std::string& out : o.outs) write_icons(out, icons, field, static_cast<int>(o.pixels));
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", o.command, error.what()));
-    }
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<IconSettings>();
+    if (o.pixels < 1 || o.pixels > most_icon_pixels)
+        throw InputError(fmt::format("--pixels {}: must be from 1 to {}", o.pixels, most_icon_pixels));
+    o.outs.check(o.command());
+    const VectorField field = read_field(settings);
+    const SquarePoints points = even_points(chosen_method(settings.method), settings.points, field.u.width,
+                                            field.u.height, o.seed(), o.place());
+    const Icons icons = icons_at(points, field, settings.have_one_length);
+    for (const std::string& out : o.outs.names) write_icons(out, icons, field, static_cast<int>(o.pixels));
 }
 
 }
 
 Command distribute_icons_command()
 {
-    const auto o = std::make_shared<IconOptions>();
-    o->command = "distribute icons";
-    const std::vector<Option> of_field{
-        {"--field", &o->settings.field, "A picture whose first two channels are the vectors", "IMAGE"},
-        {"--u", &o->settings.u, "The vectors to the right", "FORMULA", optional, 1, "--field"},
-        {"--v", &o->settings.v, "The vectors upwards", "FORMULA", optional, 1, "--field"}};
-    const std::vector<Option> own{
-        {"--length", &o->length, "Of arrows: magnitude (the default), or one for all", "NAME"},
-        {"--out", &o->outs, "A file, .svg, .png or .csv; may be repeated", "FILE", required},
-        allowing({"--pixels", &o->pixels, "The width of a .png; default: 1024", "W"}, integers(1, most_icon_pixels))};
-    return {"icons", "Show a vector field by arrows that do not overlap",
-            joined({of_field, even_point_options(*o), own, device_options(*o)}), distribute_icons_notes,
-            action_on(o, draw_icons)};
+    const auto o = std::make_shared<IconOptions>(*find_kind("distribution", "icons"));
+    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, most_icon_pixels, "1024")},
+                        distribute_icons_notes, draw_icons);
 }
 
 }

@@ -1,7 +1,9 @@
 // poissonlab distribute warp: even points through the inverse cumulative distribution of a picture or a formula.
-#include "app/commands/distribution/distribute_options.hpp"
+#include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/sky_lights.hpp"
 
@@ -31,55 +33,43 @@ of the mean below it, all together at most a thousandth of the light. Pictures w
   poissonlab distribute warp --density gauss-and-waves --points 2048 --out blob.npy
   poissonlab distribute warp --density sky.exr --environment --points 288 --lights lights.csv --out places.txt)help";
 
-struct WarpOptions : DistributeOptions
+struct WarpOptions : KindOptions
 {
-    bool is_environment = false;
+    using KindOptions::KindOptions;
+    OutputFiles outs{{}, true};
     std::filesystem::path lights;
-    std::string seen_from = "inside";
 };
 
 void warp(const WarpOptions& o)
 {
-    check(o);
-    if (!o.is_environment && !o.lights.empty()) throw InputError(o.command + ": --lights: goes with --environment");
-    if (o.is_environment && o.density_from != "light")
-        throw InputError(o.command + ": --environment: takes the light; leave --density-from out");
-    const auto seen = std::ranges::find(seen_from_names, o.seen_from);
-    if (seen == seen_from_names.end())
-        throw InputError(
-            fmt::format("{}: --seen-from {}: must be inside or outside", o.command, printable(o.seen_from)));
-    const auto seen_from = static_cast<SeenFrom>(seen - seen_from_names.begin());
-    if (seen_from == SeenFrom::outside && o.lights.empty())
-        throw InputError(o.command + ": --seen-from: goes with --lights");
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<WarpSettings>();
+    o.outs.check(o.command());
+    if (!settings.is_environment && !o.lights.empty()) throw InputError("--lights: goes with --environment");
     std::optional<LinearPicture> map;
-    if (o.is_environment) map = sky_map(o.density);
-    const Density density = map ? sky_density(*map, o.density) : read_density(o);
-    if (map) say_note(o, density.note);
-    const EvenMethod method = read_even_method(o);
-    const DistributionPlace place = make_place(o);
-    const SquarePoints points =
-        even_points(method, o.points, density.width, density.height, o.seed, place, map ? Seam::closed : Seam::open);
-    const PixelPlaces places = warp_points(density, points, place);
-    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places, seen_from)));
-    write_places(o.out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
-                 fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of the "
-                             "longest side of {} x {} pixels, y upwards",
-                             printable(o.density), o.points, o.seed, places.size() / 2, density.width, density.height));
+    if (settings.is_environment) map = sky_map(settings.density.text);
+    const Density density = map ? sky_density(*map, settings.density.text) : chosen_density(settings.density);
+    o.say_note(density.note);
+    const SquarePoints points = even_points(chosen_method(settings.method), settings.points, density.width,
+                                            density.height, o.seed(), o.place(), map ? Seam::closed : Seam::open);
+    const PixelPlaces places = warp_points(density, points, o.place());
+    if (!o.lights.empty()) write_whole_file(o.lights, lights_text(sky_lights(*map, places, settings.seen_from)));
+    for (const std::string& out : o.outs.names)
+        write_places(out, places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
+                     fmt::format("poissonlab distribute warp --density {} --points {} --seed {}: {} points in units of "
+                                 "the longest side of {} x {} pixels, y upwards",
+                                 printable(settings.density.text), settings.points, o.seed(), places.size() / 2,
+                                 density.width, density.height));
 }
 
 }
 
 Command distribute_warp_command()
 {
-    const auto o = std::make_shared<WarpOptions>();
-    o->command = "distribute warp";
-    const std::vector<Option> own{
-        {"--environment", &o->is_environment, "The picture is an environment map: weights are by solid angle"},
-        {"--lights", &o->lights, "With it: the lights as directions and powers (.csv)", "FILE"},
-        {"--seen-from", &o->seen_from, "Of the map, for lights: inside (the default) or outside", "NAME"}};
-    return {"warp", "Move even points by the inverse cumulative distribution of a density",
-            joined({density_options(*o), even_point_options(*o), own, output_options(*o)}), distribute_warp_notes,
-            action_on(o, warp)};
+    const auto o = std::make_shared<WarpOptions>(*find_kind("distribution", "warp"));
+    return kind_command(
+        o, {o->outs.option(), {"--lights", &o->lights, "With --environment: lights, directions and powers", "FILE"}},
+        distribute_warp_notes, warp);
 }
 
 }

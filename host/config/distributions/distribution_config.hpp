@@ -2,8 +2,11 @@
 #pragma once
 
 #include "base/errors/errors.hpp"
+#include "base/word_table.hpp"
 #include "host/config/config_tree.hpp"
 #include "host/config/distributions/texture_config.hpp"
+#include "host/config/keys/choices.hpp"
+#include "host/config/keys/kind_settings.hpp"
 #include "host/config/schemes/scheme_settings.hpp"
 #include "host/sampling/parameters.hpp"
 
@@ -17,20 +20,6 @@
 
 namespace poissonlab {
 
-/// A density as it was typed: see density_of_text().
-struct DensityChoice
-{
-    std::string text;
-    std::string from = "light";
-};
-
-/// The method that makes even points: at most one of the two.
-struct EvenMethodChoice
-{
-    std::filesystem::path tiles;          ///< a tile set's file
-    std::optional<SamplerChoice> sampler; ///< neither: the default
-};
-
 /// From where an environment map is seen: see host/distribution/sky_lights.hpp.
 enum class SeenFrom
 {
@@ -38,8 +27,8 @@ enum class SeenFrom
     outside
 };
 
-/// Their names, in this order.
-inline const std::vector<std::string> seen_from_names{"inside", "outside"};
+inline constexpr WordTable<SeenFrom, 2> seen_from_names{
+    {{{SeenFrom::inside, "inside"}, {SeenFrom::outside, "outside"}}}};
 
 /// kind = "warp": see host/sampling/warp/warp.hpp.
 struct WarpSettings
@@ -51,25 +40,12 @@ struct WarpSettings
     EvenMethodChoice method;
 };
 
-/// A number of each object: the same, even between two, or normal by mean and standard deviation.
-struct SpreadChoice
-{
-    enum class Kind
-    {
-        constant,
-        uniform,
-        normal
-    } kind = Kind::constant;
-    double a = 0;
-    double b = 0;
-};
-
 /// kind = "objects": see host/distribution/objects.hpp.
 struct ObjectSettings
 {
     int dimension = 2;
     std::filesystem::path tiles; ///< empty: corner tiles of 3 colours, 32 points; sphere tiles of 2, 128
-    std::string object;          ///< one of object_looks()
+    std::string object = "dots"; ///< what they look like
     double objects = 36;         ///< in a unit square or cube, on average
     double window = 1;           ///< side of the picture, in units
     std::array<double, 2> origin{};
@@ -95,9 +71,9 @@ struct SelfSimilarChoice
 struct SelfSimilarSettings
 {
     SelfSimilarChoice tile;
-    std::string show;          ///< one of self_similar_shows()
-    double least_radius = 0;   ///< of a search
-    std::uint32_t repeats = 1; ///< of the function
+    std::string show = "tile";
+    double least_radius = 0.64; ///< of a search
+    std::uint32_t repeats = 1;  ///< of the function
 };
 
 /// kind = "ranks": see subdivided_points().
@@ -117,8 +93,8 @@ enum class MarkPlaces
     gaussian
 };
 
-/// Their names, in this order.
-inline const std::vector<std::string> mark_places{"warping", "ranks", "gaussian"};
+inline constexpr WordTable<MarkPlaces, 3> mark_places{
+    {{{MarkPlaces::warping, "warping"}, {MarkPlaces::ranks, "ranks"}, {MarkPlaces::gaussian, "gaussian"}}}};
 
 /// kind = "stippling" and "hatching": see host/distribution/stipple.hpp. Either `points` or `mark_width` is
 /// 0.
@@ -129,24 +105,13 @@ struct StippleSettings
     double ink = 1;           ///< the part of it that is printed
     std::size_t points = 0;   ///< marks
     double mark_width = 0;    ///< diameter of dots, or width of strokes, in pixels of the picture
-    MarkPlaces by = MarkPlaces::warping;
+    MarkPlaces by = MarkPlaces::gaussian;
     std::size_t iterations = 200; ///< of Gaussian blue noise
     double zoom = 1;              ///< the picture shows the middle, one over this of each side
     EvenMethodChoice method;      ///< by ranks: tiles or nothing
     bool has_strokes = false;     ///< instead of dots
     std::optional<double> angle;  ///< of strokes, radians; none: along the picture's lines
     double slenderness = 8;       ///< of strokes: length over width
-};
-
-/// kind = "icons": see host/distribution/icons.hpp.
-struct IconSettings
-{
-    std::string field; ///< a picture whose first two channels are the vectors; empty: `u` and `v`
-    std::string u;     ///< formulas
-    std::string v;
-    std::size_t points = 0;
-    EvenMethodChoice method;
-    bool have_one_length = false; ///< else as long as their vectors
 };
 
 /// kind = "instances": see host/distribution/instances/instances.hpp.
@@ -166,9 +131,6 @@ struct InstanceSettings
     std::uint32_t pixels = 1024;          ///< of the view from above, along its width
 };
 
-/// A table with everything in it, in one line.
-std::string text_of(const ConfigTable& table);
-
 struct DistributionConfig
 {
     std::string kind;  ///< one of distribution_kinds() or scheme_kinds(), "texture" or "packing"
@@ -177,9 +139,7 @@ struct DistributionConfig
     std::uint64_t seed = 1;
     std::string text;                          ///< the table, in one line: all that decides the result but for `inputs`
     std::vector<std::filesystem::path> inputs; ///< files that decide it as well
-    std::variant<WarpSettings, ObjectSettings, SelfSimilarSettings, RankSettings, StippleSettings, IconSettings,
-                 InstanceSettings, SchemeSettings, TextureSettings, PackingSettings>
-        settings;
+    std::variant<SchemeSettings, TextureSettings, PackingSettings, KindSettings> settings;
 
     bool is_scheme() const { return std::holds_alternative<SchemeSettings>(settings); }
 };

@@ -54,6 +54,20 @@ std::optional<Terrain> terrain_of(const InstanceSettings& settings);
 /// Dimension of a scene's tiles: 3 for asteroids.
 int instance_dimension(const InstanceSettings& settings);
 
+inline constexpr std::uint32_t most_models = 65'536;
+inline constexpr double most_tilt = 1.5;      ///< radians
+inline constexpr double most_instances = 1e6; ///< in a window
+
+/// The scenes that instances are for, the default first.
+const std::vector<std::string>& instance_scenes();
+
+/// Densities, models and looks of a scene, over one unit square.
+InstanceSettings scene_settings(const std::string& scene);
+
+/// Throws InputError, a sentence, where settings ask for more instances than a file should hold, or have a ring that is
+/// none.
+void check_instances(const InstanceSettings& settings);
+
 /// The radius of the disks or spheres that do not overlap, in units.
 double instance_radius(const ObjectTileSet& tiles, const InstanceSettings& settings);
 

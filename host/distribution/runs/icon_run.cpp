@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/icons.hpp"
+#include "host/distribution/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,30 @@
 #include <numbers>
 
 namespace poissonlab {
+namespace {
+
+constexpr WordTable<bool, 2> icon_lengths{{{{false, "magnitude"}, {true, "one"}}}};
+
+void icon_keys(Keys& keys, IconSettings& s)
+{
+    keys.file("field", s.field, "a picture whose first two channels are the vectors");
+    keys.text("u", s.u, "the vectors to the right, a formula in x and y from -1 to 1").excludes("field");
+    keys.text("v", s.v, "the vectors upwards, a formula").excludes("field");
+    keys.points(s.points);
+    keys.even_points(s.method);
+    keys.word("length", s.have_one_length, icon_lengths, "how long arrows are: as their vectors, or all the same");
+    if (keys.is_read() && s.field.empty() && (s.u.empty() || s.v.empty()))
+        throw keys.problem(
+            fmt::format("needs {}, or {} and {}", keys.name_of("field"), keys.name_of("u"), keys.name_of("v")));
+    keys.check("u", [&] { formula_values(s.u, 1, 1); });
+    keys.check("v", [&] { formula_values(s.v, 1, 1); });
+}
+
+std::string icon_label(const IconSettings& s)
+{
+    return s.field.empty() ? fmt::format("Icons of ({}, {})", shortened(s.u), shortened(s.v))
+                           : fmt::format("Icons of {}", shortened(printable(s.field.filename().string())));
+}
 
 DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                               DistributionFiles& files)
@@ -37,6 +62,15 @@ DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, 
          2 * radius * std::sqrt(static_cast<double>(points.size()) / 2 * std::numbers::sqrt3 / 2 / area),
          "least distance of two points, 1 for the densest packing: how large arrows can be"});
     return result;
+}
+
+}
+
+Kind icon_kind()
+{
+    return make_kind<IconSettings>(
+        {"distribution", "icons", "distribute icons", "Icons", "Show a vector field by arrows that do not overlap"},
+        icon_keys, icon_label, make_icons);
 }
 
 }

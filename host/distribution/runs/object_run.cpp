@@ -4,6 +4,7 @@
 #include "base/images/png_file.hpp"
 #include "base/random/random.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/distribution/lookup_costs.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/object_tiles.hpp"
@@ -17,6 +18,39 @@ namespace poissonlab {
 namespace {
 
 using namespace contract::objects;
+
+const std::vector<std::string>& looks_of(int dimension)
+{
+    static const std::vector<std::string> plane{"dots",    "stars",     "flowers",  "hearts",  "daisies", "mondriaan",
+                                                "squares", "triangles", "starfish", "granite", "frames",  "cells"};
+    static const std::vector<std::string> space{"dots", "mondriaan", "granite", "frames", "cells"};
+    return dimension == 3 ? space : plane;
+}
+
+void object_keys(Keys& keys, ObjectSettings& s)
+{
+    keys.integer("dimension", s.dimension, 2, 3, "objects in the plane, or in space");
+    keys.word("object", s.object, looks_of(s.dimension), "what objects look like");
+    keys.tiles(s.tiles).otherwise("corner tiles of 3 colours, 32 points; in space sphere tiles of 2, 128 points");
+    keys.number("objects", s.objects, {1e-6, 1e6}, "objects in a unit square or cube, on average");
+    keys.number("window", s.window, {1e-6, 1e3}, "the side of the picture").unit("units");
+    keys.numbers("origin", s.origin, {{-1e6, 1e6}}, {"x", "y"}, "the lowest corner of the picture").unit("units");
+    keys.word("view", s.view, {"plane", "sphere", "torus"}, "what objects in space are seen on");
+    keys.integer("pixels", s.pixels, 16, 8192, "the width of the picture");
+    keys.integer("samples", s.samples, 1, 15, "samples of a pixel along each axis");
+    keys.integer("period", s.period, 0, 1 << 20, "after which everything repeats; 0: never").unit("tiles");
+    keys.flag("timing", s.has_timing, "whether look-ups a second are measured");
+    keys.spread("size", s.size, {0, 1}, "the size of objects, in parts of their disks");
+    keys.spread("orientation", s.orientation, {-1e4, 1e4}, "how objects are turned").unit("radians");
+    keys.spread("aspect", s.aspect, {0.01, 100}, "how much wider than high objects are");
+    if (s.view != "plane" && s.dimension == 2)
+        throw keys.invalid("view", "is for dimension = 3, whose objects fill space");
+}
+
+std::string object_label(const ObjectSettings& s)
+{
+    return fmt::format("Objects: {}{}", s.object, s.dimension == 3 ? " in space" : "");
+}
 
 Spread spread_of(const SpreadChoice& choice, double unit)
 {
@@ -110,8 +144,6 @@ ObjectPicture painted(const ObjectTileSet& tiles, const PoissonTiling& tiling, c
     return ObjectPainter(device, tiles, object_shapes()).draw(tiling, scene);
 }
 
-}
-
 DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files)
 {
@@ -135,6 +167,15 @@ DistributionResult make_objects(const ObjectSettings& settings, std::uint64_t se
     add_numbers(settings, tiles, picture, result);
     add_costs(settings, tiles, result);
     return result;
+}
+
+}
+
+Kind object_kind()
+{
+    return make_kind<ObjectSettings>(
+        {"distribution", "objects", "", "Objects", "The procedural object distribution function, as a picture"},
+        object_keys, object_label, make_objects);
 }
 
 }

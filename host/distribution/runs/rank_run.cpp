@@ -7,16 +7,72 @@
 #include "host/device/device_memory.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_search.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace poissonlab {
 namespace {
+
+/// The key `tile_points`.
+void tile_size_key(Keys& keys, SelfSimilarChoice& tile)
+{
+    keys.integer("tile_points", tile.points, 8, 24, "points of the tile, a multiple of 4");
+    if (tile.points % 4 != 0) throw keys.invalid("tile_points", "must be a multiple of 4");
+}
+
+/// The keys `tile_points` and `starts`, by default those of D table 4.1.
+void tile_keys(Keys& keys, SelfSimilarChoice& tile)
+{
+    tile_size_key(keys, tile);
+    std::array<std::uint32_t, 2> starts{tile.x, tile.y};
+    keys.integers("starts", starts, {0, UINT32_MAX}, {"x", "y"},
+                  "the words that the coordinates of its points start from");
+    if (!keys.is_given("starts")) {
+        if (tile.points != 16) throw keys.invalid("tile_points", "needs starts, unless it is 16");
+        return;
+    }
+    for (const std::uint32_t start : starts)
+        if (std::uint64_t{start} >> tile.points != 0 || 2 * std::popcount(start) != static_cast<int>(tile.points))
+            throw keys.invalid("starts", fmt::format("must be words of {} bits, half of them ones", tile.points));
+    tile.x = starts[0];
+    tile.y = starts[1];
+}
+
+void self_similar_keys(Keys& keys, SelfSimilarSettings& s)
+{
+    keys.word("show", s.show, {"tile", "ranks", "progression", "function", "search"}, "what is shown of the tile");
+    if (s.show != "search" || !keys.is_read())
+        tile_keys(keys, s.tile);
+    else if (keys.is_given("starts"))
+        throw keys.invalid("starts", "does not go with show = \"search\", which finds them");
+    else
+        tile_size_key(keys, s.tile);
+    keys.number("least_radius", s.least_radius, {0.3, 1}, "of a search: the least relative radius of tiles");
+    keys.integer("repeats", s.repeats, 1, 6, "of the function: how many times it is applied");
+}
+
+std::string self_similar_label(const SelfSimilarSettings& s)
+{
+    return s.show == "search" ? fmt::format("Self-similar tiles of {} points", s.tile.points)
+                              : fmt::format("The self-similar tile: {}", s.show);
+}
+
+void rank_keys(Keys& keys, RankSettings& s)
+{
+    keys.density(s.density);
+    keys.points(s.points, "the number of points, about");
+    tile_keys(keys, s.tile);
+    keys.number("zoom", s.zoom, {1, 1000}, "the picture's middle is used, one over this of each side");
+}
+
+std::string rank_label(const RankSettings& s) { return "Ranked points by " + name_of_input(s.density.text); }
 
 constexpr int tile_pixels = 480;
 constexpr double dot_radius = 0.012;
@@ -166,10 +222,8 @@ void show_search(const SelfSimilarSettings& settings, const DistributionPlace& p
                                 settings.least_radius, different)};
 }
 
-}
-
-DistributionResult make_self_similar_tile(const SelfSimilarSettings& settings, const DistributionPlace& place,
-                                          DistributionFiles& files)
+DistributionResult make_self_similar_tile(const SelfSimilarSettings& settings, std::uint64_t,
+                                          const DistributionPlace& place, DistributionFiles& files)
 {
     DistributionResult result;
     if (settings.show == "search") {
@@ -194,12 +248,10 @@ DistributionResult make_self_similar_tile(const SelfSimilarSettings& settings, c
     return result;
 }
 
-DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& files)
+DistributionResult make_ranked(const RankSettings& settings, std::uint64_t, const DistributionPlace&,
+                               DistributionFiles& files)
 {
-    const PixelValues values =
-        middle_of(values_of_text(settings.density.text, settings.density.from, 1, 1), settings.zoom);
-    const Density density =
-        density_of_values(values.width, values.height, values.values, printable(shortened(settings.density.text)));
+    const Density density = rank_density(settings);
     const auto ranked = ranked_points(self_similar_points({settings.tile.x, settings.tile.y}, settings.tile.points), 0);
     const auto points = subdivided_points(ranked, density, static_cast<double>(settings.points));
     const PixelPlaces places = places_of(points);
@@ -232,6 +284,29 @@ DistributionResult make_ranked(const RankSettings& settings, DistributionFiles& 
     result.numbers.push_back(
         {"least_spacing", "Least nearest distance", spacing.least, "the same of the nearest pair"});
     return result;
+}
+
+}
+
+Density rank_density(const RankSettings& settings)
+{
+    const PixelValues values =
+        middle_of(values_of_text(settings.density.text, settings.density.from, 1, 1), settings.zoom);
+    return density_of_values(values.width, values.height, values.values, printable(shortened(settings.density.text)));
+}
+
+Kind self_similar_kind()
+{
+    return make_kind<SelfSimilarSettings>({"distribution", "self-similar-tile", "", "Self-similar tile",
+                                           "The ranked tile that has copies of itself in its quarters"},
+                                          self_similar_keys, self_similar_label, make_self_similar_tile);
+}
+
+Kind rank_kind()
+{
+    return make_kind<RankSettings>({"distribution", "ranks", "distribute rank", "Ranked points",
+                                    "Take the points of a self-similar tile whose ranks a density asks for"},
+                                   rank_keys, rank_label, make_ranked);
 }
 
 }

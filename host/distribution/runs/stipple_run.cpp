@@ -3,6 +3,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.3, figures 7.3 and 7.4.
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/stipple.hpp"
@@ -15,6 +16,39 @@ namespace poissonlab {
 namespace {
 
 constexpr int report_pixels = 1024;
+
+void mark_keys(Keys& keys, StippleSettings& s)
+{
+    const std::string width = s.has_strokes ? "stroke" : "dot";
+    keys.picture_or_formula("image", s.image, s.from, "the picture, or a formula of its ink from 0 to 1").required();
+    keys.number("ink", s.ink, {0.001, 1}, "the part of the ink that is printed");
+    keys.integer("points", s.points, 1, 1 << 24, "how many marks; their size follows (by ranks about so many)")
+        .otherwise("what the width of marks needs");
+    keys.number(width, s.mark_width, {0.01, 1e4}, s.has_strokes ? "the width of strokes" : "the diameter of dots")
+        .unit("pixels of the picture")
+        .otherwise("what the number of marks needs")
+        .excludes("points");
+    keys.word("by", s.by, mark_places, "how marks find their places");
+    keys.integer("iterations", s.iterations, 1, 1'000'000, "of Gaussian blue noise: steps that all points take");
+    keys.number("zoom", s.zoom, {1, 1000}, "the picture's middle is used, one over this of each side");
+    keys.even_points(s.method);
+    if (s.has_strokes) {
+        keys.number("angle", s.angle, {-7, 7}, "the direction of strokes").unit("radians").otherwise("along lines");
+        keys.number("slenderness", s.slenderness, {1, 100}, "how many times as long as wide strokes are");
+    }
+    if (!keys.is_read()) return;
+    if (s.points == 0 && s.mark_width == 0)
+        throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of(width)));
+    if (keys.is_given("iterations") && s.by != MarkPlaces::gaussian)
+        throw keys.invalid("iterations", "is for by = gaussian");
+    if (s.method.sampler && s.by == MarkPlaces::ranks) throw keys.invalid("method", "does not go with by = ranks");
+    keys.check("image", [&] { values_of_text(s.image, s.from, 1, 1); });
+}
+
+std::string mark_label(const StippleSettings& s)
+{
+    return fmt::format("{} of {}", s.has_strokes ? "Hatching" : "Stippling", name_of_input(s.image));
+}
 
 /// How the marks found their places.
 std::string placing_words(const StippleSettings& settings, const Stippling& stippling)
@@ -42,8 +76,6 @@ void add_tones(const TonesOfMarks& tones, const Stippling& stippling, bool has_s
     result.numbers.push_back(
         {"too_dark", "Too dark", tones.too_dark, "part of the pixels that have more ink than that"});
     result.numbers.push_back({"overlap", "Overlap", tones.overlap, "part of the laid ink that lies on other ink"});
-}
-
 }
 
 DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t seed, const DistributionPlace& place,
@@ -79,6 +111,24 @@ DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t 
     result.numbers.push_back(
         {"density_error", "Density error", density_error(picture.density, stippling.places), density_error_meaning});
     return result;
+}
+
+}
+
+Kind stippling_kind()
+{
+    return make_kind<StippleSettings>(
+        {"distribution", "stippling", "distribute stipple", "Stippling", "Print a picture in dots of one size"},
+        mark_keys, mark_label, make_stippled);
+}
+
+Kind hatching_kind()
+{
+    StippleSettings strokes;
+    strokes.has_strokes = true;
+    return make_kind(
+        {"distribution", "hatching", "distribute hatch", "Hatching", "Print a picture in strokes of one size"},
+        mark_keys, mark_label, make_stippled, strokes);
 }
 
 }

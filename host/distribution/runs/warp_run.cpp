@@ -5,6 +5,7 @@
 #include "base/images/png_file.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
+#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/sky_lights.hpp"
 
@@ -17,6 +18,24 @@ namespace poissonlab {
 namespace {
 
 constexpr int ground_pixels = 1024;
+
+void warp_keys(Keys& keys, WarpSettings& s)
+{
+    keys.flag("environment", s.is_environment, "whether the picture is an environment map: weights are by solid angle");
+    keys.density(s.density);
+    keys.word("seen_from", s.seen_from, seen_from_names, "which way round the environment map goes");
+    keys.points(s.points, "the number of points: tilings have exactly so many, other methods about");
+    keys.even_points(s.method);
+    if (keys.is_given("seen_from") && !s.is_environment)
+        throw keys.invalid("seen_from", "goes with " + keys.name_of("environment"));
+    if (s.is_environment && s.density.from != "light")
+        throw keys.invalid("environment", fmt::format("takes the light; leave {} out", keys.name_of("density_from")));
+}
+
+std::string warp_label(const WarpSettings& s)
+{
+    return fmt::format("{} points by {}", s.is_environment ? "Lights" : "Warped", name_of_input(s.density.text));
+}
 
 /// The weights as grey pixels: their square roots, which look about as light is seen. Wide pictures are made smaller.
 PngPixels ground_of(const Density& density)
@@ -77,8 +96,6 @@ void add_measures(const Density& density, const PixelPlaces& places, const Squar
     result.numbers.push_back({"least_spacing_before", "Least before warping", before.least, "of their nearest pair"});
 }
 
-}
-
 DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                DistributionFiles& files)
 {
@@ -92,7 +109,7 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
     DistributionResult result;
     result.facts = {fmt::format("{} x {} pixels", density.width, density.height),
                     fmt::format("{} points", places.size() / 2), method_words(settings.method)};
-    if (map) result.facts.push_back("seen from " + seen_from_names.at(static_cast<std::size_t>(settings.seen_from)));
+    if (map) result.facts.push_back("seen from " + std::string(seen_from_names[settings.seen_from]));
     if (!density.note.empty()) result.facts.push_back(density.note);
     const PngPixels ground = ground_of(density);
     write_png(files.add("density.png"), {ground.width, ground.height, 1},
@@ -113,6 +130,15 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
     }
     add_measures(density, places, points, result);
     return result;
+}
+
+}
+
+Kind warp_kind()
+{
+    return make_kind<WarpSettings>({"distribution", "warp", "distribute warp", "Warped points",
+                                    "Move even points by the inverse cumulative distribution of a density"},
+                                   warp_keys, warp_label, make_warped);
 }
 
 }

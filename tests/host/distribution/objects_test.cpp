@@ -2,9 +2,9 @@
 #include "host/distribution/objects.hpp"
 
 #include "base/errors/errors.hpp"
-#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/toml_reader.hpp"
 #include "host/distribution/object_shapes.hpp"
+#include "host/distribution/tables/distribution_table.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"

@@ -32,6 +32,7 @@ StippleSettings dots_of(const std::string& image, std::size_t points)
     StippleSettings settings;
     settings.image = image;
     settings.points = points;
+    settings.by = MarkPlaces::warping;
     settings.method.tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
     return settings;
 }

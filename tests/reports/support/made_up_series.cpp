@@ -41,7 +41,7 @@ void MadeUpReport::set_radius(ReportSeries& series, double radius)
 
 void MadeUpReport::set_radii(ReportSeries& series, const std::vector<double>& radii)
 {
-    stored_of(series).relative_radius = statistic_of(radii);
+    stored_of(series).relative_radius = poissonlab::statistic_of(radii);
 }
 
 void MadeUpReport::set_curve(ReportSeries& series, const MadeUpCurve& curve)

@@ -1,7 +1,7 @@
 // Tables [[scheme]] of a config, and what they refuse.
 #include "host/config/config.hpp"
-#include "host/config/distributions/distribution_table.hpp"
 #include "host/config/schemes/scheme_table.hpp"
+#include "host/distribution/tables/distribution_table.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>

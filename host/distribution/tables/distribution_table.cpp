@@ -1,41 +1,16 @@
-#include "host/config/distributions/distribution_table.hpp"
+#include "host/distribution/tables/distribution_table.hpp"
 
 #include "host/config/config_values.hpp"
-#include "host/config/distributions/icon_table.hpp"
-#include "host/config/distributions/instance_table.hpp"
-#include "host/config/distributions/object_table.hpp"
-#include "host/config/distributions/rank_table.hpp"
-#include "host/config/distributions/stipple_table.hpp"
-#include "host/config/distributions/warp_table.hpp"
 #include "host/config/schemes/scheme_table.hpp"
+#include "host/distribution/kinds.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace poissonlab {
 namespace {
-
-using ReadDistribution = void (*)(const ConfigTable& table, DistributionConfig& config);
-
-const std::vector<std::pair<std::string, ReadDistribution>>& readers()
-{
-    static const std::vector<std::pair<std::string, ReadDistribution>> all{
-        {"warp", read_warp},   {"objects", read_objects},     {"self-similar-tile", read_self_similar_tile},
-        {"ranks", read_ranks}, {"stippling", read_stippling}, {"hatching", read_hatching},
-        {"icons", read_icons}, {"instances", read_instances}};
-    return all;
-}
-
-/// A value with everything in it, in one line.
-std::string text_of_node(const ConfigNode& node)
-{
-    if (const auto* table = node.get_if<ConfigTable>()) return "{ " + text_of(*table) + "}";
-    const auto* list = node.get_if<ConfigList>();
-    if (!list) return node.text;
-    std::string text;
-    for (const ConfigNode& item : *list) text += text_of_node(item) + ", ";
-    return "[ " + text + "]";
-}
 
 /// The keys that tables of either name have.
 DistributionConfig begun_config(const ConfigNode& node, const std::vector<std::string>& kinds, std::uint64_t seed)
@@ -50,20 +25,24 @@ DistributionConfig begun_config(const ConfigNode& node, const std::vector<std::s
     return config;
 }
 
+/// A new label makes nothing anew: what decides the result are the values, defaults too.
+void read_described(const Kind& kind, const ConfigTable& table, DistributionConfig& config)
+{
+    KindSettings settings = read_kind(kind, table, config.where, "[[" + kind.table + "]]", {"kind", "label"});
+    config.text = fmt::format("kind = {}, {}", kind.word, settings.resolved);
+    config.inputs = settings.inputs;
+    if (config.label.empty()) config.label = settings.label;
+    config.settings = std::move(settings);
 }
 
-std::string text_of(const ConfigTable& table)
-{
-    std::string text;
-    for (const ConfigEntry& entry : table) text += entry.key + " = " + text_of_node(entry.node) + ", ";
-    return text;
 }
 
 const std::vector<std::string>& distribution_kinds()
 {
     static const std::vector<std::string> kinds = [] {
         std::vector<std::string> words;
-        for (const auto& [word, read] : readers()) words.push_back(word);
+        for (const Kind& kind : all_kinds())
+            if (kind.table == "distribution") words.push_back(kind.word);
         return words;
     }();
     return kinds;
@@ -74,8 +53,7 @@ std::vector<DistributionConfig> read_distributions(const std::vector<ConfigNode>
     std::vector<DistributionConfig> distributions;
     for (const ConfigNode& node : tables) {
         DistributionConfig config = begun_config(node, distribution_kinds(), seed);
-        const auto reader = std::ranges::find(readers(), config.kind, [](const auto& known) { return known.first; });
-        reader->second(*node.get_if<ConfigTable>(), config);
+        read_described(*find_kind("distribution", config.kind), *node.get_if<ConfigTable>(), config);
         distributions.push_back(std::move(config));
     }
     return distributions;

@@ -1,4 +1,4 @@
-#include "tiles/poisson/counts/region_counts.hpp"
+#include "tiles/poisson/region_counts.hpp"
 
 #include <algorithm>
 #include <bit>

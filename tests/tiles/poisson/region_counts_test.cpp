@@ -1,5 +1,5 @@
 // The spread of points over regions, against closed forms of their areas.
-#include "tiles/poisson/counts/region_counts.hpp"
+#include "tiles/poisson/region_counts.hpp"
 
 #include "tests/support/random_tile_set.hpp"
 

@@ -1,0 +1,99 @@
+// The options of commands that do the work of a kind: its keys, and what all such commands have.
+#pragma once
+
+#include "app/commands/command.hpp"
+#include "host/distribution/kind.hpp"
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+class KindOptions
+{
+public:
+    /// `kind` must outlive it. The key `placed`, if there is one, is an argument known by its place, not an option.
+    explicit KindOptions(const Kind& kind, std::string placed = "");
+
+    /// An option for each key, in the order of the kind, and --seed, --engine, --device, --quiet. Their targets are in
+    /// this object.
+    std::vector<Option> options();
+
+    /// What was typed, checked as a table of a config is. Throws InputError, a line that begins with the command.
+    KindSettings settings() const;
+
+    const Kind& kind() const { return kind_; }
+    const std::string& command() const { return kind_.command; }
+    std::uint64_t seed() const { return seed_; }
+    bool is_quiet() const { return quiet_; }
+
+    /// The engine, a device that is opened when it is needed, and a listener that shows steps.
+    DistributionPlace place(bool is_silent = false) const;
+
+    /// Says what a person should know of an input, unless nothing is to be said.
+    void say_note(const std::string& note) const;
+
+    /// The same error, named after the command.
+    InputError of_command(const InputError& error) const;
+
+private:
+    /// What was typed for a key.
+    struct Typed
+    {
+        KeySpec spec;
+        std::string name;               ///< of the option
+        std::vector<std::string> words; ///< empty: nothing
+        bool is_set = false;            ///< of a flag
+    };
+
+    Option option_of(Typed& typed) const;
+    ConfigNode node_of(const Typed& typed) const;
+
+    const Kind& kind_;
+    std::string placed_;
+    std::deque<Typed> typed_;
+    std::uint64_t seed_ = 1;
+    std::string engine_ = "opencl";
+    std::string device_;
+    bool quiet_ = false;
+};
+
+/// The files that a command writes: --out, as often as one likes.
+struct OutputFiles
+{
+    std::vector<std::string> kinds;   ///< what their names may end in
+    bool may_be_points = false;       ///< names with other ends are point files
+    std::vector<std::string> names{}; ///< that were typed
+
+    Option option();
+
+    /// Throws InputError for a name with another end, a folder that is not there, and a name that is one.
+    void check(const std::string& command) const;
+};
+
+/// --pixels, the width of a .png.
+Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise);
+
+/// One list of several.
+std::vector<Option> joined(std::vector<std::vector<Option>> lists);
+
+/// The command of a kind. `others` are its options beside those of the kind, `work` does what it does.
+template <class Options>
+Command kind_command(const std::shared_ptr<Options>& options, std::vector<Option> others, std::string notes,
+                     void (*work)(const Options&))
+{
+    const std::string& name = options->kind().command;
+    return {name.substr(name.find(' ') + 1), options->kind().summary, joined({options->options(), std::move(others)}),
+            std::move(notes), [options, work] {
+                try {
+                    work(*options);
+                } catch (const InputError& error) {
+                    throw options->of_command(error);
+                }
+                return 0;
+            }};
+}
+
+}

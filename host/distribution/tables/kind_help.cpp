@@ -1,0 +1,58 @@
+#include "host/distribution/tables/kind_help.hpp"
+
+#include "host/config/parameter_values.hpp"
+#include "host/distribution/kinds.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+std::string default_of_key(const KeySpec& spec)
+{
+    if (spec.is_required) return "needed";
+    return spec.value.otherwise ? to_string(*spec.value.otherwise) : spec.value.unless_given;
+}
+
+std::string meaning_of_key(const KeySpec& spec)
+{
+    return spec.value.unit.empty() ? spec.value.help : fmt::format("{}, in {}", spec.value.help, spec.value.unit);
+}
+
+std::string key_row(const KeySpec& spec)
+{
+    return fmt::format("| `{}` | {} | {} | {} |\n", spec.value.key, spec.allowed(), default_of_key(spec),
+                       meaning_of_key(spec));
+}
+
+}
+
+std::string kinds_text()
+{
+    std::string text = "Tables of configs, and their keys. Every table can have\n    label = a text in quotes\n"
+                       "        what the report calls the result\n";
+    for (const Kind& kind : all_kinds()) {
+        text += fmt::format("\n[[{}]] kind = \"{}\": {}\n    {}\n", kind.table, kind.word, kind.title, kind.summary);
+        for (const KeySpec& spec : kind.keys())
+            text += fmt::format("    {} = {}\n        {}\n", spec.value.key, spec.allowed(), key_help(spec));
+    }
+    return text;
+}
+
+std::string kinds_markdown()
+{
+    std::string text = "# Keys of configs\n\n"
+                       "Each kind of work has its keys in a table of a config, as options of its command (`_` becomes "
+                       "`-`), and as keyword\narguments in Python. This page is printed by `poissonlab kinds "
+                       "--markdown`.\n";
+    for (const Kind& kind : all_kinds()) {
+        text +=
+            fmt::format("\n## {}: `[[{}]]` `kind = \"{}\"`\n\n{}.", kind.title, kind.table, kind.word, kind.summary);
+        text += kind.command.empty() ? "\n" : fmt::format(" On the command line: `poissonlab {}`.\n", kind.command);
+        text += "\n| key | | default | |\n| --- | --- | --- | --- |\n";
+        for (const KeySpec& spec : kind.keys()) text += key_row(spec);
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,138 @@
+// Kinds of work for Python: their keys, and what is made of them. Values come as TOML, so that they are checked by the
+// lines that check configs.
+#include "base/errors/errors.hpp"
+#include "base/images/png_file.hpp"
+#include "base/points/point_file.hpp"
+#include "host/config/toml_reader.hpp"
+#include "host/device/device.hpp"
+#include "host/distribution/kinds.hpp"
+#include "python/module/arrays.hpp"
+#include "python/module/module_parts.hpp"
+#include "python/module/work.hpp"
+#include "reports/drawings/mark_image.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace py = pybind11;
+
+namespace poissonlab {
+namespace {
+
+py::dict description_of_key(const KeySpec& spec)
+{
+    py::dict description;
+    description["key"] = spec.value.key;
+    description["help"] = key_help(spec);
+    return description;
+}
+
+py::list kind_descriptions()
+{
+    py::list list;
+    for (const Kind& kind : all_kinds()) {
+        py::list keys;
+        for (const KeySpec& spec : kind.keys()) keys.append(description_of_key(spec));
+        py::dict description;
+        description["table"] = kind.table;
+        description["word"] = kind.word;
+        description["title"] = kind.title;
+        description["summary"] = kind.summary;
+        description["keys"] = keys;
+        list.append(description);
+    }
+    return list;
+}
+
+DistributionPlace place_of(const std::string& name, const std::string& engine, const std::string& device)
+{
+    const auto found = engines.find(engine);
+    if (!found)
+        throw InputError(
+            fmt::format("{}: engine = {}: must be one of {}", name, engine, fmt::join(engines.all(), ", ")));
+    const auto opened = std::make_shared<std::optional<Device>>();
+    return {*found,
+            [opened, device]() -> Device& {
+                if (!*opened) *opened = Device::open(device);
+                return **opened;
+            },
+            [](const std::string&) { stop_if_interrupted(); }};
+}
+
+/// Pictures of marks become pixels beside them.
+void draw_pictures(const std::filesystem::path& folder, DistributionResult& result)
+{
+    for (DistributionPicture& picture : result.pictures) {
+        if (!picture.has_marks()) continue;
+        const std::filesystem::path file = folder / picture.file;
+        const MarkPicture marks = read_mark_picture(file);
+        picture.file = std::filesystem::path(picture.file).replace_extension(".png").string();
+        write_drawing_png(folder / picture.file, draw_marks(marks, folder), marks.pixels);
+    }
+}
+
+/// Makes what the values ask for in the folder. `name` begins messages.
+DistributionResult made(const std::string& name, const Kind& kind, const std::string& values, std::uint64_t seed,
+                        const DistributionPlace& place, const std::filesystem::path& folder)
+{
+    try {
+        const KindSettings settings = read_kind(kind, read_toml(values, name), {name}, name);
+        DistributionFiles files([&](const std::string& file) { return folder / file; });
+        DistributionResult result = kind.make(settings, seed, place, files);
+        result.label = settings.label;
+        draw_pictures(folder, result);
+        return result;
+    } catch (const InputError& error) {
+        throw error.place().file == name ? error.moved_to({name}) : error;
+    }
+}
+
+py::array_t<std::uint8_t> pixels_of(const std::filesystem::path& file)
+{
+    PngPixels png = read_png(file);
+    return array_of(std::move(png.values), {png.height, png.width, png.channels});
+}
+
+py::dict make(const std::string& name, const std::string& table, const std::string& word, const std::string& values,
+              std::uint64_t seed, const std::string& engine, const std::string& device,
+              const std::filesystem::path& folder)
+{
+    const Kind& kind = *find_kind(table, word);
+    const DistributionResult result =
+        without_lock([&] { return made(name, kind, values, seed, place_of(name, engine, device), folder); });
+    py::dict numbers, titles, pictures, captions;
+    for (const DistributionNumber& number : result.numbers) {
+        numbers[py::str(number.key)] = number.value;
+        titles[py::str(number.key)] = fmt::format("{}: {}", number.title, number.meaning);
+    }
+    for (const DistributionPicture& picture : result.pictures) {
+        const std::string stem = std::filesystem::path(picture.file).stem().string();
+        pictures[py::str(stem)] = pixels_of(folder / picture.file);
+        captions[py::str(stem)] = picture.caption;
+    }
+    py::dict dict;
+    dict["label"] = result.label;
+    dict["facts"] = result.facts;
+    dict["numbers"] = numbers;
+    dict["titles"] = titles;
+    dict["pictures"] = pictures;
+    dict["captions"] = captions;
+    dict["files"] = result.files;
+    return dict;
+}
+
+}
+
+void add_kinds(py::module_& module)
+{
+    module.def("kinds", kind_descriptions, "The kinds of work and their keys, a dict each.");
+    module.def("make", make, py::arg("name"), py::arg("table"), py::arg("word"), py::arg("values"), py::arg("seed"),
+               py::arg("engine"), py::arg("device"), py::arg("folder"), "Makes a result in a folder.");
+}
+
+}

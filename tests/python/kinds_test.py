@@ -1,0 +1,47 @@
+"""Kinds of work in Python: what they make is what the program makes, and refuses."""
+
+import unittest
+
+import numpy
+
+import poissonlab
+from poissonlab import distribute
+
+
+class Kinds(unittest.TestCase):
+    def test_stippling_has_points_pictures_and_numbers(self):
+        made = distribute.stipple(image="0.2 + 0.1*x", points=200, by="warping", engine="reference", rng=3)
+        self.assertEqual(made.points.shape, (200, 2))
+        self.assertTrue(((made.points >= 0) & (made.points < 1)).all())
+        self.assertIn("tone_error", made.numbers)
+        self.assertIn("Tone error", made.titles["tone_error"])
+        self.assertEqual(made.pictures["coverage"].ndim, 3)
+        self.assertEqual(made.pictures["marks"].dtype, numpy.uint8)
+        self.assertEqual(made.label, "Stippling of 0.2 + 0.1*x")
+        # The number of dots times their area is the ink.
+        height, width = made.pictures["coverage"].shape[:2]
+        self.assertAlmostEqual(200 * made.numbers["mark_area"] / (0.2 * width * height), 1, places=2)
+
+    def test_the_same_seed_makes_the_same(self):
+        first, again, other = (distribute.warp(density="x + 2", points=64, engine="reference", rng=seed).points
+                               for seed in (1, 1, 2))
+        numpy.testing.assert_array_equal(first, again)
+        self.assertTrue((first != other).any())
+
+    def test_every_kind_is_there_with_its_keys(self):
+        self.assertEqual(set(distribute.__all__) - {"Made"},
+                         {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances"})
+        self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
+                      distribute.stipple.__doc__)
+
+    def test_errors_have_the_words_of_the_program(self):
+        with self.assertRaisesRegex(poissonlab.InputError, r"^stipple: ink = 2: must be a number from 0.001 to 1$"):
+            distribute.stipple(image="0.5", points=9, ink=2)
+        with self.assertRaisesRegex(poissonlab.InputError, r"needs points or dot"):
+            distribute.stipple(image="0.5")
+        with self.assertRaisesRegex(TypeError, r"no parameter 'colour'"):
+            distribute.stipple(image="0.5", points=9, colour=2)
+
+
+if __name__ == "__main__":
+    unittest.main()
