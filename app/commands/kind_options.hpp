@@ -21,7 +21,7 @@ public:
     /// this object.
     std::vector<Option> options();
 
-    /// What was typed, checked as a table of a config is. Throws InputError, a line that begins with the command.
+    /// The typed settings, checked as a table of a config is. Throws InputError, a line that begins with the command.
     KindSettings settings() const;
 
     const Kind& kind() const { return kind_; }
@@ -39,7 +39,7 @@ public:
     InputError of_command(const InputError& error) const;
 
 private:
-    /// What was typed for a key.
+    /// The words that were typed for a key.
     struct Typed
     {
         KeySpec spec;

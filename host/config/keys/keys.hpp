@@ -38,7 +38,7 @@ struct KeySpec
     bool is_required = false;
     std::string excludes{}; ///< the key that does not go together with this one
 
-    /// What the key may be, in the words of messages and documentation.
+    /// The values that the key may have, in the words of messages and documentation.
     std::string allowed() const;
 };
 
@@ -58,7 +58,7 @@ struct Interval
 class Keys
 {
 public:
-    /// What was said of the last key; more can be said of it.
+    /// The last key, of which more can be said.
     class Said
     {
     public:
@@ -125,7 +125,7 @@ public:
     /// The keys `tiles` and `method`: what makes even points.
     void even_points(EvenMethodChoice& value);
 
-    // Of a table that is read. Errors name keys as their door does: `dot` in a config, `--dot` in a command.
+    // These concern a table that is read. Errors name keys as their door does: `dot` in a config, `--dot` in a command.
     bool is_read() const { return table_ != nullptr; }
     bool is_given(const std::string& key) const;
     std::string name_of(const std::string& key) const;

@@ -1,4 +1,4 @@
-// What the scenes are made of, and how much of them a file should hold.
+// The settings of each scene, and the limit on how many instances a file should hold.
 #include "base/errors/errors.hpp"
 #include "host/distribution/instances/instances.hpp"
 
