@@ -21,7 +21,8 @@ namespace poissonlab {
 class StartedProgram
 {
 public:
-    /// In `folder`, where what it says goes to the file "log".
+    /// In `folder`, where what it says goes to the file "log". It minds SIGINT even where this program does not: shells
+    /// let background jobs ignore it, and children inherit that.
     StartedProgram(const std::filesystem::path& folder, std::vector<std::string> arguments)
     {
         arguments.insert(arguments.begin(), program_file());
@@ -33,7 +34,15 @@ public:
         posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
         posix_spawn_file_actions_addopen(&actions, 1, "log", O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_adddup2(&actions, 1, 2);
-        const int error = ::posix_spawn(&process_, program_file().c_str(), &actions, nullptr, argv.data(), environ);
+        sigset_t interrupts;
+        sigemptyset(&interrupts);
+        sigaddset(&interrupts, SIGINT);
+        posix_spawnattr_t attributes;
+        posix_spawnattr_init(&attributes);
+        posix_spawnattr_setsigdefault(&attributes, &interrupts);
+        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+        const int error = ::posix_spawn(&process_, program_file().c_str(), &actions, &attributes, argv.data(), environ);
+        posix_spawnattr_destroy(&attributes);
         posix_spawn_file_actions_destroy(&actions);
         if (error != 0) throw std::runtime_error("poissonlab cannot be started");
     }
