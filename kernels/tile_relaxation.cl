@@ -325,6 +325,20 @@ kernel void relax_tiles(struct Relaxation relaxation, global const uint* problem
     }
 }
 
+/// In whole units, and at most as long as `limit`.
+Position limited_movement(const double* sum, double limit)
+{
+    double squared = 0;
+    for (int k = 0; k < DIMENSION; ++k) squared += sum[k] * sum[k];
+    const double length = sqrt(squared);
+    const double scale = length > limit ? limit / length : 1;
+    Position movement;
+    for (int k = 0; k < DIMENSION; ++k) movement.c[k] = rounded(scale * sum[k]);
+    return movement;
+}
+
+#include "kernels/common/moment_step.clh"
+
 /// The movement of a point by repulsion: away from all that are closer than `distance`, by what they lack of it, half
 /// of it where the other moves as well. Lowers `nearest` to the squared distance of the nearest point.
 Position repelled(const TorusPoints* points, const Position* position, uint site, uint first, uint end, double distance,
@@ -359,19 +373,14 @@ Position repelled(const TorusPoints* points, const Position* position, uint site
         }
     }
     *nearest = min(*nearest, smallest_lane(nearest_of_lane));
-    double squared = 0;
-    for (int k = 0; k < DIMENSION; ++k) squared += sum[k] * sum[k];
-    const double length = sqrt(squared);
-    const double scale = length > distance ? distance / length : 1;
-    Position movement;
-    for (int k = 0; k < DIMENSION; ++k) movement.c[k] = rounded(scale * sum[k]);
-    return movement;
+    return limited_movement(sum, distance);
 }
 
-/// Repulsion, from what relax_tiles kept: until the wanted squared distance is there, or for so many passes; then the
-/// best is kept.
+/// Repulsion, from what relax_tiles kept: until the wanted squared distance and the wanted moments are there, or for so
+/// many passes; then the best is kept that has the moments, with its squared distance, or 0 where none has.
 kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems, global const uint* counts,
-                        global const uint* held_counts, global const uint* active_counts, global int* all_points,
+                        global const uint* held_counts, global const uint* active_counts,
+                        global const uchar* exponents, global const long* wanted_moments, global int* all_points,
                         global int* all_moved, global int* all_kept, global uint* squared_kept)
 {
     const uint capacity = repulsion.tori.capacity;
@@ -386,7 +395,9 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
     const uint first = held_counts[problem];
     const uint end = first + active_counts[problem];
     const Zone zone = zone_of(&repulsion.tori, points.c, first);
+    const Moments moments = {exponents, wanted_moments + (ulong)problem * repulsion.monomials, repulsion.monomials};
     local uint values[MAX_ITEMS];
+    local MomentStep step;
 
     const uint moved_end = repulsion.surroundings_moved ? counts[problem] : end;
     for (uint i = first + item; i < moved_end; i += items) put_point(&points, i, point_at(&kept, i));
@@ -401,6 +412,7 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
             put_point(&moved, i, allowed_end(&position, &movement, &zone, true));
         }
         nearest = smallest_of_group(nearest, values);
+        if (!are_moments_near(&moments, &points, first, end, &step)) nearest = 0;
         if (pass == 0 || nearest > best) {
             best = nearest;
             for (uint i = first + item; i < end; i += items) put_point(&kept, i, point_at(&points, i * copies));
@@ -408,6 +420,14 @@ kernel void repel_tiles(struct Repulsion repulsion, global const uint* problems,
         }
         if (nearest >= repulsion.wanted || pass == passes) break;
         for (uint i = first + item; i < end; i += items) put_point(&points, i, point_at(&moved, i));
+        barrier(CLK_GLOBAL_MEM_FENCE);
+        if (moments.count == 0) continue;
+        find_moment_step(&moments, &points, first, end, &step);
+        for (uint i = first + item; i < end; i += items) {
+            const Position position = point_at(&points, i * copies);
+            const Position movement = moment_movement(&moments, &position, &step, repulsion.distance);
+            put_point(&points, i, allowed_end(&position, &movement, &zone, true));
+        }
         barrier(CLK_GLOBAL_MEM_FENCE);
     }
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "host/device/needed_buffers.hpp"
-#include "tiles/poisson/object_lookup.hpp"
+#include "tiles/objects/object_lookup.hpp"
 
 #include "kernels/common/object_looks.h"
 

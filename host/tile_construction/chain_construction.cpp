@@ -5,6 +5,7 @@
 #include "host/tile_construction/chain_corners.hpp"
 #include "host/tile_construction/chain_relaxation.hpp"
 #include "host/tile_construction/fill_stages.hpp"
+#include "host/tile_construction/moments/equal_moments.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 
 #include <fmt/format.h>
@@ -17,12 +18,15 @@
 namespace poissonlab {
 namespace {
 
+/// Steps of moving chains towards even shares before tiles are filled.
+constexpr std::uint32_t evening_steps = 10;
+
 /// Settings that ask for a little more than the minimum distance, which rounding then takes.
 FillSettings settings_with_margin(PoissonTileParameters p)
 {
     p.repulsion = true;
     const double distance = asked_min_distance(p) * tile_units;
-    p.relative_radius *= (distance + chain_rounding) / distance;
+    p.relative_radius *= (distance + chain_rounding + moment_margin(p)) / distance;
     return fill_settings(p);
 }
 
@@ -31,7 +35,7 @@ class ChainConstruction
 public:
     ChainConstruction(const PoissonTileParameters& parameters, const ChainEngines& engines,
                       const ConstructionOptions& options)
-        : p_(parameters), engines_(engines), options_(options), pieces_(p_.colors, p_.tiles),
+        : p_(parameters), engines_(engines), options_(options), pieces_(p_.colors, p_.tiles), saved_(pieces_),
           choice_(p_, engines.tori, options_, report_), wanted_(chain_interior_settings(p_).wanted)
     {}
 
@@ -39,6 +43,7 @@ public:
     {
         pieces_.corners = spread_corners(p_);
         choice_.choose(pieces_);
+        for (std::uint32_t i = 0; i < evening_steps && p_.equal_moments > 0; ++i) even_out_chains(pieces_, p_);
         fill_all_tiles();
         relax_tiles();
         return {tile_set_of(pieces_, p_), report_};
@@ -113,7 +118,20 @@ private:
             problem.held.push_back({wrapped(point[0]), wrapped(point[1]), 0});
         problem.active = static_cast<std::uint32_t>(interior_size(pieces_, tile, p_.points_per_tile));
         problem.stream = tile;
+        if (targets_) problem.moments = targets_->left_in_units(own_border_points(tile));
         return problem;
+    }
+
+    /// The corner point and the chains that tilings take from a tile.
+    std::vector<UnitPosition> own_border_points(std::uint32_t tile) const
+    {
+        const auto chains = chains_around(tile, p_.colors);
+        std::vector<UnitPosition> points{pieces_.corners[chains.front().lower]};
+        for (const PlacedChain& own : {chains.front(), chains.back()}) {
+            const Chain& chain = pieces_.chains[own.direction][own.number(p_.colors)];
+            points.insert(points.end(), chain.begin(), chain.end());
+        }
+        return points;
     }
 
     /// Returns the tiles whose points did not get the distance; those of the others are taken over.
@@ -123,6 +141,7 @@ private:
         FillStage stage{.regions = regions_of(p_), .number = stage_number};
         stage.active = {0, -tile_units / 2, torus_units};
         stage.in_polygon = true;
+        stage.equal_moments = targets_ ? targets_->order() : 0;
         const std::vector<FilledTorus> filled = engines_.interiors.fill(stage, problems, attempt);
         report_.tori += filled.size();
         Tiles failed;
@@ -194,14 +213,49 @@ private:
     {
         const std::uint32_t last = std::min(p_.joint_iterations, last_joint_iterations);
         const std::uint32_t first = p_.joint_iterations - last;
-        const ChainPieces saved = pieces_;
+        saved_ = pieces_;
         for (std::uint32_t iteration = 0; iteration < first; ++iteration) iterate(iteration, true);
-        if (first > 0) mend_tiles(saved);
+        if (first > 0) mend_tiles(all_tiles());
         for (std::uint32_t iteration = first; iteration < p_.joint_iterations; ++iteration) {
             const auto before = pieces_.interiors;
             iterate(iteration, false);
             for (const std::uint32_t tile : repel(all_tiles())) pieces_.interiors[tile] = before[tile];
         }
+        if (p_.equal_moments > 0) equalize_moments();
+    }
+
+    // Moments.
+
+    void equalize_moments()
+    {
+        const auto using_targets = [this](const MomentTargets& targets, const auto& settle) {
+            targets_ = &targets;
+            const Tiles failed = settle();
+            targets_ = nullptr;
+            return failed;
+        };
+        const EvenableTiles tiles{
+            [&] { return tile_set_of(pieces_, p_); },
+            [&](const MomentTargets& targets, const Tiles& open) {
+                return using_targets(targets, [&] { return repel(open); });
+            },
+            [&](const MomentTargets& targets, const Tiles& open, std::uint32_t round) {
+                return using_targets(targets, [&] { return fill_anew(open, moment_stage, round); });
+            },
+            [&](const MomentTargets& targets, std::uint32_t tile) { return make_exact(targets, tile); },
+            [&](const Tiles& failed) { return give_way(failed); },
+            moment_rounds};
+        make_moments_equal(p_, tiles, [&](std::size_t done, std::size_t total) {
+            if (options_.progress) options_.progress("equal moments", done, total);
+        });
+    }
+
+    bool make_exact(const MomentTargets& targets, std::uint32_t tile)
+    {
+        const auto border = border_polygon(pieces_, tile);
+        return targets.make_exact(pieces_.interiors[tile], own_border_points(tile)) &&
+               std::ranges::all_of(pieces_.interiors[tile],
+                                   [&](const UnitPosition& point) { return is_strictly_inside(border, point); });
     }
 
     void iterate(std::uint32_t iteration, bool chains_move)
@@ -219,27 +273,41 @@ private:
 
     /// Brings back the minimum distance. Tiles that can neither be pushed apart nor filled anew get the chains back
     /// that they were filled with before: at the latest when all chains are back, all tiles are good.
-    void mend_tiles(const ChainPieces& saved)
+    void mend_tiles(Tiles open)
     {
-        Replaced back;
-        Tiles open = all_tiles();
         for (std::uint32_t round = 0; !open.empty(); ++round) {
             const Tiles failed = fill_anew(repel(open), repair_stage, round);
-            for (const std::uint32_t tile : failed)
-                for (const PlacedChain& chain : chains_around(tile, p_.colors)) back.insert(key(chain));
             if (failed.empty()) return;
-            report_.remade += failed.size();
-            for (const auto& [direction, number] : back)
-                pieces_.chains[direction][number] = saved.chains[direction][number];
-            open = tiles_with(back);
-            std::erase_if(open, [&](std::uint32_t tile) {
-                const bool is_as_before =
-                    std::ranges::all_of(chains_around(tile, p_.colors),
-                                        [&](const PlacedChain& chain) { return back.contains(key(chain)); });
-                if (is_as_before) pieces_.interiors[tile] = saved.interiors[tile];
-                return is_as_before;
-            });
+            open = with_chains_back(failed);
         }
+    }
+
+    /// Gives tiles the chains back that they were filled with before. Returns the tiles that have these and others.
+    Tiles with_chains_back(const Tiles& failed)
+    {
+        report_.remade += failed.size();
+        for (const std::uint32_t tile : failed)
+            for (const PlacedChain& chain : chains_around(tile, p_.colors)) back_.insert(key(chain));
+        for (const auto& [direction, number] : back_)
+            pieces_.chains[direction][number] = saved_.chains[direction][number];
+        Tiles open = tiles_with(back_);
+        std::erase_if(open, [&](std::uint32_t tile) {
+            const bool is_as_before = std::ranges::all_of(
+                chains_around(tile, p_.colors), [&](const PlacedChain& chain) { return back_.contains(key(chain)); });
+            if (is_as_before) pieces_.interiors[tile] = saved_.interiors[tile];
+            return is_as_before;
+        });
+        return open;
+    }
+
+    /// Gives tiles that cannot have equal moments other chains; false: they have had them already.
+    bool give_way(const Tiles& failed)
+    {
+        const std::size_t before = back_.size();
+        const Tiles open = with_chains_back(failed);
+        if (back_.size() == before) return false;
+        mend_tiles(open);
+        return true;
     }
 
     const PoissonTileParameters p_;
@@ -247,8 +315,11 @@ private:
     const ConstructionOptions& options_;
     ConstructionReport report_;
     ChainPieces pieces_;
+    ChainPieces saved_; ///< as they were before joint relaxation
+    Replaced back_;     ///< chains that are as they were then
     ChainChoice choice_;
-    std::uint64_t wanted_; ///< squared distance of points before they are rounded
+    const MomentTargets* targets_ = nullptr; ///< of the moments that fillings get, if they do
+    std::uint64_t wanted_;                   ///< squared distance of points before they are rounded
 };
 
 }

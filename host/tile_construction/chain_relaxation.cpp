@@ -1,7 +1,8 @@
 #include "host/tile_construction/chain_relaxation.hpp"
 
-#include "host/tile_construction/chain_mending.hpp"
 #include "host/tile_construction/chain_paths.hpp"
+#include "host/tile_construction/chains/chain_evening.hpp"
+#include "host/tile_construction/chains/chain_mending.hpp"
 #include "host/tile_construction/stored_points.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
 
@@ -14,6 +15,33 @@ namespace {
 /// An iteration shifts a chain by this part of what its balance lacks.
 constexpr double shift_gain = 0.6;
 
+PlacedChain chain_at_origin(std::size_t direction, std::size_t number, std::uint32_t colors)
+{
+    return {
+        direction, static_cast<std::uint32_t>(number / colors), static_cast<std::uint32_t>(number % colors), {0, 0}};
+}
+
+/// All chains of a direction, by number.
+std::vector<LooseChain> loose_chains(const ChainPieces& pieces, std::size_t direction)
+{
+    std::vector<LooseChain> loose;
+    for (std::size_t number = 0; number < pieces.chains[direction].size(); ++number) {
+        loose.push_back({direction, chain_ends(pieces, chain_at_origin(direction, number, pieces.colors)), {}});
+        for (const UnitPosition& point : pieces.chains[direction][number])
+            loose.back().points.push_back({static_cast<double>(point[0]), static_cast<double>(point[1])});
+    }
+    return loose;
+}
+
+/// Replaces chains by what they are after mending; those that cannot be mended stay as they are.
+void take_mended(ChainPieces& pieces, const std::vector<LooseChain>& chains, const PoissonTileParameters& p)
+{
+    const auto squared_distance = static_cast<std::int64_t>(asked_squared_distance(p));
+    for (std::size_t number = 0; number < chains.size(); ++number)
+        if (auto sound = mended(chains[number], squared_distance))
+            pieces.chains[chains[number].direction][number] = std::move(*sound);
+}
+
 class ChainRelaxation
 {
 public:
@@ -25,7 +53,8 @@ public:
     {
         store_points(chains_move);
         displacements_ = joint_displacements(
-            engine, stored_, [this](std::uint32_t tile) { return own_pieces(tile); }, p_, iteration);
+            engine, stored_, [this](std::uint32_t tile) { return own_pieces(tile); },
+            [this](std::uint32_t tile) { return own_points(tile); }, p_, iteration);
         move_interiors();
         if (chains_move) move_chains();
         while (put_back_where_outside()) {
@@ -56,6 +85,15 @@ private:
         return own;
     }
 
+    std::vector<OwnPoint> own_points(std::uint32_t tile) const
+    {
+        std::vector<OwnPoint> own;
+        for (const std::size_t piece : own_pieces(tile))
+            for (std::size_t i = stored_.first(piece); i < stored_.end(piece); ++i)
+                own.push_back({static_cast<std::uint32_t>(i), {}});
+        return own;
+    }
+
     void move_interiors()
     {
         for (std::uint32_t tile = 0; tile < pieces_.interiors.size(); ++tile)
@@ -67,28 +105,25 @@ private:
 
     void move_chains()
     {
-        const auto squared_distance = static_cast<std::int64_t>(asked_squared_distance(p_));
         for (std::size_t direction = 0; direction < chain_directions; ++direction) {
-            const std::vector<double> shifts = shifts_of(direction);
-            for (std::size_t number = 0; number < shifts.size(); ++number) {
-                Chain& chain = pieces_.chains[direction][number];
-                LooseChain loose{direction, chain_ends(before_, placed(direction, number)), {}};
-                for (std::size_t i = 0; i < chain.size(); ++i) {
-                    const Displacement& by = displacements_[stored_.first(chains_[direction][number]) + i];
-                    loose.points.push_back({chain[i][0] + by[0], chain[i][1] + by[1]});
-                    loose.points.back()[1 - direction] += shifts[number];
-                }
-                if (auto sound = mended(loose, squared_distance)) chain = std::move(*sound);
-            }
+            std::vector<LooseChain> loose = loose_chains(pieces_, direction);
+            for (std::size_t number = 0; number < loose.size(); ++number)
+                for (std::size_t i = 0; i < loose[number].points.size(); ++i)
+                    for (std::size_t k = 0; k < 2; ++k)
+                        loose[number].points[i][k] += displacements_[stored_.first(chains_[direction][number]) + i][k];
+            if (p_.equal_moments > 0)
+                even_out(loose, p_, longest_joint_move(p_));
+            else
+                shift(loose, direction);
+            take_mended(pieces_, loose, p_);
         }
     }
 
-    PlacedChain placed(std::size_t direction, std::size_t number) const
+    void shift(std::vector<LooseChain>& chains, std::size_t direction) const
     {
-        return {direction,
-                static_cast<std::uint32_t>(number / pieces_.colors),
-                static_cast<std::uint32_t>(number % pieces_.colors),
-                {0, 0}};
+        const std::vector<double> shifts = shifts_of(direction);
+        for (std::size_t number = 0; number < chains.size(); ++number)
+            for (auto& point : chains[number].points) point[1 - direction] += shifts[number];
     }
 
     /// The way of each chain sideways, towards the mean balance; units.
@@ -97,7 +132,7 @@ private:
         std::vector<double> balances;
         double sum = 0;
         for (std::size_t number = 0; number < before_.chains[direction].size(); ++number) {
-            const PlacedChain chain = placed(direction, number);
+            const PlacedChain chain = chain_at_origin(direction, number, p_.colors);
             balances.push_back(chain_balance(before_, direction, chain.lower, chain.upper, p_.points_per_tile));
             sum += balances.back();
         }
@@ -144,6 +179,15 @@ private:
     std::vector<Displacement> displacements_;
 };
 
+}
+
+void even_out_chains(ChainPieces& pieces, const PoissonTileParameters& parameters)
+{
+    for (std::size_t direction = 0; direction < chain_directions; ++direction) {
+        std::vector<LooseChain> loose = loose_chains(pieces, direction);
+        even_out(loose, parameters, longest_joint_move(parameters));
+        take_mended(pieces, loose, parameters);
+    }
 }
 
 void relax_together(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine,

@@ -14,4 +14,7 @@ namespace poissonlab {
 void relax_together(ChainPieces& pieces, const PoissonTileParameters& parameters, JointEngine& engine,
                     std::uint32_t iteration, bool chains_move);
 
+/// Moves chains so that tiles can have equal moments, and mends them: a step of those that iterations make as well.
+void even_out_chains(ChainPieces& pieces, const PoissonTileParameters& parameters);
+
 }

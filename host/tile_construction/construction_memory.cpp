@@ -99,7 +99,7 @@ DeviceMemory construction_memory(const PoissonTileParameters& parameters, const 
             shapes.push_back(boundary_shape(parameters, regions, stage));
     }
     const DeviceMemory pieces = filling_memory(fill_settings(parameters), shapes, device);
-    if (parameters.joint_iterations == 0) return pieces;
+    if (!are_relaxed_together(parameters)) return pieces;
     return pieces + filling_memory(mending_settings(parameters), mending_shapes(parameters, regions), device) +
            joint_memory_of(parameters);
 }

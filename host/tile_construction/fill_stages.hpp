@@ -15,6 +15,9 @@ inline constexpr std::uint32_t patient_tile_attempts = 48;
 /// The most rounds in which pieces are made again for tiles that could not be filled.
 inline constexpr std::uint32_t max_rounds = 12;
 
+/// Rounds of fillings of a tile until it has the moments of all.
+inline constexpr std::uint32_t moment_rounds = 4;
+
 /// Joint iterations at the end that move insides of tiles alone: borders are final before tiles are mended.
 inline constexpr std::uint32_t last_joint_iterations = 3;
 
@@ -27,5 +30,6 @@ inline constexpr std::uint32_t interior_stage = 9;
 inline constexpr std::uint32_t chain_stage = 10;
 inline constexpr std::uint32_t inside_stage = 11; ///< inside of chains
 inline constexpr std::uint32_t repair_stage = 12; ///< after joint relaxation
+inline constexpr std::uint32_t moment_stage = 13; ///< while tiles get equal moments
 
 }

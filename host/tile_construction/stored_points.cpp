@@ -1,5 +1,6 @@
 #include "host/tile_construction/stored_points.hpp"
 
+#include "host/tile_construction/joint_moments.hpp"
 #include "host/tile_construction/joint_tiling.hpp"
 
 #include <cmath>
@@ -41,15 +42,17 @@ double longest_joint_move(const PoissonTileParameters& p)
 }
 
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
-                                              const OwnPieces& own_pieces, const PoissonTileParameters& p,
-                                              std::uint32_t iteration)
+                                              const OwnPieces& own_pieces, const OwnPoints& own_points,
+                                              const PoissonTileParameters& p, std::uint32_t iteration)
 {
     const JointTorus torus = points.torus(p.dimension, joint_side(p), joint_tiling(p, iteration), own_pieces);
     std::vector<Displacement> displacements = engine.mean_displacements(torus, points.count());
-    if (!p.null_peaks) return displacements;
-    const auto nulling = engine.nulling_displacements(points.mean_tile(), p.points_per_tile, longest_joint_move(p));
-    for (std::size_t i = 0; i < displacements.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
+    if (p.null_peaks) {
+        const auto nulling = engine.nulling_displacements(points.mean_tile(), p.points_per_tile, longest_joint_move(p));
+        for (std::size_t i = 0; i < displacements.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) displacements[i][k] += nulling[i][k];
+    }
+    if (p.equal_moments > 0) add_moment_step(displacements, points, own_points, p);
     return displacements;
 }
 

@@ -14,6 +14,14 @@ namespace poissonlab {
 /// The numbers of the pieces that a tiling takes from a tile, not from its neighbours.
 using OwnPieces = std::function<std::vector<std::size_t>(std::uint32_t tile)>;
 
+/// A point that a tiling takes from a tile, as the moments of the tile have it.
+struct OwnPoint
+{
+    std::uint32_t stored = 0;
+    std::array<std::int8_t, 3> base{}; ///< where its piece is, in tiles from the tile
+};
+using OwnPoints = std::function<std::vector<OwnPoint>(std::uint32_t tile)>;
+
 /// Pieces that tiles share, and the insides of tiles, with all their points in one list.
 class StoredPoints
 {
@@ -26,6 +34,9 @@ public:
 
     /// The number of a piece's first point.
     std::size_t first(std::size_t piece) const { return first_[piece]; }
+
+    /// The number after that of its last point.
+    std::size_t end(std::size_t piece) const { return first_[piece + 1]; }
 
     /// All points, as the mean of all tiles has them.
     const std::vector<WeightedPoint>& mean_tile() const { return mean_tile_; }
@@ -43,9 +54,9 @@ private:
 double longest_joint_move(const PoissonTileParameters& parameters);
 
 /// The movements of all stored points in a joint iteration: the mean of what Lloyd relaxation does to their copies on
-/// that iteration's torus and, if asked for, nulling.
+/// that iteration's torus and, if asked for, nulling, and then a step to equal moments.
 std::vector<Displacement> joint_displacements(JointEngine& engine, const StoredPoints& points,
-                                              const OwnPieces& own_pieces, const PoissonTileParameters& parameters,
-                                              std::uint32_t iteration);
+                                              const OwnPieces& own_pieces, const OwnPoints& own_points,
+                                              const PoissonTileParameters& parameters, std::uint32_t iteration);
 
 }

@@ -2,6 +2,7 @@
 
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/fill_stages.hpp"
+#include "host/tile_construction/moments/equal_moments.hpp"
 #include "host/tile_construction/stored_points.hpp"
 
 #include <algorithm>
@@ -29,6 +30,31 @@ TilePosition relative_to_base(const TilePosition& position)
     return {shortest(position[0]), shortest(position[1]), shortest(position[2])};
 }
 
+/// A position relative to a tile, of a point that is given relative to its piece's base.
+TilePosition placed_at(const TilePosition& point, const std::array<std::int8_t, 3>& base)
+{
+    TilePosition position = point;
+    for (std::size_t k = 0; k < 3; ++k) position[k] += base[k] * tile_units;
+    return position;
+}
+
+bool is_in_tile(const TilePosition& position)
+{
+    return std::ranges::all_of(position, [](std::int32_t x) { return x >= 0 && x < tile_units; });
+}
+
+/// The points of the pieces around a tile that are in it.
+std::vector<UnitPosition> own_border_points(const StripPieces& pieces, const PoissonTileParameters& p,
+                                            std::uint32_t tile)
+{
+    std::vector<UnitPosition> points;
+    for (const PlacedPiece& piece : pieces_around(p, tile))
+        for (const TilePosition& point : pieces.borders.at(piece.axes, piece.variant))
+            if (const TilePosition position = placed_at(point, piece.base); is_in_tile(position))
+                points.push_back(position);
+    return points;
+}
+
 TilePosition on_torus(const TilePosition& relative)
 {
     return {wrapped(relative[0]), wrapped(relative[1]), wrapped(relative[2])};
@@ -40,7 +66,7 @@ public:
     StripRelaxation(StripPieces& pieces, const PoissonTileParameters& parameters, const JointEngines& engines,
                     const ConstructionOptions& options, ConstructionReport& report)
         : p_(parameters), pieces_(pieces), saved_(pieces), engines_(engines), options_(options), report_(report),
-          regions_(regions_of(parameters)), wanted_(asked_squared_distance(parameters))
+          regions_(regions_of(parameters)), wanted_(mending_settings(parameters).wanted)
     {
         // The order in which they were made.
         const bool edges_first = p_.kind == PoissonTileKind::edge;
@@ -66,6 +92,7 @@ public:
             iterate(iteration, false);
             for (const std::uint32_t tile : repel(all_tiles())) pieces_.interiors[tile] = before[tile];
         }
+        if (p_.equal_moments > 0) equalize_moments();
     }
 
 private:
@@ -95,7 +122,20 @@ private:
             own.push_back(numbers[inside][tile]);
             return own;
         };
-        const auto displacements = joint_displacements(engines_.joint, stored, own_pieces, p_, iteration);
+        const auto own_points = [&](std::uint32_t tile) {
+            std::vector<OwnPoint> own;
+            const auto add = [&](std::size_t number, const PiecePoints& points,
+                                 const std::array<std::int8_t, 3>& base) {
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    if (is_in_tile(placed_at(points[i], base)))
+                        own.push_back({static_cast<std::uint32_t>(stored.first(number) + i), base});
+            };
+            for (const PlacedPiece& piece : pieces_around(p_, tile))
+                add(numbers[piece.axes][piece.variant], pieces_.borders.at(piece.axes, piece.variant), piece.base);
+            add(numbers[inside][tile], pieces_.interiors[tile], {});
+            return own;
+        };
+        const auto displacements = joint_displacements(engines_.joint, stored, own_pieces, own_points, p_, iteration);
         const auto move = [&](PiecePoints& points, std::uint8_t axes, std::size_t number) {
             for (std::size_t i = 0; i < points.size(); ++i)
                 points[i] = moved(points[i], axes, displacements[stored.first(number) + i]);
@@ -234,6 +274,7 @@ private:
             PiecePoints& interior = pieces_.interiors[tile];
             problems.push_back(problem_around(pieces_around(p_, tile), interior, tile));
             if (!are_given) problems.back().given.clear();
+            if (targets_) problems.back().moments = targets_->left_in_units(own_border_points(pieces_, p_, tile));
             targets.push_back(&interior);
         }
         Tiles failed;
@@ -265,8 +306,9 @@ private:
                                   const std::vector<PiecePoints*>& targets, std::uint32_t attempt)
     {
         if (problems.empty()) return {};
-        FillStage stage{.regions = regions_, .number = repair_stage, .keep_tiles = true};
+        FillStage stage{.regions = regions_, .number = targets_ ? moment_stage : repair_stage, .keep_tiles = true};
         stage.active.cells = cells;
+        stage.equal_moments = targets_ ? targets_->order() : 0;
         const std::vector<FilledTorus> filled = engines_.mender.fill(stage, problems, attempt);
         report_.tori += filled.size();
         std::vector<std::size_t> failed;
@@ -282,6 +324,40 @@ private:
         return failed;
     }
 
+    // Moments.
+
+    void equalize_moments()
+    {
+        const auto using_targets = [this](const MomentTargets& targets, const Tiles& open, bool are_given,
+                                          std::uint32_t attempt) {
+            targets_ = &targets;
+            const Tiles failed = fill_tiles(open, are_given, attempt);
+            targets_ = nullptr;
+            return failed;
+        };
+        const EvenableTiles tiles{
+            [&] { return tile_set_of(pieces_, p_); },
+            [&](const MomentTargets& targets, const Tiles& open) { return using_targets(targets, open, true, 0); },
+            [&](const MomentTargets& targets, const Tiles& open, std::uint32_t round) {
+                return using_targets(targets, open, false, round);
+            },
+            [&](const MomentTargets& targets, std::uint32_t tile) { return make_exact(targets, tile); },
+            [](const Tiles&) { return false; },
+            patient_tile_attempts};
+        make_moments_equal(p_, tiles, [&](std::size_t done, std::size_t total) {
+            if (options_.progress) options_.progress("equal moments", done, total);
+        });
+    }
+
+    bool make_exact(const MomentTargets& targets, std::uint32_t tile)
+    {
+        const unsigned inside = cell_number(all_axes(p_.dimension), 0, p_.dimension);
+        return targets.make_exact(pieces_.interiors[tile], own_border_points(pieces_, p_, tile)) &&
+               std::ranges::all_of(pieces_.interiors[tile], [&](const TilePosition& point) {
+                   return is_in_tile(point) && cell_at(regions_, point) == inside;
+               });
+    }
+
     const PoissonTileParameters& p_;
     StripPieces& pieces_;
     const StripPieces saved_;
@@ -291,8 +367,23 @@ private:
     const TileRegions regions_;
     const std::uint64_t wanted_;
     std::vector<std::uint8_t> border_axes_;
+    const MomentTargets* targets_ = nullptr; ///< of the moments that fillings get, if they do
 };
 
+}
+
+PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameters& p)
+{
+    PoissonTileSet set{p, 0, {}};
+    const auto append = [&](const TilePosition& point) {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(p.dimension); ++k)
+            set.points.push_back(static_cast<std::uint16_t>(point[k]));
+    };
+    for (std::uint32_t tile = 0; tile < p.tiles; ++tile) {
+        for (const UnitPosition& point : own_border_points(pieces, p, tile)) append(point);
+        for (const TilePosition& point : pieces.interiors[tile]) append(point);
+    }
+    return set;
 }
 
 void relax_together(StripPieces& pieces, const PoissonTileParameters& parameters, const JointEngines& engines,

@@ -19,8 +19,12 @@ struct StripPieces
     std::vector<PiecePoints> interiors; ///< by tile
 };
 
-/// Makes the joint iterations that are asked for, with nulling if that is. `pieces` have the minimum distance, and have
-/// it afterwards: what cannot be pushed apart goes back to where it was, at the latest with everything around it.
+/// The set with these pieces: each tile's points near corners, edges, (faces), then those inside. Not certified.
+PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameters& parameters);
+
+/// Makes the joint iterations that are asked for, with nulling and equal moments if these are. `pieces` have the
+/// minimum distance, and have it afterwards: what cannot be pushed apart goes back to where it was, at the latest with
+/// everything around it.
 void relax_together(StripPieces& pieces, const PoissonTileParameters& parameters, const JointEngines& engines,
                     const ConstructionOptions& options, ConstructionReport& report);
 

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/fill_stages.hpp"
+#include "host/tile_construction/moments/moment_targets.hpp"
 #include "host/tile_construction/piece_choice.hpp"
 #include "host/tile_construction/piece_store.hpp"
 #include "host/tile_construction/strip_relaxation.hpp"
@@ -44,8 +45,8 @@ public:
             if (round + 1 == max_rounds) give_up_tile(failed);
             open = remake_boundaries(failed, round + 1);
         }
-        if (p_.joint_iterations > 0) relax_together(made_, p_, *together, options_, report_);
-        return {assembled(), report_};
+        if (are_relaxed_together(p_)) relax_together(made_, p_, *together, options_, report_);
+        return {tile_set_of(made_, p_), report_};
     }
 
 private:
@@ -244,26 +245,6 @@ private:
         return pieces;
     }
 
-    // The result.
-
-    /// Each tile's points: those near corners, edges, (faces), then the interior.
-    PoissonTileSet assembled() const
-    {
-        PoissonTileSet set{p_, 0, {}};
-        for (std::uint32_t tile = 0; tile < p_.tiles; ++tile) {
-            for (const TilePosition& point : pieces_.placed(pieces_around(p_, tile))) {
-                if (point[0] < tile_units && point[1] < tile_units && point[2] < tile_units) append(set, point);
-            }
-            for (const TilePosition& point : interiors_[tile]) append(set, point);
-        }
-        return set;
-    }
-
-    void append(PoissonTileSet& set, const TilePosition& point) const
-    {
-        for (int k = 0; k < p_.dimension; ++k) set.points.push_back(static_cast<std::uint16_t>(point[k]));
-    }
-
     // Telling, and giving up.
 
     void count(const std::vector<FilledTorus>& filled)
@@ -323,6 +304,8 @@ FillSettings mending_settings(const PoissonTileParameters& parameters)
     PoissonTileParameters p = parameters;
     p.repulsion = true;
     p.lloyd_iterations = 0;
+    const double distance = asked_min_distance(p) * tile_units;
+    if (p.equal_moments > 0) p.relative_radius *= (distance + moment_margin(p)) / distance;
     return fill_settings(p);
 }
 
@@ -330,7 +313,7 @@ ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, T
                                       const ConstructionOptions& options, const JointEngines* together)
 {
     check(parameters);
-    if (parameters.joint_iterations > 0 && !together) throw std::logic_error("joint iterations need their engines");
+    if (are_relaxed_together(parameters) && !together) throw std::logic_error("joint iterations need their engines");
     return Construction(parameters, filler, options).run(together);
 }
 

@@ -80,10 +80,16 @@ struct JointEngines
     JointEngine& joint;
 };
 
+/// Whether such a set needs these: for joint iterations, or for equal moments.
+inline bool are_relaxed_together(const PoissonTileParameters& p)
+{
+    return p.joint_iterations > 0 || p.equal_moments > 0;
+}
+
 /// Points are thrown and pushed apart, not relaxed one tile at a time.
 FillSettings mending_settings(const PoissonTileParameters& parameters);
 
-/// `together` is needed where there are joint iterations. Throws InputError for parameters that check() refuses, and
+/// `together` is needed where are_relaxed_together(). Throws InputError for parameters that check() refuses, and
 /// where a piece or a tile does not reach the wanted distance: which one, and what relative radius was reached.
 ConstructedTileSet construct_tile_set(const PoissonTileParameters& parameters, TileFiller& filler,
                                       const ConstructionOptions& options = {}, const JointEngines* together = nullptr);

@@ -43,10 +43,13 @@ PoissonTileParameters tile_parameters(const PoissonTileFamily& family, const Par
     p.ranked = given.flag("ranked");
     std::optional<std::uint32_t> iterations;
     std::optional<bool> nulling;
+    std::optional<std::uint32_t> moments;
     if (given.is_given("joint_iterations")) iterations = integer("joint_iterations");
     if (given.is_given("null_peaks")) nulling = given.flag("null_peaks");
+    if (given.is_given("equal_moments")) moments = integer("equal_moments");
     const bool has_strips = !knows_chains(family);
-    set_border(p, has_strips ? TileBorder::strip : *tile_borders.find(given.text("border")), iterations, nulling);
+    set_border(p, has_strips ? TileBorder::strip : *tile_borders.find(given.text("border")), iterations, nulling,
+               moments);
     if (given.is_given("repulsion")) p.repulsion = given.flag("repulsion");
     p.seed = seed;
     return p;
@@ -202,6 +205,13 @@ std::vector<ParameterSpec> parameter_specs(const PoissonTileFamily& family)
                      .kind = Kind::boolean,
                      .help = "in these, make the mean tile even, so that tilings show less of their lattice",
                      .unless_given = "true where there are joint iterations"});
+    specs.push_back(
+        {.key = "equal_moments",
+         .kind = Kind::integer,
+         .help = "order up to which all tiles have the same moments, so that tilings are even at all scales",
+         .maximum = max_moment_order,
+         .symbol = "moments",
+         .unless_given = "0"});
     specs.push_back(tile_sets_parameter());
     return specs;
 }

@@ -120,7 +120,7 @@ ConstructedTileSet build_tile_set(const PoissonTileParameters& parameters, Engin
         const auto interiors = filler(chain_interior_settings(parameters));
         const auto joint = joint_engine();
         built = construct_chain_tiles(parameters, {*tori, *interiors, *joint}, options);
-    } else if (parameters.joint_iterations > 0) {
+    } else if (are_relaxed_together(parameters)) {
         const auto pieces = filler(fill_settings(parameters)), mender = filler(mending_settings(parameters));
         const auto joint = joint_engine();
         const JointEngines together{*mender, *joint};
@@ -157,13 +157,14 @@ std::string tile_cache_name(const PoissonTileParameters& p, const DeviceInfo* de
         device ? fmt::format("opencl-{:08x}", xxh64_bytes(device->identity()) & 0xFFFFFFFFU) : "reference";
     const std::string joint =
         p.joint_iterations > 0 ? fmt::format("-joint{}{}", p.joint_iterations, p.null_peaks ? "-nulled" : "") : "";
-    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}{}{}{}-seed{}-{}-{}.ptiles", kind_name(p),
+    const std::string moments = p.equal_moments > 0 ? fmt::format("-moments{}", p.equal_moments) : "";
+    return fmt::format("{}-{}{}-n{}-rho{}-{}-{}x{}-lloyd{}{}{}{}{}{}-seed{}-{}-{}.ptiles", kind_name(p),
                        p.kind == PoissonTileKind::frame ? "t" : "c",
                        p.kind == PoissonTileKind::frame ? p.tiles : p.colors, p.points_per_tile, p.relative_radius,
                        p.filling == TileFilling::dart_throwing ? "darts" : "relaxation", p.attempts, p.factor,
                        p.lloyd_iterations, p.repulsion ? "-repulsion" : "",
-                       p.border == TileBorder::chain ? "-chains" : "", joint, p.ranked ? "-ranked" : "", p.seed, maker,
-                       POISSONLAB_CONSTRUCTION_VERSION);
+                       p.border == TileBorder::chain ? "-chains" : "", joint, moments, p.ranked ? "-ranked" : "",
+                       p.seed, maker, POISSONLAB_CONSTRUCTION_VERSION);
 }
 
 CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,

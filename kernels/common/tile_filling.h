@@ -13,8 +13,16 @@ enum
     BATCH = 32,          ///< darts that a work-group looks at together
     MAX_DARTS = 1 << 22, ///< of a filling, whole batches: one that needs more is given up
     MAX_ITEMS = 256,     ///< of a work-group
-    MAX_REACHES = 3
+    MAX_REACHES = 3,
+    MAX_MONOMIALS = 19,  ///< up to order 3, in space
+    HALF_TILE_BITS = 15, ///< moments are taken from the middle of a tile
+    COARSE_BITS = 5,     ///< that slopes of moments leave out of coordinates, so that sums of their products are exact
+    NEAR_POINTS = 4,     ///< moments are near where they lack less than these and all points, moved by so much of a unit:
+    NEAR_SHIFT = 2       ///< 2^-NEAR_SHIFT
 };
+
+/// A condition on moments that has less than this part of its own left, beside those before it, is dropped.
+REAL(LEAST_PIVOT, 0x1p-30)
 
 /// Entries of the list of points around a point: their number, then the points.
 DERIVED(LIST_WORDS, (size_t DIMENSION), DIMENSION == 2 ? 64 : 256)
@@ -69,7 +77,7 @@ struct Repulsion
     double distance; ///< closer points are pushed apart; units
     uint passes, wanted;
     uint surroundings_moved; ///< in relax_tiles
-    uint unused;
+    uint monomials;          ///< whose sums over active points are brought to what is wanted
 };
 
 END_CONTRACT

@@ -53,6 +53,8 @@ TEST_F(TilesCommand, SummarizesSoundSets)
                                           "minimum distance      0\\.085.* tiles\n"
                                           "stored guarantee      0\\.55.*: what is proven\n"
                                           "largest empty circle  radius at most 0\\..* tiles, .* minimum distances\n"
+                                          "equal moments         none but the number of points\n"
+                                          "low frequencies       power falls off as frequency\\^2 or faster, .*\n"
                                           "\n"
                                           "points of a tile near      min      mean     max   density\n"
                                           "corners  .*\nedges  .*\ninterior  .*\n"));

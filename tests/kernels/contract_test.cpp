@@ -17,7 +17,7 @@
 #include "kernels/common/tile_sampling/recursive_tiles.h"
 #include "kernels/common/voronoi_darts.h"
 #include "kernels/common/warp.h"
-#include "tiles/poisson/object_lookup.hpp"
+#include "tiles/objects/object_lookup.hpp"
 
 #include "kernels/common/object_looks.h"
 

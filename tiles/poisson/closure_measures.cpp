@@ -86,7 +86,9 @@ ClosureMeasures measure_closures(const PoissonTileParameters& parameters, const 
 TileCertificate certificate_of(const PoissonTileParameters& p, const ClosureMeasures& measures,
                                std::uint64_t squared_separation)
 {
-    TileCertificate result{p.tiles, p.points_per_tile};
+    TileCertificate result;
+    result.tiles = p.tiles;
+    result.points_per_tile = p.points_per_tile;
     result.squared_closure_distance = measures.squared_distance;
     result.squared_separation = squared_separation;
     result.nearest = measures.nearest;

@@ -46,6 +46,9 @@ void check_border(const PoissonTileParameters& p)
     const bool has_chains = p.border == TileBorder::chain;
     if (p.joint_iterations > 100'000)
         throw refused("joint_iterations", p.joint_iterations, "must be an integer from 0 to 100000");
+    if (p.equal_moments > max_moment_order)
+        throw refused("equal_moments", p.equal_moments,
+                      fmt::format("must be an integer from 0 to {}", max_moment_order));
     if (has_chains && (p.dimension != 2 || p.kind == PoissonTileKind::edge))
         throw refused("border", tile_borders[p.border], fmt::format("must be \"strip\" for {} tiles", kind_name(p)));
     if (has_chains && !p.repulsion) throw refused("repulsion", p.repulsion, "must be true for tiles with chains");
@@ -84,7 +87,7 @@ void set_dart_throwing(PoissonTileParameters& parameters)
 }
 
 void set_border(PoissonTileParameters& p, TileBorder border, std::optional<std::uint32_t> joint_iterations,
-                std::optional<bool> null_peaks)
+                std::optional<bool> null_peaks, std::optional<std::uint32_t> equal_moments)
 {
     constexpr std::uint32_t best_iterations = 20;
     const bool has_chains = border == TileBorder::chain;
@@ -92,6 +95,12 @@ void set_border(PoissonTileParameters& p, TileBorder border, std::optional<std::
     p.repulsion = p.repulsion || has_chains;
     p.joint_iterations = joint_iterations.value_or(has_chains ? best_iterations : 0);
     p.null_peaks = null_peaks.value_or(p.joint_iterations > 0);
+    p.equal_moments = equal_moments.value_or(0);
+}
+
+std::uint32_t exact_moment_order(const PoissonTileParameters& p)
+{
+    return std::min(p.equal_moments, p.dimension == 2 ? 2U : 1U);
 }
 
 std::string kind_name(const PoissonTileParameters& parameters)

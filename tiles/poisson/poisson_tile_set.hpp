@@ -21,6 +21,9 @@ namespace poissonlab {
 inline constexpr std::uint32_t min_points_per_tile = 4;
 inline constexpr std::uint32_t max_points_per_tile = 4096;
 
+/// The highest order up to which tiles can be asked to have the same moments.
+inline constexpr std::uint32_t max_moment_order = 3;
+
 enum class PoissonTileKind : std::uint32_t
 {
     corner = 0, ///< 2D, C^4 tiles by the colours of their corners (section 4.5); 3D, C^8 (section 4.6): "sphere"
@@ -77,6 +80,7 @@ struct PoissonTileParameters
     TileBorder border = TileBorder::strip;
     std::uint32_t joint_iterations = 0; ///< of relaxing all tiles together
     bool null_peaks = false;            ///< in these, the mean of all tiles is made even
+    std::uint32_t equal_moments = 0;    ///< the order up to which all tiles have the same moments: docs/chain-tiles.md
     bool ranked = false;                ///< whether points have ranks, by which tilings get sparser
     std::uint64_t seed = 1;
 
@@ -89,7 +93,12 @@ void set_dart_throwing(PoissonTileParameters& parameters);
 /// Sets the border and what goes with it: for chains repulsion and, unless given, 20 joint iterations with nulling, the
 /// best of what was measured in docs/chain-tiles.md; for strips nothing that is not given.
 void set_border(PoissonTileParameters& parameters, TileBorder border,
-                std::optional<std::uint32_t> joint_iterations = {}, std::optional<bool> null_peaks = {});
+                std::optional<std::uint32_t> joint_iterations = {}, std::optional<bool> null_peaks = {},
+                std::optional<std::uint32_t> equal_moments = {});
+
+/// The order up to which equal moments are equal in whole numbers; those of higher orders that are asked for are so but
+/// for rounding.
+std::uint32_t exact_moment_order(const PoissonTileParameters& parameters);
 
 /// One of poisson_tile_families.
 std::string kind_name(const PoissonTileParameters& parameters);

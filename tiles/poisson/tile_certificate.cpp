@@ -118,7 +118,9 @@ TileCertificate certify(const PoissonTileSet& set)
     if (set.chain_lengths.size() != chains)
         throw InputError(fmt::format("{} lengths of chains: must be {}", set.chain_lengths.size(), chains));
     check_ranks(set);
-    return p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
+    TileCertificate result = p.border == TileBorder::chain ? certify_chains(set) : certify_strips(set);
+    result.moments = tile_moments(set);
+    return result;
 }
 
 std::string described(const NearestPair& pair, int dimension)
@@ -144,6 +146,7 @@ void check_promises(const PoissonTileParameters& parameters, std::uint64_t store
         throw InputError(fmt::format("relative_radius = {}: must be at most {:.6f}, which is proven{}",
                                      parameters.relative_radius, std::floor(certificate.relative_radius * 1e6) / 1e6,
                                      nearest));
+    check_moments(parameters, certificate.moments);
 }
 
 }

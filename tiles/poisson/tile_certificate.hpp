@@ -23,6 +23,7 @@
 
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/region_counts.hpp"
+#include "tiles/poisson/tile_moments.hpp"
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,8 @@ struct TileCertificate
     std::uint64_t squared_separation = 0;
     NearestPair nearest = {}; ///< the points that have the distance that occurs
 
+    TileMoments moments; ///< that all tiles have, which prove how fast spectra fall off
+
     std::array<RegionCounts, 4> regions{}; ///< by the dimension of the cell: corners first, the interior last
 
     /// No circle (ball) that is empty in any tiling has a larger radius, in tiles: at most 0.5 percent above
@@ -74,7 +77,8 @@ TileCertificate certify(const PoissonTileSet& set);
 std::string described(const NearestPair& pair, int dimension);
 
 /// Throws InputError, a sentence, where the file of a set promises more than its certificate proves: by the squared
-/// minimum distance that it states, or by its relative radius. It names the points that are too near.
+/// minimum distance that it states, by its relative radius, or by the moments that tiles should have in common. It names
+/// the points that are too near.
 void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
                     const TileCertificate& certificate);
 

@@ -23,7 +23,7 @@ constexpr std::string_view magic = "PTILES\r\n";
 constexpr std::uint32_t first_version = 1, last_version = 2;
 constexpr std::size_t header_size = 128;
 constexpr std::size_t checksum_offset = 120;
-constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 112; ///< of either version
+constexpr std::size_t first_reserved_offset = 88, last_reserved_offset = 116; ///< of either version
 
 /// Writes numbers one after the other, little-endian.
 class HeaderWriter
@@ -87,7 +87,8 @@ std::size_t rank_count(const PoissonTileParameters& p)
 
 std::uint32_t version_of(const PoissonTileParameters& p)
 {
-    const bool is_of_version_1 = p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks && !p.ranked;
+    const bool is_of_version_1 =
+        p.border == TileBorder::strip && p.joint_iterations == 0 && !p.null_peaks && !p.ranked && p.equal_moments == 0;
     return is_of_version_1 ? first_version : last_version;
 }
 
@@ -147,6 +148,7 @@ Header decode_fields(std::string_view bytes)
         header.overhang.below = choice<std::int32_t>(reader, "points below squares", tile_units / 2);
         header.overhang.above = choice<std::int32_t>(reader, "points above squares", tile_units / 2);
         p.ranked = choice<bool>(reader, "ranked", 1);
+        p.equal_moments = choice<std::uint32_t>(reader, "equal_moments", max_moment_order);
     }
     header.checksum = load<std::uint64_t>(bytes.substr(checksum_offset), std::endian::little);
     return header;
@@ -284,7 +286,7 @@ std::string encode_tile_set(const PoissonTileSet& set)
            << p.attempts << p.factor << p.lloyd_iterations << static_cast<std::uint32_t>(p.repulsion)
            << static_cast<std::uint32_t>(p.border) << p.joint_iterations << static_cast<std::uint32_t>(p.null_peaks)
            << static_cast<std::uint32_t>(overhang.below) << static_cast<std::uint32_t>(overhang.above)
-           << static_cast<std::uint32_t>(p.ranked);
+           << static_cast<std::uint32_t>(p.ranked) << p.equal_moments;
     bytes.resize(header_size);
     for (const std::uint16_t x : set.points) writer << x;
     for (const std::uint16_t length : set.chain_lengths) writer << length;

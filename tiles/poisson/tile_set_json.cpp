@@ -17,7 +17,7 @@ using Json = nlohmann::json; // its search for a key is not linear, as that of t
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr auto format_name = "poissonlab tile set";
-constexpr int json_version = 2; ///< the first one knows neither borders nor joint iterations
+constexpr int json_version = 3; ///< the first one knows neither borders nor joint iterations, the second no moments
 
 constexpr std::array known_keys{"format",
                                 "version",
@@ -35,6 +35,7 @@ constexpr std::array known_keys{"format",
                                 "border",
                                 "joint_iterations",
                                 "null_peaks",
+                                "equal_moments",
                                 "ranked",
                                 "seed",
                                 "min_distance",
@@ -62,6 +63,7 @@ OrderedJson parameters_to_json(const PoissonTileSet& set)
             {"border", tile_borders[p.border]},
             {"joint_iterations", p.joint_iterations},
             {"null_peaks", p.null_peaks},
+            {"equal_moments", p.equal_moments},
             {"ranked", p.ranked},
             {"seed", p.seed},
             {"min_distance", std::sqrt(static_cast<double>(set.squared_min_distance)) / tile_units},
@@ -146,6 +148,7 @@ PoissonTileParameters parameters_from_json(const Json& json)
         p.null_peaks = bool_at(json, "null_peaks");
         p.ranked = bool_at(json, "ranked");
     }
+    if (integer_at<int>(json, "version") > 2) p.equal_moments = integer_at<std::uint32_t>(json, "equal_moments");
     p.seed = integer_at<std::uint64_t>(json, "seed");
     return p;
 }
@@ -234,7 +237,7 @@ PoissonTileSet tile_set_from_json(std::string_view text)
     if (!json.is_object() || value_of(json, "format") != format_name)
         throw InputError(fmt::format("format: must be \"{}\"", format_name));
     if (const int version = integer_at<int>(json, "version"); version < 1 || version > json_version)
-        refuse("version", json["version"], fmt::format("1 or {}", json_version));
+        refuse("version", json["version"], fmt::format("1 to {}", json_version));
     for (const auto& [key, value] : json.items()) {
         if (std::ranges::find(known_keys, key) == known_keys.end())
             throw InputError(

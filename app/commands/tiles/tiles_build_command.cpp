@@ -61,6 +61,7 @@ struct TilesBuildOptions
     std::string border = otherwise().text("border");
     std::uint32_t joint_iterations = not_given;
     std::string null_peaks; ///< "on" or "off"; empty: not given
+    std::uint32_t equal_moments = not_given;
     bool ranked = false;
     std::uint64_t seed = 1;
     std::filesystem::path out;
@@ -102,9 +103,9 @@ PoissonTileParameters checked_parameters(const TilesBuildOptions& o)
     if (tile_fillings.find(o.filling) == TileFilling::dart_throwing) set_dart_throwing(p);
     p.lloyd_iterations = o.lloyd_iterations;
     p.repulsion = o.repulsion;
-    set_border(p, *tile_borders.find(o.border),
-               o.joint_iterations == not_given ? std::nullopt : std::optional(o.joint_iterations),
-               o.null_peaks.empty() ? std::nullopt : std::optional(o.null_peaks == "on"));
+    const auto if_given = [](std::uint32_t value) { return value == not_given ? std::nullopt : std::optional(value); };
+    set_border(p, *tile_borders.find(o.border), if_given(o.joint_iterations),
+               o.null_peaks.empty() ? std::nullopt : std::optional(o.null_peaks == "on"), if_given(o.equal_moments));
     p.ranked = o.ranked;
     p.seed = o.seed;
     try {
@@ -189,6 +190,8 @@ Command tiles_build_command()
              {"--joint-iterations", &o->joint_iterations, option_help(parameter_of(sampler, "joint_iterations")), "I"},
              "joint_iterations"),
          {"--null-peaks", &o->null_peaks, option_help(parameter_of(sampler, "null_peaks")), "on|off"},
+         as_parameter({"--equal-moments", &o->equal_moments, option_help(parameter_of(sampler, "equal_moments")), "M"},
+                      "equal_moments"),
          {"--ranked", &o->ranked, "Order points, so that any part of them is spread evenly: see tiles points"},
          {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
          {"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},

@@ -22,6 +22,8 @@ constexpr auto tiles_verify_notes =
     R"(FILE is a tile set, .ptiles or JSON: see docs/tile-set-file.md. Whatever made it, the minimum distance is proven
 for every tiling: the exact smallest one among all points that can be near each other. Exit status 2 if the file is
 damaged, tiles do not fit together, or it promises more than is proven.
+Moments: sums over the points of a tile of their coordinates, of squares and products (order 2), of cubes (order 3).
+Where all tiles have the same up to order m, spectra of tilings fall off as frequency^(2 m + 2): see docs/chain-tiles.md.
 Density: points in the regions over those of as many points spread evenly. Ranked sets: the power at low frequencies
 that parts of their points have, over what parts by chance would have; 0.5 and less is good.)";
 
@@ -80,6 +82,19 @@ std::string described_guarantee(const Verification& v)
                                                             : "MORE than is proven");
 }
 
+std::string described_moments(const TileMoments& moments)
+{
+    const std::uint32_t order = moments.equal_order();
+    return order == 0 ? "none but the number of points" : fmt::format("up to order {}, in whole numbers", order);
+}
+
+/// What moments that were asked for, and are equal but for rounding, leave of power.
+std::string described_residual(const MomentOrder& moments, std::uint32_t order)
+{
+    return fmt::format("differ by {:.2g} tiles^{}, a power of at most {:.2g} frequency^{}, in cycles a tile",
+                       moments.largest_difference, order, moments.power, 2 * order);
+}
+
 void print_summary(const Verification& v)
 {
     const PoissonTileParameters& p = v.parameters;
@@ -96,6 +111,11 @@ void print_summary(const Verification& v)
     line(p.dimension == 2 ? "largest empty circle" : "largest empty sphere",
          fmt::format("radius at most {:.6f} tiles, {:.4f} minimum distances", c.largest_empty_radius,
                      c.largest_empty_radius_in_min_distances));
+    line("equal moments", described_moments(c.moments));
+    line("low frequencies", fmt::format("power falls off as frequency^{} or faster, between the lattice's peaks",
+                                        c.moments.proven_exponent()));
+    for (std::uint32_t order = c.moments.equal_order() + 1; order <= p.equal_moments; ++order)
+        line(fmt::format("moments of order {}", order), described_residual(c.moments.orders[order - 1], order));
     for (const PrefixQuality& prefix : v.prefixes)
         line(fmt::format("{:.0f} % of the points", 100 * prefix.density),
              fmt::format("relative radius {:.4f}, power at low frequencies {:.4f}, {:.3f} of a random part's",
@@ -122,6 +142,10 @@ void print_json(const Verification& v)
               {"border", tile_borders[p.border]},
               {"joint_iterations", p.joint_iterations},
               {"null_peaks", p.null_peaks},
+              {"asked_equal_moments", p.equal_moments},
+              {"equal_moments", c.moments.equal_order()},
+              {"proven_exponent", c.moments.proven_exponent()},
+              {"moments", Json::array()},
               {"ranked", p.ranked},
               {"relative_radius", c.relative_radius},
               {"asked_relative_radius", p.relative_radius},
@@ -130,6 +154,13 @@ void print_json(const Verification& v)
               {"stored_squared_min_distance", v.stored_squared_distance},
               {"largest_empty_radius", c.largest_empty_radius},
               {"largest_empty_radius_in_min_distances", c.largest_empty_radius_in_min_distances}};
+    for (std::size_t i = 0; i < c.moments.orders.size(); ++i) {
+        const MomentOrder& moments = c.moments.orders[i];
+        json["moments"].push_back({{"order", i + 1},
+                                   {"equal", moments.are_equal},
+                                   {"largest_difference", moments.largest_difference},
+                                   {"power", moments.power}});
+    }
     for (int i = 0; i <= p.dimension; ++i) {
         const RegionCounts& r = c.regions[static_cast<std::size_t>(i)];
         json["regions"][region_name(i, p)] = {{"min", r.min}, {"mean", r.mean}, {"max", r.max}};

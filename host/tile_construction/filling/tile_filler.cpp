@@ -4,6 +4,7 @@
 #include "host/device/needed_buffers.hpp"
 #include "kernels/common/tile_filling.h"
 #include "kernels/common/vectors.h"
+#include "tiles/poisson/tile_moments.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,8 @@ struct FillBuffers
     Buffer<std::int32_t> points, moved, kept; ///< a coordinate each
     Buffer<double> doubles;
     Buffer<std::uint16_t> lists;
+    Buffer<std::uint8_t> exponents;
+    Buffer<std::int64_t> moments; ///< a torus' after the other
     Buffer<std::uint32_t> problem_numbers, streams, held, active, active_targets, all_targets, counts, levels,
         squared_kept; ///< a torus each
 
@@ -98,7 +101,9 @@ struct FillBuffers
                           {moved, coordinates},
                           {kept, coordinates},
                           {doubles, coordinates},
-                          {lists, listed}};
+                          {lists, listed},
+                          {exponents, contract::tile_filling::MAX_MONOMIALS * std::size_t{3}},
+                          {moments, tori * contract::tile_filling::MAX_MONOMIALS}};
         for (Buffer<std::uint32_t>* buffer : {&problem_numbers, &streams, &held, &active, &active_targets, &all_targets,
                                               &counts, &levels, &squared_kept})
             all.emplace_back(*buffer, tori);
@@ -161,7 +166,7 @@ private:
                     buffers_.all_targets);
         const std::vector<std::int32_t> thrown = buffers_.points.read(0, problems.size() * axes() * capacity_);
         relax(stage);
-        if (settings_.repulsion_passes > 0) repel(stage);
+        if (settings_.repulsion_passes > 0) repel(stage, problems);
         download(stage, problems, active_ends, thrown, filled, results);
     }
 
@@ -257,17 +262,33 @@ private:
                    b.active, b.lists, b.points, b.doubles, b.moved, b.kept, b.squared_kept);
     }
 
-    void repel(const FillStage& stage)
+    /// Returns the number of monomials.
+    std::uint32_t upload_moments(const FillStage& stage, std::span<const FillProblem> problems)
+    {
+        const std::vector<Monomial> monomials = monomials_up_to(stage.equal_moments, settings_.dimension);
+        if (monomials.empty()) return 0;
+        std::vector<std::uint8_t> exponents;
+        for (const Monomial& monomial : monomials)
+            exponents.insert(exponents.end(), monomial.begin(), monomial.begin() + settings_.dimension);
+        std::vector<std::int64_t> moments;
+        for (const FillProblem& problem : problems)
+            moments.insert(moments.end(), problem.moments.begin(), problem.moments.end());
+        buffers_.exponents.write(exponents);
+        buffers_.moments.write(moments);
+        return static_cast<std::uint32_t>(monomials.size());
+    }
+
+    void repel(const FillStage& stage, std::span<const FillProblem> problems)
     {
         const contract::tile_filling::Repulsion repulsion{.tori = tori(stage, stage.active.cells),
                                                           .distance = settings_.repulsion_distance,
                                                           .passes = settings_.repulsion_passes,
                                                           .wanted = settings_.wanted,
                                                           .surroundings_moved = stage.surroundings_move,
-                                                          .unused = 0};
+                                                          .monomials = upload_moments(stage, problems)};
         FillBuffers& b = buffers_;
         repel_.run(groups_ * work_group_size_, work_group_size_, repulsion, b.problem_numbers, b.counts, b.held,
-                   b.active, b.points, b.moved, b.kept, b.squared_kept);
+                   b.active, b.exponents, b.moments, b.points, b.moved, b.kept, b.squared_kept);
     }
 
     /// `count` points of a problem from number `first` on, `images` apart.

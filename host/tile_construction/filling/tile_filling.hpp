@@ -40,6 +40,10 @@ struct FillStage
     bool in_polygon = false;
 
     bool keep_tiles = false; ///< movements end in the tile that they start in
+
+    /// Repulsion also gives the active points of the tile at (0, 0) the moments of their problem, up to this order.
+    /// Tori that do not get these fail.
+    std::uint32_t equal_moments = 0;
 };
 
 struct FillProblem
@@ -49,6 +53,9 @@ struct FillProblem
     std::uint32_t active = 0;        ///< points that are wanted, those included
     std::uint32_t surroundings = 0;  ///< as many, or fewer where they do not fit
     std::uint32_t stream = 0;        ///< of random numbers
+
+    /// Of active points, in units from the middle of the tile at (0, 0): by monomials_up_to().
+    std::vector<std::int64_t> moments = {};
 };
 
 struct FilledTorus

@@ -2,6 +2,7 @@
 #include "host/tile_construction/filling/tile_filling.hpp"
 #include "base/geometry/point_set.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
+#include "host/tile_construction/moments/moment_step.hpp"
 #include "kernels/common/tile_filling.h"
 
 #include <algorithm>
@@ -16,7 +17,9 @@ class Filling
 {
 public:
     Filling(const FillSettings& settings, const FillStage& stage, const FillProblem& problem)
-        : settings_(settings), stage_(stage), points_(problem.held), active_begin_(problem.held.size())
+        : settings_(settings), stage_(stage), points_(problem.held), active_begin_(problem.held.size()),
+          monomials_(monomials_up_to(stage.equal_moments, settings.dimension)),
+          moment_step_(monomials_, problem.moments)
     {
         points_.insert(points_.end(), problem.given.begin(), problem.given.end());
         if (stage.in_polygon) polygon_ = problem.held;
@@ -95,13 +98,14 @@ public:
         points_ = kept;
     }
 
-    /// Until the wanted distance is there, or keeps the best.
-    void repel()
+    /// Until the wanted distance and the wanted moments are there, or keeps the best that has the moments. Returns the
+    /// squared distance of what is kept; 0: without the moments.
+    std::uint32_t repel()
     {
         std::uint32_t best = 0;
         std::vector<TilePosition> kept;
         for (std::uint32_t pass = 0;; ++pass) {
-            const std::uint32_t nearest = squared_min_distance();
+            const std::uint32_t nearest = has_moments() ? squared_min_distance() : 0;
             if (pass == 0 || nearest > best) {
                 best = nearest;
                 kept = points_;
@@ -110,8 +114,10 @@ public:
             std::vector<TilePosition> movements(points_.size());
             for (std::size_t i = active_begin_; i < active_end_; ++i) movements[i] = repelled(i);
             move(movements, active_end_, true);
+            if (!monomials_.empty()) correct_moments();
         }
         points_ = kept;
+        return best;
     }
 
 private:
@@ -177,6 +183,36 @@ private:
         return set;
     }
 
+    std::vector<FromMiddle> active_from_middle() const
+    {
+        std::vector<FromMiddle> from_middle;
+        for (std::size_t i = active_begin_; i < active_end_; ++i) from_middle.push_back(from_middle_of(points_[i]));
+        return from_middle;
+    }
+
+    FromMiddle from_middle_of(const TilePosition& position) const
+    {
+        FromMiddle at{};
+        for (std::size_t k = 0; k < dimension(); ++k) at[k] = shortest(position[k] - tile_units / 2);
+        return at;
+    }
+
+    bool has_moments()
+    {
+        moment_step_.measure(active_from_middle());
+        return moment_step_.is_near();
+    }
+
+    void correct_moments()
+    {
+        moment_step_.measure(active_from_middle());
+        moment_step_.find();
+        std::vector<TilePosition> movements(points_.size());
+        for (std::size_t i = active_begin_; i < active_end_; ++i)
+            movements[i] = limited(moment_step_.movement(from_middle_of(points_[i])));
+        move(movements, active_end_, true);
+    }
+
     /// All points up to `end` at once.
     void move(const std::vector<TilePosition>& movements, std::size_t end, bool slides)
     {
@@ -207,6 +243,13 @@ private:
                     sum[k] -= shortest(other[k] - points_[i][k]) / length * push;
             }
         }
+        return limited(sum);
+    }
+
+    /// In whole units, and at most as long as the distance that points are pushed to.
+    TilePosition limited(const std::array<double, 3>& sum) const
+    {
+        const double distance = settings_.repulsion_distance;
         double squared = 0;
         for (std::size_t k = 0; k < dimension(); ++k) squared += sum[k] * sum[k];
         const double length = std::sqrt(squared);
@@ -223,6 +266,8 @@ private:
     std::vector<TilePosition> polygon_; ///< none: points lie in cells
     std::size_t active_begin_;
     std::size_t active_end_ = 0;
+    std::vector<Monomial> monomials_; ///< whose sums are wanted
+    MomentStep moment_step_;
 };
 
 class ReferenceFiller final : public TileFiller
@@ -252,10 +297,11 @@ private:
                             problem.stream, attempt, 2 * stage.number + 1);
         result.thrown_surroundings = filling.surroundings();
         filling.relax();
-        if (settings_.repulsion_passes > 0) filling.repel();
+        const bool repels = settings_.repulsion_passes > 0;
+        const std::uint32_t reached = repels ? filling.repel() : filling.squared_min_distance();
         result.active = filling.active();
         result.surroundings = filling.surroundings();
-        result.squared_min_distance = filling.squared_min_distance();
+        result.squared_min_distance = reached;
         return result;
     }
 

@@ -16,6 +16,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
 
 namespace poissonlab {
 namespace {
@@ -250,6 +253,102 @@ TEST(ChainCertificate, SaysWhatDistanceThereIs)
     });
     EXPECT_THAT(message, testing::MatchesRegex("the points at .* and .* of tile 7 are 2000.0 units apart: must be at "
                                                "least 9336.9, the distance of the set's relative radius"));
+}
+
+// Equal moments.
+
+PoissonTileParameters even_parameters(std::uint32_t order, std::uint32_t colors = 2, double radius = 0.75)
+{
+    PoissonTileParameters p = chain_parameters(colors, 32, radius);
+    p.equal_moments = order;
+    return p;
+}
+
+TEST(ChainMoments, AreEqualInWholeNumbersAndCostNoDistance)
+{
+    for (const std::uint32_t order : {1, 2}) {
+        const PoissonTileSet set = chains_by_device(even_parameters(order, 3));
+        const TileCertificate proof = certify(set);
+        EXPECT_GE(proof.squared_min_distance, asked_squared_distance(set.parameters));
+        EXPECT_EQ(proof.moments.equal_order(), order);
+        EXPECT_EQ(proof.moments.proven_exponent(), 2 * order + 2);
+        EXPECT_EQ(refusal_of([&] { check_promises(set.parameters, proof.squared_min_distance, proof); }), "accepted");
+    }
+}
+
+/// The mean power of a random tiling on a torus of so many tiles at frequencies of about `cycles` over the torus, by
+/// its definition.
+double power_near(const PoissonTileSet& set, int side, double cycles)
+{
+    const std::uint32_t colors = set.parameters.colors;
+    std::mt19937 random(7);
+    std::vector<std::uint32_t> corner(static_cast<std::size_t>(side * side));
+    for (std::uint32_t& color : corner) color = static_cast<std::uint32_t>(random() % colors);
+    const auto color = [&](int x, int y) { return corner[static_cast<std::size_t>(y % side * side + x % side)]; };
+    std::vector<std::array<double, 2>> points;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const std::uint32_t tile =
+                corner_tile_of({color(x, y), color(x + 1, y), color(x, y + 1), color(x + 1, y + 1)}, 2, colors);
+            for (std::uint32_t i = 0; i < set.parameters.points_per_tile; ++i) {
+                const UnitPosition at = set.position(tile, i);
+                points.push_back({x + double{1} * at[0] / tile_units, y + double{1} * at[1] / tile_units});
+            }
+        }
+    double sum = 0;
+    int count = 0;
+    for (int b = 0; b <= side; ++b)
+        for (int a = -side; a <= side; ++a) {
+            if (std::abs(std::hypot(a, b) - cycles) > 0.25) continue;
+            std::complex<double> transform = 0;
+            for (const auto& [x, y] : points)
+                transform += std::polar(1.0, -2 * std::numbers::pi * (a * x + b * y) / side);
+            sum += std::norm(transform) / static_cast<double>(points.size());
+            ++count;
+        }
+    return sum / count;
+}
+
+/// A set without equal moments has 5e-4 and 4e-3 there.
+TEST(ChainMoments, TakeThePowerOutOfLowFrequencies)
+{
+    PoissonTileParameters p = even_parameters(2, 3);
+    set_border(p, TileBorder::chain, {}, {}, 2);
+    const PoissonTileSet set = chains_by_device(p);
+    EXPECT_LT(power_near(set, 48, 4), 1e-6);
+    EXPECT_LT(power_near(set, 48, 12), 2e-4);
+}
+
+TEST(ChainMoments, OfTemplateTilesAreEqual)
+{
+    PoissonTileParameters p = template_chain_parameters(9);
+    p.equal_moments = 2;
+    EXPECT_EQ(certify(chains_by_device(p)).moments.equal_order(), 2U);
+}
+
+TEST(ChainMoments, AreBrokenByAUnit)
+{
+    PoissonTileSet set = chains_by_device(even_parameters(2));
+    set.points[2 * (32 * 9 + 30)] += 1; // a point inside of tile 9
+    const TileCertificate proof = certify(set);
+    EXPECT_THAT(refusal_of([&] { check_promises(set.parameters, 0, proof); }),
+                HasSubstr("equal_moments = 2: must be at most 0: first moments of tile "));
+}
+
+TEST(ChainMoments, DoNotDependOnWhoMakesThem)
+{
+    const PoissonTileSet set = chains_by_device(even_parameters(2));
+    EXPECT_EQ(chains_by_reference(set.parameters), set);
+    EXPECT_EQ(chains_by_device(set.parameters, 7), set);
+    EXPECT_EQ(chains_by_device(set.parameters, 0, 1), set);
+}
+
+TEST(ChainMoments, ThatCannotBeHadAreRefused)
+{
+    PoissonTileParameters p = chain_parameters(2, 8, 0.7);
+    p.equal_moments = 2;
+    EXPECT_THAT(refusal_of([&] { chains_by_device(p); }),
+                HasSubstr("equal_moments = 2: must be at most 1 with these parameters: "));
 }
 
 // The gain of chains.

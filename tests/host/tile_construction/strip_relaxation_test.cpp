@@ -159,5 +159,42 @@ TEST(RelaxedStripsErrors, WhatCannotBeMendedGoesBack)
         }
 }
 
+// Equal moments.
+
+PoissonTileParameters with_moments(PoissonTileParameters p, std::uint32_t order)
+{
+    p.equal_moments = order;
+    return p;
+}
+
+class EvenStrips : public testing::TestWithParam<SmallSet>
+{
+};
+
+TEST_P(EvenStrips, HaveEqualMomentsAndTheDistance)
+{
+    const PoissonTileParameters& p = GetParam().parameters;
+    const PoissonTileSet set = strips_by_device(p);
+    const TileCertificate proof = certify(set);
+    EXPECT_GE(proof.squared_min_distance, asked_squared_distance(p));
+    EXPECT_GE(proof.moments.equal_order(), exact_moment_order(p));
+    EXPECT_EQ(refusal_of([&] { check_promises(p, proof.squared_min_distance, proof); }), "accepted");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sets, EvenStrips,
+    testing::Values(
+        SmallSet{"corner", with_moments(jointly(tile_set_parameters(corner_strips, 2, 2, 64, 0.75), 10, 8), 2)},
+        SmallSet{"alone", with_moments(jointly(tile_set_parameters(corner_strips, 2, 2, 64, 0.75), 10, 0), 1)},
+        SmallSet{"template", with_moments(jointly(tile_set_parameters(frame_strips, 2, 5, 64, 0.75), 10, 4), 2)},
+        SmallSet{"sphere", with_moments(jointly(tile_set_parameters(corner_strips, 3, 2, 128, 0.7), 0, 0), 1)}),
+    [](const auto& sets) { return sets.param.name; });
+
+TEST(EvenStripsDeterminism, DoNotDependOnWhoMakesThem)
+{
+    const PoissonTileParameters p = with_moments(jointly(tile_set_parameters(corner_strips, 2, 2, 48, 0.7), 5, 5), 2);
+    EXPECT_EQ(strips_by_reference(p), strips_by_device(p));
+}
+
 }
 }

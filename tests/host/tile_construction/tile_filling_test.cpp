@@ -1,6 +1,8 @@
 // Kernels against their plain twin, and both against what is asked of them.
 #include "host/tile_construction/filling/tile_filling.hpp"
 
+#include "tiles/poisson/tile_moments.hpp"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -128,6 +130,70 @@ TEST_P(TileFilling, PointsMayBeGiven)
         EXPECT_EQ(again[i], expected[i]);
     }
 }
+
+/// The moments of active points of the tile at (0, 0), as they are wanted in problems.
+std::vector<std::int64_t> moments_of(const std::vector<TilePosition>& points, std::uint32_t order, int dimension)
+{
+    std::vector<std::int64_t> sums;
+    for (const Monomial& monomial : monomials_up_to(order, dimension)) {
+        sums.push_back(0);
+        for (const TilePosition& point : points) {
+            std::array<std::int64_t, 3> at{};
+            for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k)
+                at[k] = shortest(point[k] - tile_units / 2);
+            sums.back() += value_of(monomial, at);
+        }
+    }
+    return sums;
+}
+
+class InsideFilling : public TileFilling
+{
+};
+
+/// Moments of another filling of the same torus are a distance away that repulsion has to make up for.
+TEST_P(InsideFilling, MomentsAreBroughtToWhatIsWanted)
+{
+    const auto reference = reference::make_tile_filler(settings_);
+    const auto first = reference->fill(stage_, problems_, 1), other = reference->fill(stage_, problems_, 2);
+    const int dimension = settings_.dimension;
+    const std::uint32_t order = dimension == 2 ? 2 : 1;
+    stage_.equal_moments = order;
+    for (std::size_t i = 0; i < problems_.size(); ++i) {
+        problems_[i].given = first[i].active;
+        problems_[i].surroundings = 0;
+        problems_[i].moments = moments_of(first[i].active, order, dimension);
+        const auto others = moments_of(other[i].active, order, dimension);
+        for (std::size_t m = 0; m < others.size(); ++m)
+            problems_[i].moments[m] += (others[m] - problems_[i].moments[m]) / 4;
+    }
+    settings_.lloyd_iterations = 0;
+    const auto expected = reference::make_tile_filler(settings_)->fill(stage_, problems_, 1);
+    std::size_t reached = 0;
+    for (const std::size_t size : {1, 4, 32}) {
+        const auto filled = make_tile_filler(settings_, Device::open(), size)->fill(stage_, problems_, 1);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            SCOPED_TRACE(testing::Message() << "work-group size " << size << ", torus " << i);
+            EXPECT_EQ(filled[i], expected[i]);
+            if (filled[i].squared_min_distance < settings_.wanted) continue;
+            ++reached;
+            const auto found = moments_of(filled[i].active, order, dimension);
+            for (std::size_t m = 0; m < found.size(); ++m) {
+                const bool is_first = m < static_cast<std::size_t>(dimension);
+                const auto points = static_cast<double>(filled[i].active.size());
+                // A quarter of a unit each, at most half a tile from the middle.
+                EXPECT_LE(std::abs(static_cast<double>(found[m] - problems_[i].moments[m])),
+                          (points + 4) / 4 * (is_first ? 1 : tile_units / 2));
+            }
+        }
+    }
+    EXPECT_GT(reached, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Insides, InsideFilling,
+                         testing::Values(Case{"interior", 2, false, 4, true}, Case{"interior_3d", 3, false, 8, true},
+                                         Case{"polygon", 2, false, 0, false, true}),
+                         [](const auto& stage) { return std::string(stage.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Stages, TileFilling,
                          testing::Values(Case{"empty", 2, false, 0, false}, Case{"one_tile", 2, true, 0, false},

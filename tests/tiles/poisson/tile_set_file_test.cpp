@@ -44,7 +44,7 @@ PoissonTileSet unusual_set()
 PoissonTileSet chain_set()
 {
     PoissonTileParameters p = corner_parameters(2, 9, 0.4);
-    set_border(p, TileBorder::chain, 123, false);
+    set_border(p, TileBorder::chain, 123, false, 3);
     PoissonTileSet set = random_points(p);
     for (std::uint16_t length = 0; length < 8; ++length) set.chain_lengths.push_back(length);
     return set;
@@ -180,7 +180,8 @@ TEST(TileSetFile, EveryFieldOfVersion2IsChecked)
     EXPECT_THAT(error(104, 12u), HasSubstr("points above squares = 12: must be "));
     EXPECT_EQ(error(108, 2u), "a.ptiles: ranked = 2: must be at most 1");
     EXPECT_THAT(error(108, 1u), HasSubstr("must be 1008 for 16 tiles of 9 points"));
-    EXPECT_EQ(error(112, 1u), "a.ptiles: reserved bytes 112 to 119: must be 0");
+    EXPECT_EQ(error(112, 4u), "a.ptiles: equal_moments = 4: must be at most 3");
+    EXPECT_EQ(error(116, 1u), "a.ptiles: reserved bytes 116 to 119: must be 0");
     EXPECT_THAT(error_of(bytes.substr(0, bytes.size() - 16)), HasSubstr("must be "));
 }
 
@@ -324,7 +325,7 @@ TEST_F(TileSetJson, EveryValueIsChecked)
 {
     EXPECT_EQ(error_of(text_), "accepted");
     EXPECT_EQ(error_with("poissonlab tile set", "x"), "a.ptiles: format: must be \"poissonlab tile set\"");
-    EXPECT_EQ(error_with("\"version\": 2", "\"version\": 3"), "a.ptiles: version = 3: must be 1 or 2");
+    EXPECT_EQ(error_with("\"version\": 3", "\"version\": 4"), "a.ptiles: version = 4: must be 1 to 3");
     EXPECT_EQ(error_with("\"corner\"", "\"corn\""),
               "a.ptiles: kind = \"corn\": must be one of corner, edge, template, sphere");
     EXPECT_EQ(error_with("\"corner\"", "\"sphere\""), "a.ptiles: dimension = 2: must be 3");

@@ -1,4 +1,4 @@
-#include "host/tile_construction/chain_mending.hpp"
+#include "host/tile_construction/chains/chain_mending.hpp"
 
 #include "tiles/poisson/chain_geometry.hpp"
 

@@ -1,0 +1,75 @@
+#include "host/tile_construction/moments/equal_moments.hpp"
+
+#include "base/errors/errors.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace poissonlab {
+namespace {
+
+class MomentMaking
+{
+public:
+    using Tiles = EvenableTiles::Tiles;
+
+    MomentMaking(const EvenableTiles& tiles, const std::function<void(std::size_t, std::size_t)>& progress)
+        : tiles_(tiles), progress_(progress)
+    {}
+
+    /// Gives tiles the mean moments up to an order. Returns those that cannot have them.
+    Tiles without(const Tiles& all, std::uint32_t order) const
+    {
+        const MomentTargets targets(tiles_.set(), order);
+        Tiles open = inexact(targets, all, tiles_.settle(targets, all));
+        for (std::uint32_t round = 0; round < tiles_.rounds && !open.empty(); ++round) {
+            open = inexact(targets, open, tiles_.settle_anew(targets, open, round));
+            if (progress_) progress_(all.size() - open.size(), all.size());
+        }
+        return open;
+    }
+
+private:
+    /// Makes moments exact in tiles that did not fail. Returns the others, and those where it cannot be done.
+    Tiles inexact(const MomentTargets& targets, const Tiles& all, const Tiles& failed) const
+    {
+        std::vector<char> is_good(all.size());
+        tbb::parallel_for(std::size_t{0}, all.size(), [&](std::size_t i) {
+            is_good[i] = !std::ranges::binary_search(failed, all[i]) && tiles_.make_exact(targets, all[i]);
+        });
+        Tiles left;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!is_good[i]) left.push_back(all[i]);
+        return left;
+    }
+
+    const EvenableTiles& tiles_;
+    const std::function<void(std::size_t, std::size_t)>& progress_;
+};
+
+}
+
+void make_moments_equal(const PoissonTileParameters& p, const EvenableTiles& tiles,
+                        const std::function<void(std::size_t, std::size_t)>& progress)
+{
+    const MomentMaking making(tiles, progress);
+    EvenableTiles::Tiles all(p.tiles);
+    std::iota(all.begin(), all.end(), 0u);
+    EvenableTiles::Tiles failed;
+    do {
+        failed = making.without(all, p.equal_moments);
+        if (failed.empty()) return;
+    } while (tiles.give_way(failed));
+    std::uint32_t most = p.equal_moments - 1;
+    while (most > 0 && !making.without(failed, most).empty()) --most;
+    throw invalid_value(
+        {}, "equal_moments", fmt::format("{}", p.equal_moments),
+        fmt::format("must be at most {} with these parameters: {} of {} tiles cannot have equal moments "
+                    "up to this order",
+                    most, failed.size(), p.tiles));
+}
+
+}

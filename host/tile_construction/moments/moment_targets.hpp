@@ -1,0 +1,42 @@
+// The moments that all tiles of a set are to have, and what of them is left for the points inside of a tile.
+#pragma once
+
+#include "host/tile_construction/moments/exact_moments.hpp"
+#include "tiles/poisson/tile_moments.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// What coordinates of tiles whose moments are made exact may lose of the minimum distance, in units.
+double moment_margin(const PoissonTileParameters& parameters);
+
+class MomentTargets
+{
+public:
+    /// The mean of all tiles as they are, up to this order.
+    MomentTargets(const PoissonTileSet& set, std::uint32_t order);
+
+    std::uint32_t order() const { return order_; }
+
+    /// What is left for the inside of a tile that owns these other points, relative to its lower corner: as
+    /// FillProblem::moments.
+    std::vector<std::int64_t> left_in_units(std::span<const UnitPosition> others) const;
+
+    /// Makes the moments of a tile exact, as far as exact_moment_order() says; false: that cannot be done. Points move
+    /// by so little that the minimum distance bears it; they may leave where they should be.
+    bool make_exact(std::vector<UnitPosition>& inside, std::span<const UnitPosition> others) const;
+
+private:
+    StoredFromMiddle stored(const UnitPosition& position) const;
+    std::vector<std::int64_t> left(std::span<const UnitPosition> others) const;
+
+    PoissonTileParameters p_;
+    std::uint32_t order_;
+    std::vector<Monomial> monomials_;
+    std::vector<std::int64_t> wanted_; ///< in stored numbers
+};
+
+}
