@@ -1,6 +1,8 @@
 // Writes point sets as text, CSV, PLY, NumPy or USD.
+#include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/particle_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"
 
@@ -100,6 +102,13 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write)
 {
+    if (is_particle_file(path)) {
+        if (dimension != 3)
+            throw InputError(fmt::format("{}: particles of simulations are in 3D; these points are in 2D, which .npy, "
+                                         ".csv, .ply and text take",
+                                         printable(path.string())));
+        return write_particles_in_pieces(path, points, 1, "sides of the box", comment, write);
+    }
     const auto extension = path.extension();
     if (extension == ".usda") return write_usd_points(path, dimension, points, comment, write);
     const bool is_ply = extension == ".ply", is_npy = extension == ".npy", is_csv = extension == ".csv";

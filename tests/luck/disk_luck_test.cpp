@@ -81,6 +81,31 @@ TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
     }
 }
 
+/// HDF5 writes these files itself.
+TEST_F(DiskLuck, FillsUpWhileParticlesAreWritten)
+{
+    ASSERT_EQ(run_program(folder_.path(), {"tiles", "build", "sphere", "--colors", "1", "--points", "16", "--lloyd",
+                                           "2", "--quiet", "--relative-radius", "0.5", "--out", absolute("set.ptiles")})
+                  .status,
+              0);
+    for (const std::string name : {"glass.hdf5", "glass.h5part"}) {
+        std::filesystem::create_directories(path("new"));
+        const std::string file = absolute("new/" + name);
+        const std::vector<std::string> command{"tiles", "points", "set.ptiles", "--torus", "30", "--out", file};
+        const long all = calls_below("new", command);
+        ASSERT_GT(all, 3);
+        const std::string earlier = content_of(file);
+        ASSERT_FALSE(earlier.empty());
+        for (const long after : {0L, all / 2, all - 1}) {
+            SCOPED_TRACE(name + " after " + std::to_string(after));
+            const Outcome outcome = run_program(folder_.path(), command, bad_luck(full("new", after)));
+            expect_one_line(outcome, 1, file + ": cannot be written: No space left on device");
+            EXPECT_THAT(left_over(path("new")), IsEmpty());
+            EXPECT_EQ(content_of(file), earlier);
+        }
+    }
+}
+
 /// Before a set of any size is built.
 TEST_F(DiskLuck, HasNoPlaceForTiles)
 {

@@ -3,6 +3,7 @@
 #include "app/commands/point_target.hpp"
 #include "app/commands/tiles/window_density.hpp"
 #include "base/errors/errors.hpp"
+#include "base/points/particle_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/tile_points/point_levels.hpp"
@@ -22,10 +23,14 @@ from the bottom), in each from west to east. The seed chooses the tiling: window
 The format follows the extension: .npy, .csv, .usda, .ply (ascii), or text; the latter two say `domain 0:N`, the longest
 side of the window, so that poissonlab analyze takes the points of a square one; for .npy and .csv, --domain N. Edges of
 the window are not those of a torus: --set analysis.window=true.
+With --torus, N x N (x N) tiles whose opposite edges fit: a box with periodic borders, as simulations have it.
+Points of cubes as particles: .hdf5 is a snapshot as Gadget has it (BoxSize in tiles), which monofonIC takes as a glass;
+.h5part has x, y and z in the unit cube, for SPH-EXA.
 With --density, points are left out: those of the highest ranks (tiles build --ranked), of sets without ranks any. No
 point moves. A number is the part that is left; a picture or a formula in x and y, laid over the window, says it for each
 place, in parts of its largest value.
   poissonlab tiles points corner.ptiles --window -8 -8 16 16 --out points.npy
+  poissonlab tiles points sphere.ptiles --torus 92 --out glass.hdf5
   poissonlab tiles points ranked.ptiles --window 0 0 30 20 --density photo.jpg --density-from ink --out dots.ply
   poissonlab tiles points ranked.ptiles --window 0 0 20 20 --density "exp(-8*(x^2+y^2))" --out blob.txt)help";
 
@@ -33,6 +38,7 @@ struct TilesPointsOptions
 {
     std::filesystem::path file;       ///< the tile set
     std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
+    std::uint32_t torus = 0;          ///< tiles along each axis; 0: a window of the plane
     std::uint32_t seed = 1;
     std::string density = "1"; ///< a number, the name of a picture, or a formula
     std::string density_from = "light";
@@ -58,21 +64,52 @@ TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension
     return block;
 }
 
-/// The comment in the file; its domain is the square (cube) that the window fits into.
-std::string comment_of(const TilesPointsOptions& options, const TileBlock& block)
+/// The whole torus.
+TileBlock torus_block(std::uint32_t tiles, int dimension)
+{
+    if (tiles < 1 || tiles > 65'535)
+        throw InputError(fmt::format("tiles points: --torus {}: must be 1 to 65,535 tiles", tiles));
+    TileBlock block;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) block.size[axis] = tiles;
+    return block;
+}
+
+TileBlock checked_block(const TilesPointsOptions& options, int dimension)
+{
+    if (options.window.empty() == (options.torus == 0))
+        throw InputError("tiles points: needs --window or --torus, and not both");
+    return options.torus > 0 ? torus_block(options.torus, dimension) : checked_window(options.window, dimension);
+}
+
+/// Particles are in cubes.
+void check_particles(const TilesPointsOptions& options, const TileBlock& block, int dimension)
+{
+    if (!is_particle_file(options.out)) return;
+    const std::string out = fmt::format("tiles points: --out {}", printable(options.out.string()));
+    if (dimension != 3)
+        throw InputError(out +
+                         ": particles of simulations are in 3D, and these tiles in 2D: must be .npy, .csv, .usda, "
+                         ".ply or text");
+    if (block.size[0] != block.size[1] || block.size[0] != block.size[2])
+        throw InputError(out + ": particles are in a cube: --window must have as many tiles along each axis");
+}
+
+/// What the file says of its points.
+std::string comment_of(const TilesPointsOptions& options)
 {
     const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
-    return fmt::format(
-        "domain 0:{}\npoissonlab tiles points {} --window {} --seed {}{}: coordinates in tiles, from the "
-        "lowest corner of the window",
-        std::ranges::max(block.size), options.file.filename().string(), fmt::join(options.window, " "), options.seed,
-        density);
+    const std::string place = options.torus > 0 ? fmt::format("--torus {}", options.torus)
+                                                : fmt::format("--window {}", fmt::join(options.window, " "));
+    return fmt::format("poissonlab tiles points {} {} --seed {}{}: coordinates in tiles, from the "
+                       "lowest corner of the {}",
+                       options.file.filename().string(), place, options.seed, density,
+                       options.torus > 0 ? "torus" : "window");
 }
 
 /// With chains, points lie outside of their tiles' squares: those of a window are looked for one tile farther.
-TileBlock searched_block(const TileBlock& window, const PoissonTileParameters& p)
+TileBlock searched_block(const TileBlock& window, std::uint32_t period, const PoissonTileParameters& p)
 {
-    if (p.border == TileBorder::strip) return window;
+    if (p.border == TileBorder::strip || period > 0) return window;
     TileBlock block = window;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         constexpr std::uint32_t most = 65'534;
@@ -87,20 +124,21 @@ TileBlock searched_block(const TileBlock& window, const PoissonTileParameters& p
     return block;
 }
 
-/// Hands on the coordinates, in tiles, of the points of a window, in pieces.
+/// Hands on the coordinates, in tiles, of the points of a window or of a whole torus, in pieces.
 class WindowPoints
 {
 public:
-    /// `tiles` and `density` must outlive this.
-    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window,
+    /// `tiles` and `density` must outlive this. `period`: of the torus that the block is; 0: the plane.
+    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window, std::uint32_t period,
                  const WindowDensity& density)
-        : tiles_(tiles), window_(window), density_(density), block_(searched_block(window, tiles.parameters)),
-          generator_(device, tiles)
+        : tiles_(tiles), window_(window), period_(period), density_(density),
+          block_(searched_block(window, period, tiles.parameters)), generator_(device, tiles)
     {}
 
     std::size_t count(std::uint32_t seed)
     {
-        if (!has_overhang() && density_.is_full()) return window_.tiles() * tiles_.parameters.points_per_tile;
+        if ((!has_overhang() || period_ > 0) && density_.is_full())
+            return window_.tiles() * tiles_.parameters.points_per_tile;
         std::size_t points = 0;
         stream(seed, [&](std::span<const double> coordinates) { points += coordinates.size() / dimension(); });
         return points;
@@ -108,8 +146,9 @@ public:
 
     void stream(std::uint32_t seed, const PointSink& sink)
     {
-        PointLevels levels(tiles_, {seed, 0}, block_);
-        generator_.stream({seed, 0}, block_, [&](std::span<const std::uint32_t> units) {
+        const PoissonTiling tiling{seed, static_cast<std::int32_t>(period_)};
+        PointLevels levels(tiles_, tiling, block_);
+        generator_.stream(tiling, block_, [&](std::span<const std::uint32_t> units) {
             stop_if_interrupted();
             coordinates_.clear();
             std::span<const double> level;
@@ -131,6 +170,11 @@ private:
     /// Appends a point and says so, unless it is outside of the window.
     bool append_if_inside(std::span<const std::uint32_t> units)
     {
+        if (period_ > 0) {
+            for (const std::uint32_t unit : units)
+                coordinates_.push_back(static_cast<double>(torus_place(unit, period_)) / 65536.0);
+            return true;
+        }
         constexpr std::uint32_t tile = 65536;
         const std::uint32_t margin = has_overhang() ? tile : 0; // of the block around the window
         for (std::size_t axis = 0; has_overhang() && axis < units.size(); ++axis)
@@ -141,6 +185,7 @@ private:
 
     const PoissonTileSet& tiles_;
     TileBlock window_;
+    std::uint32_t period_;
     const WindowDensity& density_;
     TileBlock block_;
     TilePointGenerator generator_;
@@ -152,13 +197,20 @@ void write_tile_points(const TilesPointsOptions& options)
     check_point_target("tiles points", options.out);
     const PoissonTileSet tiles = read_tile_set(options.file);
     const PoissonTileParameters& p = tiles.parameters;
-    const TileBlock block = checked_window(options.window, p.dimension);
+    const TileBlock block = checked_block(options, p.dimension);
+    check_particles(options, block, p.dimension);
     const WindowDensity density(options.density, options.density_from, block, p.dimension);
     const Device device = Device::open(options.device);
     check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
-    WindowPoints points(device, tiles, block, density);
-    write_points_in_pieces(options.out, p.dimension, points.count(options.seed), comment_of(options, block),
-                           [&](const PointSink& sink) { points.stream(options.seed, sink); });
+    WindowPoints points(device, tiles, block, options.torus, density);
+    const std::size_t count = points.count(options.seed);
+    const auto stream = [&](const PointSink& sink) { points.stream(options.seed, sink); };
+    const std::uint32_t side = std::ranges::max(block.size); // of the square (cube) that the points are in
+    if (is_particle_file(options.out))
+        write_particles_in_pieces(options.out, count, side, "tiles", comment_of(options), stream);
+    else
+        write_points_in_pieces(options.out, p.dimension, count,
+                               fmt::format("domain 0:{}\n{}", side, comment_of(options)), stream);
 }
 
 }
@@ -168,10 +220,13 @@ Command tiles_points_command()
     const auto o = std::make_shared<TilesPointsOptions>();
     return {
         "points",
-        "Write the points of a window of a tiling to a file",
+        "Write the points of a window of a tiling, or of a torus, to a file",
         {{"FILE", &o->file, "The tile set (.ptiles, .json)"},
          {"--window", &o->window, "The tiles: lowest one, and how many along each axis", "X Y W H (3D: X Y Z W H D)",
-          required, 6},
+          optional, 6},
+         allowing({"--torus", &o->torus, "Instead of a window: so many tiles along each axis, whose opposite edges fit",
+                   "N"},
+                  integers(1, 65'535)),
          {"--out", &o->out, "The point file", "FILE", required},
          {"--density", &o->density,
           "The part of the points that is left, everywhere or from place to place; default: 1", "NUMBER|IMAGE|FORMULA"},
