@@ -62,7 +62,8 @@ void serialize(Archive& archive, Series& series)
 {
     archive(series.points, series.points_each, series.realizations, series.repeated, series.min_distance,
             series.relative_radius, series.covered_fraction, series.measures, series.is_window, series.spectrum_size,
-            series.pair_correlation_file, series.folded_density, series.zone_plate, series.analysis_seconds);
+            series.pair_correlation_file, series.number_variance_file, series.folded_density, series.zone_plate,
+            series.analysis_seconds);
 }
 
 }

@@ -15,6 +15,7 @@ namespace {
 
 constexpr const char* radial_header = "frequency,power,anisotropy_db,samples,power_error";
 constexpr const char* pair_correlation_header = "distance,pair_correlation,standard_error,pairs";
+constexpr const char* number_variance_header = "radius,points,variance,standard_error";
 constexpr const char* zone_plate_header = "distance,frequency,rms_error,pixels";
 
 /// A line for each bin, with the numbers that `row` makes a tuple of.
@@ -49,6 +50,13 @@ std::string pair_correlation_csv(const std::vector<PairCorrelationBin>& bins)
     });
 }
 
+std::string number_variance_csv(const std::vector<NumberVarianceBin>& bins)
+{
+    return csv(number_variance_header, bins, [](const NumberVarianceBin& bin) {
+        return std::tuple(bin.radius, bin.points, bin.variance, bin.standard_error);
+    });
+}
+
 std::string zone_plate_csv(const std::vector<ErrorBin>& bins)
 {
     return csv(zone_plate_header, bins,
@@ -69,6 +77,16 @@ std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesyste
     for (const auto& row : read_number_table(path, pair_correlation_header, "distances"))
         bins.push_back({row[0], row[1], finite(row[2], path, bins.size(), "standard_error"),
                         finite(row[3], path, bins.size(), "pairs")});
+    return bins;
+}
+
+std::vector<NumberVarianceBin> read_number_variance_table(const std::filesystem::path& path)
+{
+    std::vector<NumberVarianceBin> bins;
+    for (const auto& row : read_number_table(path, number_variance_header, "radii"))
+        bins.push_back({row[0], finite(row[1], path, bins.size(), "points"),
+                        finite(row[2], path, bins.size(), "variance"),
+                        finite(row[3], path, bins.size(), "standard_error")});
     return bins;
 }
 

@@ -1,6 +1,8 @@
-// The curves of a series: radial.csv, pair-correlation.csv and zone-plate.csv, numbers in their shortest exact form.
+// The curves of a series: radial.csv, pair-correlation.csv, number-variance.csv and zone-plate.csv, numbers in their
+// shortest exact form.
 #pragma once
 
+#include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
@@ -17,12 +19,16 @@ std::string radial_csv(const std::vector<RadialBin>& bins);
 /// Columns distance,pair_correlation,standard_error,pairs.
 std::string pair_correlation_csv(const std::vector<PairCorrelationBin>& bins);
 
+/// Columns radius,points,variance,standard_error.
+std::string number_variance_csv(const std::vector<NumberVarianceBin>& bins);
+
 /// Columns distance,frequency,rms_error,pixels.
 std::string zone_plate_csv(const std::vector<ErrorBin>& bins);
 
 /// These read what those wrote. Each throws InputError with file and line.
 std::vector<RadialBin> read_radial_table(const std::filesystem::path& path);
 std::vector<PairCorrelationBin> read_pair_correlation_table(const std::filesystem::path& path);
+std::vector<NumberVarianceBin> read_number_variance_table(const std::filesystem::path& path);
 std::vector<ErrorBin> read_zone_plate_table(const std::filesystem::path& path);
 
 /// The bin of the highest power. `bins` must not be empty.

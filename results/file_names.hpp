@@ -14,6 +14,7 @@ inline constexpr const char* spectrum = "spectrum.exr";
 inline constexpr const char* spectrum_volume = "spectrum-volume.exr";
 inline constexpr const char* radial = "radial.csv";
 inline constexpr const char* pair_correlation = "pair-correlation.csv";
+inline constexpr const char* number_variance = "number-variance.csv";
 inline constexpr const char* folded_density = "folded-density.exr";
 inline constexpr const char* iterations = "iterations.csv";
 inline constexpr const char* zone_plate = "zone-plate.exr";

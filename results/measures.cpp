@@ -240,6 +240,19 @@ std::vector<Measure> spectral_measures()
                       significant(2),
                       "Over the frequencies up to {√N|∛N} / 4, with its standard error: 1 for random points; stealthy "
                       "sets have 0.001 or less.")),
+        number(
+            "hyperuniformity_exponent", "hyperuniformity exponent", "", Better::higher, MeasureKind::estimate,
+            decimals(2),
+            "b where power goes as frequency^b towards frequency 0, by maximum likelihood over the frequencies up to "
+            "{√N|∛N} / 4, of tilings up to 0.4 of the frequency at which tiles repeat, with its standard error. 0 for "
+            "random points; the higher, the more even the points are at large scales. Stealthy sets have no "
+            "exponent: it says how deep they fall, or is 0 where all that is left is rounding."),
+        number(
+            "hyperuniformity_p_value", "p-value of hyperuniformity", "", Better::neither, MeasureKind::estimate,
+            significant(2),
+            "The probability that a hyperuniform set looks as little hyperuniform as this one: the significance test "
+            "of Klatt, Last and Henze. Below 0.05 some power is left at frequency 0, however little it is, see the "
+            "mean power at low frequencies."),
         row("peak_anisotropy", "peak anisotropy", "dB", Better::lower, MeasureKind::estimate, decimals(1),
             "The largest anisotropy of a {ring|shell} of at least 100 samples, with its standard error: chance alone "
             "stays "

@@ -101,6 +101,7 @@ struct Series
     std::string radial_file;   ///< empty: no spectrum was made
     double background_anisotropy_db = 0;
     std::string pair_correlation_file;               ///< empty: sets of one point
+    std::string number_variance_file;                ///< empty: sets of a few points
     std::optional<FoldedDensityFile> folded_density; ///< of tilings of the plane
     std::optional<Iterations> iterations;
     std::optional<ZonePlateResult> zone_plate;

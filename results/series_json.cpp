@@ -173,6 +173,8 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     });
     m.group_if(!series.pair_correlation_file.empty(), "pair_correlation",
                [&](JsonMembers& pairs) { pairs.file_name("file", series.pair_correlation_file); });
+    m.group_if(!series.number_variance_file.empty(), "number_variance",
+               [&](JsonMembers& variance) { variance.file_name("file", series.number_variance_file); });
     m.object("folded_density", series.folded_density);
     if (series.iterations && series.iterations->realizations.empty())
         m.json("iterations", null); // without finite means

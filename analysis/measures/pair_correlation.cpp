@@ -1,5 +1,6 @@
 #include "analysis/measures/pair_correlation.hpp"
 
+#include "analysis/measures/cell_grid.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/window.hpp"
@@ -22,53 +23,20 @@ constexpr double least_shell = 1e-14;
 
 using Counts = std::vector<std::uint64_t>;
 
-/// Points sorted by the cells of a grid; cells that may hold a pair within reach are at most `span` apart.
-template <int D>
-struct CellGrid
+/// Cells that may hold a pair within reach are at most this many apart. Where a cell would be met twice, one cell is
+/// all.
+int span_of(double reach, int cells)
 {
-    int cells = 1;                               ///< along each axis
-    int span = 0;                                ///< 2 span + 1 <= cells: no cell is met twice
-    std::vector<std::size_t> starts;             ///< the first point of each cell, and the end of the last
-    std::array<std::vector<double>, D> position; ///< sorted
+    const int span = static_cast<int>(reach * cells * (1 + 0x1p-40)) + 1; // cells between and one on: rounding
+    return 2 * span + 1 > cells ? 0 : span;
+}
 
-    CellGrid(const PointSet& points, double reach)
-    {
-        // Some two points a cell; without a smaller neighbourhood than the whole, one cell.
-        const double per_axis = std::pow(static_cast<double>(points.size()) / 2, 1.0 / D);
-        cells = std::max(1, static_cast<int>(std::min(per_axis, 1024.0)));
-        span = static_cast<int>(reach * cells * (1 + 0x1p-40)) + 1; // cells between and one on: rounding
-        if (2 * span + 1 > cells) cells = 1, span = 0;
-        sort(points);
-    }
-
-    std::size_t count() const { return starts.size() - 1; }
-
-private:
-    std::size_t cell_of(std::span<const double> x) const
-    {
-        std::size_t cell = 0;
-        for (int k = D - 1; k >= 0; --k) {
-            const int along = std::min(static_cast<int>(x[k] * cells), cells - 1);
-            cell = cell * static_cast<std::size_t>(cells) + static_cast<std::size_t>(along);
-        }
-        return cell;
-    }
-
-    void sort(const PointSet& points)
-    {
-        const std::size_t total =
-            D == 2 ? static_cast<std::size_t>(cells) * cells : static_cast<std::size_t>(cells) * cells * cells;
-        starts.assign(total + 1, 0);
-        for (std::size_t i = 0; i < points.size(); ++i) ++starts[cell_of(points[i]) + 1];
-        for (std::size_t c = 0; c < total; ++c) starts[c + 1] += starts[c];
-        std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-        for (auto& axis : position) axis.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::size_t to = next[cell_of(points[i])]++;
-            for (int k = 0; k < D; ++k) position[k][to] = points[i][static_cast<std::size_t>(k)];
-        }
-    }
-};
+template <int D>
+int cells_for_pairs(std::size_t points, double reach)
+{
+    const int cells = CellGrid<D>::cells_of(points);
+    return span_of(reach, cells) == 0 ? 1 : cells;
+}
 
 /// Half of the offsets to neighbouring cells, one of each opposite two.
 template <int D>
@@ -91,7 +59,8 @@ class PairCounter
 {
 public:
     PairCounter(const PointSet& points, double max_distance, std::size_t bins)
-        : grid_(points, max_distance), offsets_(half_of_offsets<D>(grid_.span)), bins_(bins),
+        : grid_(points, cells_for_pairs<D>(points.size(), max_distance)),
+          offsets_(half_of_offsets<D>(span_of(max_distance, grid_.cells))), bins_(bins),
           scale_(static_cast<double>(bins) / max_distance)
     {}
 

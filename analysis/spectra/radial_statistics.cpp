@@ -66,12 +66,6 @@ std::vector<Sum> sums_of(const Spectrum& spectrum, const RadialBins& bins, const
     return std::move(sums[0]);
 }
 
-/// Powers up to this are zeros: the square of the transform's error, over N.
-double zero_power(const Spectrum& spectrum)
-{
-    return spectrum.transform_error * spectrum.transform_error * static_cast<double>(spectrum.points);
-}
-
 double to_anisotropy_db(double variance, double mean, double zero)
 {
     const double ratio = mean > zero ? variance / (mean * mean) : 0.0;
@@ -102,6 +96,11 @@ std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_wi
     }
     radial.erase(radial.begin());
     return radial;
+}
+
+double zero_power(const Spectrum& spectrum)
+{
+    return spectrum.transform_error * spectrum.transform_error * static_cast<double>(spectrum.points);
 }
 
 double background_anisotropy_db(int realizations) { return -10.0 * std::log10(static_cast<double>(realizations)); }

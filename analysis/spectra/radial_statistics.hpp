@@ -30,6 +30,9 @@ struct RadialBin
 /// and so are bins that reach beyond the spectrum's border.
 std::vector<RadialBin> radial_statistics(const Spectrum& spectrum, double bin_width = 1);
 
+/// Powers up to this are zeros: the square of the transform's error, over N.
+double zero_power(const Spectrum& spectrum);
+
 /// The anisotropy of white noise averaged over K periodograms, the reference line: -10 log10 K dB.
 double background_anisotropy_db(int realizations);
 

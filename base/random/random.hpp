@@ -50,6 +50,8 @@ enum class Purpose : std::uint32_t
     edge_curves = 56,
     isohedral_points = 57,
     mesh_colors = 58,
+    hyperuniformity_test = 60,
+    variance_windows = 61,
 };
 
 /// The 64-bit key of one independent stream.

@@ -81,6 +81,8 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         [&] { measure_first(); });
     if (const auto pairs = series_.pair_correlation(); !pairs.empty())
         write_text(file_names::pair_correlation, pair_correlation_csv(pairs));
+    if (const auto variance = series_.number_variance(); !variance.empty())
+        write_text(file_names::number_variance, number_variance_csv(variance));
     if (const auto folded = series_.folded_density()) {
         write_square_image(store.file(key, file_names::folded_density), *folded, metadata);
         files.emplace_back(file_names::folded_density);

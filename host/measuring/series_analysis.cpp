@@ -2,6 +2,7 @@
 
 #include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/distance_within_tiles.hpp"
+#include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/lattice_share.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
@@ -60,6 +61,8 @@ void SeriesAnalysis::start()
     if (has_spectrum()) start_spectrum();
     if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
     if (options_.tiles > 0 && dimension_ == 2) folded_.emplace(options_.tiles, begin_.points);
+    if (begin_.points >= NumberVarianceEstimate::least_points(dimension_))
+        variance_.emplace(dimension_, begin_.points, options_.window);
     if (options_.distances_only) return;
     if (!options_.window) integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
     if (has_pairs_) start_pairs();
@@ -138,6 +141,7 @@ bool SeriesAnalysis::add(const PointSet& points)
     if (integration_) integration_->add(points);
     if (seams_) seams_->add(points);
     if (folded_) folded_->add(points);
+    if (variance_) variance_->add(points);
     if (n < 2) leave_out_pairs();
     if (pairs_) pairs_->add(points);
     count_seconds();
@@ -176,6 +180,7 @@ void SeriesAnalysis::append(const SeriesAnalysis& next)
     if (integration_) integration_->append(next.integration_.value());
     if (seams_) seams_->append(next.seams_.value());
     if (folded_) folded_->append(next.folded_.value());
+    if (variance_) variance_->append(next.variance_.value());
 }
 
 /// The tile set of each set's realization; none where all have one.
@@ -250,6 +255,7 @@ Series SeriesAnalysis::result() const
     series.is_window = options_.window;
     series.spectrum_size = spectrum_size_;
     if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
+    if (!number_variance().empty()) series.number_variance_file = file_names::number_variance;
     if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
     series.analysis_seconds = seconds_;
     return series;
@@ -278,6 +284,7 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
     const FrequencyRange low = low_frequency_range(n, mean.dimension);
     measures_.low_frequency_power = low_frequency_power(radial, low);
     if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
+    measure_hyperuniformity(mean);
     if (options_.tiles > 0) {
         measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
         if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
@@ -288,6 +295,18 @@ void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
             measures_.numbers["off_lattice_anisotropy"] = {*db, {}};
     }
     if (realizations > 1) measure_errors(radial, mean.dimension);
+}
+
+void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)
+{
+    const std::size_t n = sets_.front().points;
+    const int realizations = static_cast<int>(sets_.size());
+    const auto low = power_shells(mean, hyperuniform_range(n, mean.dimension, options_.tiles));
+    if (const auto exponent = hyperuniformity_exponent(low, realizations, zero_power(mean)))
+        measures_.numbers["hyperuniformity_exponent"] = {exponent->value, exponent->standard_error};
+    const auto lowest = power_shells(mean, hyperuniformity_test_range(n, mean.dimension, options_.tiles));
+    if (const auto p = hyperuniformity_p_value(lowest, realizations, zero_power(mean)))
+        measures_.numbers["hyperuniformity_p_value"] = {*p, {}};
 }
 
 /// Standard errors from how much the measures depend on single realizations, or on single tile sets.
@@ -318,6 +337,11 @@ void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension
 std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
 {
     return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
+}
+
+std::vector<NumberVarianceBin> SeriesAnalysis::number_variance() const
+{
+    return variance_ ? variance_->mean() : std::vector<NumberVarianceBin>{};
 }
 
 std::optional<SquareImage> SeriesAnalysis::folded_density() const

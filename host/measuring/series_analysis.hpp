@@ -3,6 +3,7 @@
 
 #include "analysis/measures/folded_density.hpp"
 #include "analysis/measures/integration_error.hpp"
+#include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/measures/seam_density.hpp"
 #include "analysis/measures/set_mark.hpp"
@@ -85,6 +86,9 @@ public:
     /// it; empty where a set has one point only.
     std::vector<PairCorrelationBin> pair_correlation() const;
 
+    /// The mean number variance over the radius; empty where a set has a few points only.
+    std::vector<NumberVarianceBin> number_variance() const;
+
     /// The density over the tile, of tilings of the plane.
     std::optional<SquareImage> folded_density() const;
 
@@ -106,6 +110,7 @@ public:
         if (!sets_.empty() && !has_started_) start();
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);
+        if (variance_) archive(*variance_);
         if (integration_) archive(*integration_);
         if (seams_) archive(*seams_);
         if (folded_) archive(*folded_);
@@ -146,6 +151,7 @@ private:
     void start_spectrum();
     void start_pairs();
     void leave_out_pairs();
+    void measure_hyperuniformity(const Spectrum& mean);
     void measure_errors(std::vector<RadialBin> radial, int dimension);
 
     std::string label_;
@@ -165,6 +171,7 @@ private:
     std::optional<SpectrumEstimate> estimate_;
     PointSet first_; ///< for measures of the first set alone
     std::optional<PairCorrelationEstimate> pairs_;
+    std::optional<NumberVarianceEstimate> variance_;
     std::optional<IntegrationErrorEstimate> integration_;
     std::optional<SeamDensity> seams_;    ///< of tilings
     std::optional<FoldedDensity> folded_; ///< of tilings of the plane

@@ -43,6 +43,7 @@ public:
     int dimension() const { return sets_.front().dimension; }
     const std::vector<RadialBin>& radial() const { return radial_; }
     const std::vector<PairCorrelationBin>& pairs() const { return pairs_; }
+    const std::vector<NumberVarianceBin>& number_variance() const { return number_variance_; }
     const std::vector<PointSet>& sets() const { return sets_; }
     const std::vector<Spectrum>& spectra() const { return spectra_; }
     static bool are_planes() { return false; }
@@ -113,6 +114,7 @@ private:
         stop_if_interrupted();
         analysis.measure_first();
         pairs_ = analysis.pair_correlation();
+        number_variance_ = analysis.number_variance();
         series_ = analysis.result();
         series_.name = experiment_.series.front().name;
         series_.label = experiment_.series.front().label;
@@ -130,6 +132,7 @@ private:
     Series series_;
     std::vector<RadialBin> radial_;
     std::vector<PairCorrelationBin> pairs_;
+    std::vector<NumberVarianceBin> number_variance_;
     std::vector<Spectrum> spectra_; ///< one, or none
 };
 

@@ -41,6 +41,10 @@ public:
     {
         return read(series().pair_correlation_file, read_pair_correlation_table);
     }
+    std::vector<NumberVarianceBin> number_variance() const
+    {
+        return read(series().number_variance_file, read_number_variance_table);
+    }
     std::vector<Spectrum> spectra() const { return read(series().spectrum_file, read_spectrum_planes); }
     bool are_planes() const { return dimension() == 3; }
 

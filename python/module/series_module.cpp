@@ -56,6 +56,16 @@ py::dict columns_of(const std::vector<PairCorrelationBin>& bins)
     return columns;
 }
 
+py::dict columns_of(const std::vector<NumberVarianceBin>& bins)
+{
+    py::dict columns;
+    columns["radius"] = column_of<double>(bins, &NumberVarianceBin::radius);
+    columns["points"] = column_of<double>(bins, &NumberVarianceBin::points);
+    columns["variance"] = column_of<double>(bins, &NumberVarianceBin::variance);
+    columns["error"] = column_of<double>(bins, &NumberVarianceBin::standard_error);
+    return columns;
+}
+
 py::dict planes_of(std::vector<Spectrum> spectra, bool are_planes, bool variance)
 {
     py::dict planes;

@@ -1,6 +1,7 @@
 // A series with its curves for Python, wherever it comes from: sets in memory, or an output folder.
 #pragma once
 
+#include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/spectra/spectrum.hpp"
@@ -20,6 +21,7 @@ namespace poissonlab {
 /// The names, columns and planes by which Python sees these, without copies where that is possible.
 pybind11::dict columns_of(const std::vector<RadialBin>& bins);
 pybind11::dict columns_of(const std::vector<PairCorrelationBin>& bins);
+pybind11::dict columns_of(const std::vector<NumberVarianceBin>& bins);
 
 /// The spectra by their planes: "" for all of a spectrum, shape (size, size) or, in 3D, (size, size, size).
 pybind11::dict planes_of(std::vector<Spectrum> spectra, bool are_planes, bool variance);
@@ -30,8 +32,8 @@ pybind11::dict measures_of(const Series& series, int dimension);
 /// The pictures of a figure.
 pybind11::list pictures_of(const std::vector<FigurePicture>& pictures);
 
-/// Binds a class with the functions series(), dimension(), radial(), pairs(), spectra(), are_planes(), sets() and
-/// figure().
+/// Binds a class with the functions series(), dimension(), radial(), pairs(), number_variance(), spectra(),
+/// are_planes(), sets() and figure().
 template <typename Source, typename Class>
 void bind_series(Class& type)
 {
@@ -43,6 +45,8 @@ void bind_series(Class& type)
         .def_property_readonly("realizations", [](const Source& s) { return s.series().realizations; })
         .def("radial", [](const Source& s) { return columns_of(without_lock([&] { return s.radial(); })); })
         .def("pairs", [](const Source& s) { return columns_of(without_lock([&] { return s.pairs(); })); })
+        .def("number_variance",
+             [](const Source& s) { return columns_of(without_lock([&] { return s.number_variance(); })); })
         .def("spectra",
              [](const Source& s, bool variance) {
                  return planes_of(without_lock([&] { return s.spectra(); }), s.are_planes(), variance);

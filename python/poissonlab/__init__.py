@@ -19,7 +19,7 @@ from . import distribute
 from . import samplers as _samplers
 from ._poissonlab import DeviceError, InputError, StorageError
 from ._poissonlab import version as __version__
-from .analysis import Analysis, Measure, PairCorrelation, Radial, analyze
+from .analysis import Analysis, Measure, NumberVariance, PairCorrelation, Radial, analyze
 from .points import read_points, write_points
 from .results import Results, open, run
 from .samplers import *  # noqa: F403: a class for every method
@@ -27,7 +27,8 @@ from .tiles import Certificate, NearestPoints, TilePoints, TileSet
 
 # Not `open`, so that `from poissonlab import *` leaves the interpreter's own.
 __all__ = [
-    "Analysis", "Certificate", "DeviceError", "InputError", "Measure", "NearestPoints", "PairCorrelation", "Radial",
-    "Results", "StorageError", "TilePoints", "TileSet", "analyze", "distribute", "read_points", "run", "write_points",
+    "Analysis", "Certificate", "DeviceError", "InputError", "Measure", "NearestPoints", "NumberVariance",
+    "PairCorrelation", "Radial", "Results", "StorageError", "TilePoints", "TileSet", "analyze", "distribute",
+    "read_points", "run", "write_points",
     *_samplers.__all__,
 ]

@@ -39,6 +39,18 @@ class PairCorrelation(NamedTuple):
     pairs: numpy.ndarray     #: pairs in the bin, mean over the sets
 
 
+class NumberVariance(NamedTuple):
+    """How much the number of points in a disk (3D: ball) varies from place to place. Arrays of shape (radii,).
+
+    Torquato and Stillinger, Physical Review E 68, 041113, 2003. Independent points have points * (1 - V), V the volume.
+    """
+
+    radius: numpy.ndarray    #: in unit lengths
+    points: numpy.ndarray    #: mean number of points in the ball
+    variance: numpy.ndarray  #: of that number, mean over the sets
+    error: numpy.ndarray     #: standard error over the realizations; 0 for a single one
+
+
 class Measure(NamedTuple):
     """One number that is measured on a series."""
 
@@ -126,6 +138,11 @@ class Analysis:
     def pair_correlation(self) -> PairCorrelation:
         """The pair correlation function: a PairCorrelation, without bins where it was not measured."""
         return PairCorrelation(**frozen_columns(self._source.pairs()))
+
+    @cached_property
+    def number_variance(self) -> NumberVariance:
+        """The number variance: a NumberVariance, without radii where sets have a few points only."""
+        return NumberVariance(**frozen_columns(self._source.number_variance()))
 
     @cached_property
     def spectrum(self) -> Optional[numpy.ndarray]:

@@ -121,6 +121,14 @@ std::vector<CurvePoint> pair_curve(const Run& run, const Series& series)
     return curve;
 }
 
+std::vector<CurvePoint> variance_curve(const Run& run, const Series& series)
+{
+    std::vector<CurvePoint> curve;
+    for (const auto& bin : read_number_variance_table(run.folder / series.number_variance_file))
+        curve.push_back({bin.radius, {bin.variance, bin.standard_error, samples_of(series)}});
+    return curve;
+}
+
 void SeriesNumbers::add_curves()
 {
     const auto& a = *pair_.before;
@@ -130,6 +138,9 @@ void SeriesNumbers::add_curves()
                   "frequency");
     if (!a.pair_correlation_file.empty() && !b.pair_correlation_file.empty())
         add_curve("pair correlation", pair_curve(*pair_.run_before, a), pair_curve(*pair_.run_after, b), "distance");
+    if (!a.number_variance_file.empty() && !b.number_variance_file.empty())
+        add_curve("number variance", variance_curve(*pair_.run_before, a), variance_curve(*pair_.run_after, b),
+                  "radius");
 }
 
 }

@@ -1,5 +1,6 @@
 // The plots of a series: radially averaged power, anisotropy, pair correlation, iterations, and the sampling test with
 // its picture.
+#include "analysis/measures/hyperuniformity.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "reports/layout/series_panels.hpp"
 #include "reports/words/number_format.hpp"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 
@@ -39,20 +41,39 @@ Panel power_panel(const ReportSeries& series, std::size_t index, const RunPlots&
             .thumbnail = Thumbnail{"radial", "Radial power"}};
 }
 
+/// The power law of the lowest frequencies; of results without it, that of all low ones.
+std::optional<LowFrequencyPower> lowest_power_law(const ReportSeries& series)
+{
+    const Measures& measures = series.stored->measures;
+    const auto found = measures.numbers.find("hyperuniformity_exponent");
+    if (found == measures.numbers.end()) return measures.low_frequency_power;
+    const int tiles = measures.lattice_peaks ? measures.lattice_peaks->tiles : 0;
+    const FrequencyRange range = hyperuniform_range(series.stored->points, series.run->dimension, tiles);
+    LowFrequencyPower law;
+    law.exponent = found->second.value;
+    law.exponent_standard_error = found->second.standard_error.value_or(0);
+    law.begin = range.begin;
+    law.end = std::floor(range.end);
+    return law;
+}
+
 std::string slope_caption(const ReportSeries& series)
 {
-    const auto& fit = series.stored->measures.low_frequency_power;
-    if (!fit) return "Too few rings at low frequencies for a slope.";
-    return fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {} ± {}.",
-                       format_exact(fit->begin), format_exact(fit->end), format_fixed(fit->exponent, 2),
-                       format_fixed(fit->exponent_standard_error, 2));
+    const auto law = lowest_power_law(series);
+    if (!law) return "Too little power, or too few rings at low frequencies, for a slope.";
+    auto text = fmt::format("Dashed: from frequency {} to {} the power goes as the frequency to the power of {} ± {}.",
+                            format_exact(law->begin), format_exact(law->end), format_fixed(law->exponent, 2),
+                            format_fixed(law->exponent_standard_error, 2));
+    const auto& numbers = series.stored->measures.numbers;
+    if (const auto p = numbers.find("hyperuniformity_p_value"); p != numbers.end())
+        text += fmt::format(" Test for hyperuniformity: p = {}.", format_significant(p->second.value, 2));
+    return text;
 }
 
 Panel structure_factor_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
 {
     return {.stem = "structure-factor",
-            .picture = structure_factor_alone(plots.structure, index, series.curve,
-                                              series.stored->measures.low_frequency_power),
+            .picture = structure_factor_alone(plots.structure, index, series.curve, lowest_power_law(series)),
             .title = "Structure factor",
             .caption = slope_caption(series),
             .guide =
@@ -62,7 +83,9 @@ Panel structure_factor_panel(const ReportSeries& series, std::size_t index, cons
                 "instead, however low, is noise that stays at all scales, as random points (1) and dart throwing "
                 "(0.06) have it. <b>Stealthy</b> sets have no power at all up to a frequency: a cliff instead of a "
                 "slope, to which no exponent belongs; in practice one of 10<sup>−3</sup> or less. The slope's "
-                "error is that of a straight line: where the curve bends, the slope is only its mean.",
+                "error is that of a straight line: where the curve bends, the slope is only its mean. The test "
+                "asks whether some power is left at frequency 0: a <i>p</i> below 0.05 says that the set is not "
+                "hyperuniform, however small that power may be.",
             .stored = {{"csv", series.run->folder / series.stored->radial_file}}};
 }
 
@@ -101,6 +124,23 @@ Panel pair_correlation_panel(const ReportSeries& series, std::size_t index, cons
             "(dashed). 0 up to the minimum distance (dotted); a peak says that many points have their neighbours at "
             "that distance, waves after it that order reaches far. The band is one standard error.",
         .stored = {{"csv", series.run->folder / series.stored->pair_correlation_file}}};
+}
+
+Panel number_variance_panel(const ReportSeries& series, std::size_t index, const RunPlots& plots)
+{
+    const NumberVarianceBin& last = series.number_variance.back();
+    return {.stem = "number-variance",
+            .picture = alone(plots.variance, index),
+            .title = "Number variance",
+            .caption = fmt::format("{} within a radius of {}, where {} points are expected.",
+                                   format_significant(last.variance, 3), format_significant(last.radius, 3),
+                                   format_significant(last.points, 4)),
+            .guide = fmt::format(
+                "How much the number of points in a {} varies from place to place, over how much that of "
+                "random points does (dashed). A set is <b>hyperuniform</b> where this goes on falling: as "
+                "one over the radius at best, because points at the {} come and go.",
+                series.run->dimension == 3 ? "ball" : "disk", series.run->dimension == 3 ? "surface" : "rim"),
+            .stored = {{"csv", series.run->folder / series.stored->number_variance_file}}};
 }
 
 /// "Mean over 10 sets in the band from the least to the largest.", and how many stopped before the others.
@@ -208,6 +248,7 @@ void add_curve_panels(const ReportSeries& series, std::size_t index, const RunPl
         panels.push_back(anisotropy_panel(series, index, plots));
     }
     if (!series.pair_correlation.empty()) panels.push_back(pair_correlation_panel(series, index, plots));
+    if (!series.number_variance.empty()) panels.push_back(number_variance_panel(series, index, plots));
 }
 
 void add_iteration_panels(const ReportSeries& series, std::size_t index, const RunPlots& plots,

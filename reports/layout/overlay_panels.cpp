@@ -67,6 +67,18 @@ void add_pair_correlation_panel(const SeriesList& series, std::vector<Panel>& pa
          "first peak, and more peaks after it, are order."});
 }
 
+void add_number_variance_panel(const SeriesList& series, std::vector<Panel>& panels)
+{
+    const auto curves = number_variance_curves(series);
+    if (curves.size() < 2) return;
+    panels.push_back(
+        {"number-variance-all", together(number_variance_plot(curves)), "Number variance",
+         "over the radius, both axes logarithmic",
+         "How much the number of points in a ball varies from place to place, over how much that of random "
+         "points does (dashed). Curves that go on falling, by a factor of ten a decade at best, are "
+         "hyperuniform; one that runs level has kept noise at all scales."});
+}
+
 void add_iteration_panels(const SeriesList& series, std::vector<Panel>& panels)
 {
     const auto curves = iteration_curves(series);
@@ -105,6 +117,7 @@ std::vector<Panel> overlay_panels(const SeriesList& series)
     const auto named = with_points_in_names(series);
     add_frequency_panels(named, panels);
     add_pair_correlation_panel(named, panels);
+    add_number_variance_panel(named, panels);
     add_iteration_panels(named, panels);
     add_zone_plate_panel(named, panels);
     return panels;

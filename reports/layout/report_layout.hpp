@@ -1,6 +1,7 @@
 // Which series a report shows, under what name, and where its pictures go.
 #pragma once
 
+#include "analysis/measures/number_variance.hpp"
 #include "analysis/measures/pair_correlation.hpp"
 #include "analysis/zone_plate/zone_plate_error.hpp"
 #include "reports/layout/construction_pictures.hpp"
@@ -29,6 +30,7 @@ struct ReportSeries
     std::filesystem::path pictures; ///< folder of its pictures and its page
     Curve curve;
     std::vector<PairCorrelationBin> pair_correlation; ///< empty for sets of one point
+    std::vector<NumberVarianceBin> number_variance;   ///< empty for sets of a few points
     IterationRecords iterations;                      ///< empty for methods without any
     std::vector<ErrorBin> zone_plate;                 ///< empty for series without the sampling test
     std::vector<Panel> panels;                        ///< its pictures, in the order of its page

@@ -109,6 +109,17 @@ std::vector<PairCorrelationCurve> pair_correlation_curves(const SeriesList& seri
     return curves;
 }
 
+std::vector<NumberVarianceCurve> number_variance_curves(const SeriesList& series)
+{
+    std::vector<NumberVarianceCurve> curves;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const ReportSeries& entry = *series[i].series;
+        if (!entry.number_variance.empty())
+            curves.push_back({i, series[i].label, entry.stored->points, entry.run->dimension, &entry.number_variance});
+    }
+    return curves;
+}
+
 bool has_own_energy(const ReportSeries& series)
 {
     return series.stored->sampler == "gaussian-blue-noise" || series.stored->sampler == "target-spectrum";

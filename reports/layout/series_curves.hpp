@@ -5,6 +5,7 @@
 #include "reports/plots/curves.hpp"
 #include "reports/plots/integration_curves.hpp"
 #include "reports/plots/iteration_curves.hpp"
+#include "reports/plots/number_variance_curves.hpp"
 #include "reports/plots/pair_correlation_curves.hpp"
 #include "reports/plots/tile_size_curves.hpp"
 #include "reports/plots/zone_plate_curves.hpp"
@@ -43,6 +44,9 @@ std::vector<NumberedCurve> principal_curves(const SeriesList& series);
 
 /// The pair correlations of the series that have one; distances in units of the largest possible minimum distance.
 std::vector<PairCorrelationCurve> pair_correlation_curves(const SeriesList& series);
+
+/// The number variances of the series that have one.
+std::vector<NumberVarianceCurve> number_variance_curves(const SeriesList& series);
 
 /// The iterations of the series that have some.
 std::vector<IterationCurve> iteration_curves(const SeriesList& series);

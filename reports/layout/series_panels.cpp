@@ -80,6 +80,7 @@ RunPlots run_plots(const ReportRun& run)
                    structure_factor_plot(frequencies, LengthUnit::absolute),
                    anisotropy_plot(frequencies, LengthUnit::absolute),
                    pair_correlation_plot(pair_correlation_curves(series), packing_distance),
+                   number_variance_plot(number_variance_curves(series)),
                    {},
                    {},
                    {},

@@ -12,7 +12,7 @@ namespace poissonlab {
 /// its axes compare with those of the others.
 struct RunPlots
 {
-    Plot power, structure, anisotropy, pairs;
+    Plot power, structure, anisotropy, pairs, variance;
     std::optional<Plot> radius, energy, own_energy, plate; ///< where a series has these curves
 };
 

@@ -42,6 +42,8 @@ void read_curves(ReportSeries& series)
     series.curve = read_curve(*series.run, stored);
     if (!stored.pair_correlation_file.empty())
         series.pair_correlation = read_pair_correlation_table(folder / stored.pair_correlation_file);
+    if (!stored.number_variance_file.empty())
+        series.number_variance = read_number_variance_table(folder / stored.number_variance_file);
     if (stored.iterations && !stored.iterations->file.empty())
         series.iterations = read_iterations_table(folder / stored.iterations->file);
     if (stored.zone_plate) series.zone_plate = read_zone_plate_table(folder / stored.zone_plate->error_file);

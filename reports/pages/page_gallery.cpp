@@ -12,9 +12,9 @@ namespace poissonlab {
 
 namespace {
 
-constexpr std::array gallery_columns = {"relative_radius", "mean_nearest_distance", "effective_nyquist",
-                                        "oscillation",     "low_frequency_mean",    "low_frequency_exponent",
-                                        "peak_anisotropy"};
+constexpr std::array gallery_columns = {
+    "relative_radius",    "mean_nearest_distance",    "effective_nyquist",       "oscillation",
+    "low_frequency_mean", "hyperuniformity_exponent", "hyperuniformity_p_value", "peak_anisotropy"};
 
 PageData gallery_cell(const Measure& measure, const std::optional<MeasuredValue>& value)
 {

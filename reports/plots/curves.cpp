@@ -95,6 +95,23 @@ std::optional<SlopeMark> above(double height, SlopeMark line)
     return line;
 }
 
+/// Lines of f^2, f^4 and f^6 through one place, the power at which the first rise of good sets begins, to compare
+/// curves with; where no power is as low, they would say nothing.
+std::vector<SlopeMark> power_laws(const Plot& plot, double spacing_frequency)
+{
+    constexpr double shown_below = 1e-5, begin = 0.4, power = 0.03;
+    std::vector<SlopeMark> laws;
+    const double right = begin * spacing_frequency;
+    if (plot.y.low > shown_below || !(plot.x.low < right)) return laws;
+    for (const int exponent : {2, 4, 6}) {
+        const SlopeMark whole{
+            plot.x.low, power * std::pow(plot.x.low / right, exponent), right, power, fmt::format("f^{}", exponent),
+            true};
+        if (const auto part = above(plot.y.low, whole)) laws.push_back(*part);
+    }
+    return laws;
+}
+
 }
 
 std::string frequency_words(LengthUnit unit)
@@ -166,6 +183,13 @@ Plot structure_factor_plot(const std::vector<NumberedCurve>& curves, LengthUnit 
         for (auto* values : {&curve.y, &curve.low, &curve.high})
             for (double& value : *values) value = std::max(value, below);
     }
+    double spacing = 0; // the lowest frequency of one cycle per mean spacing
+    for (const auto& numbered : curves) {
+        const double one =
+            frequency_factor(*numbered.curve, unit) / frequency_factor(*numbered.curve, LengthUnit::spacing);
+        spacing = spacing == 0 ? one : std::min(spacing, one);
+    }
+    plot.slopes = power_laws(plot, spacing);
     return plot;
 }
 
@@ -173,8 +197,10 @@ Plot structure_factor_alone(const Plot& all, std::size_t index, const Curve& cur
                             const std::optional<LowFrequencyPower>& fit)
 {
     Plot plot = alone(all, index);
-    if (fit) plot.slope = fitted_line(curve.bins, *fit);
-    if (plot.slope) plot.slope = above(plot.y.low, *plot.slope);
+    plot.slopes.clear();
+    if (!fit) return plot;
+    if (const auto line = fitted_line(curve.bins, *fit))
+        if (const auto part = above(plot.y.low, *line)) plot.slopes.push_back(*part);
     return plot;
 }
 

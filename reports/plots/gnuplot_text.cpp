@@ -82,8 +82,11 @@ std::string upright_mark(const UprightMark& mark)
 std::string slope_mark(const SlopeMark& slope)
 {
     return fmt::format("set arrow from {0:.6g}, {1:.6g} to {2:.6g}, {3:.6g} nohead back lw 0.8 dt (6,4) lc rgb '{4}'\n"
-                       "set label '{5}' at {2:.6g}, {3:.6g} right offset 0,0.8 textcolor rgb '{4}'\n",
-                       slope.left, slope.left_height, slope.right, slope.right_height, mark_color, slope.name);
+                       "set label '{5}' at {6:.6g}, {7:.6g} {8} textcolor rgb '{4}'\n",
+                       slope.left, slope.left_height, slope.right, slope.right_height, mark_color, slope.name,
+                       slope.name_on_the_left ? slope.left : slope.right,
+                       slope.name_on_the_left ? slope.left_height : slope.right_height,
+                       slope.name_on_the_left ? "left offset 0.8,0.5" : "right offset 0,0.8");
 }
 
 std::string frame(const Plot& plot)
@@ -92,7 +95,7 @@ std::string frame(const Plot& plot)
     if (plot.top) text += top_axis(*plot.top);
     for (const auto& line : plot.references) text += reference_line(line);
     for (const auto& mark : plot.marks) text += upright_mark(mark);
-    if (plot.slope) text += slope_mark(*plot.slope);
+    for (const auto& slope : plot.slopes) text += slope_mark(slope);
     return text;
 }
 

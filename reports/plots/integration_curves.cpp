@@ -58,7 +58,8 @@ Plot integration_error_plot(const std::vector<IntegrationCurve>& curves, const s
               .step = 10,
               .logarithmic = true};
     // Errors of random points fall with slope -1/2, here from the upper left.
-    plot.slope = {points.low, errors.high, points.high, errors.high * std::sqrt(points.low / points.high), "N^{−1/2}"};
+    plot.slopes = {
+        {points.low, errors.high, points.high, errors.high * std::sqrt(points.low / points.high), "N^{−1/2}"}};
     plot.left_margin = 9;
     plot.right_margin = 4;
     return together(std::move(plot));

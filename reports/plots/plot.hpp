@@ -61,12 +61,14 @@ struct UprightMark
     double name_height = 0.97; ///< from 0 (bottom) to 1
 };
 
-/// A dashed line, straight as the axes are, from one place to another on its right, where its name is.
+/// A dashed line, straight as the axes are, from one place to another on its right; its name is at its right end or at
+/// its left one.
 struct SlopeMark
 {
     double left = 0, left_height = 0;
     double right = 0, right_height = 0;
     std::string name;
+    bool name_on_the_left = false;
 };
 
 struct Plot
@@ -76,7 +78,7 @@ struct Plot
     std::optional<TopAxis> top = {};
     std::vector<ReferenceLine> references = {};
     std::vector<UprightMark> marks = {};
-    std::optional<SlopeMark> slope = {};
+    std::vector<SlopeMark> slopes = {};
     std::vector<PlotCurve> curves = {};
     double left_margin = 7, right_margin = 2; ///< in characters
 

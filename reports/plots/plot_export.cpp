@@ -239,11 +239,11 @@ std::string plot_latex(const Plot& plot)
     for (const PlotCurve& curve : plot.curves) text += latex_curve(curve, plot.curves.size() == 1, has_legend);
     for (const ReferenceLine& line : plot.references) text += latex_reference(plot, line);
     for (const UprightMark& mark : plot.marks) text += latex_mark(plot, mark);
-    if (plot.slope)
-        text += fmt::format("\\draw[dashed, thin] (axis cs:{:g},{:.6g}) -- (axis cs:{:.10g},{:.6g}) node[above left, "
+    for (const SlopeMark& slope : plot.slopes)
+        text += fmt::format("\\draw[dashed, thin] (axis cs:{:g},{:.6g}) -- (axis cs:{:.10g},{:.6g}) node[{}, "
                             "font=\\footnotesize] {{{}}};\n",
-                            plot.slope->left, plot.slope->left_height, plot.slope->right, plot.slope->right_height,
-                            latex_words(plot.slope->name));
+                            slope.left, slope.left_height, slope.right, slope.right_height,
+                            slope.name_on_the_left ? "at start, above right" : "above left", latex_words(slope.name));
     return text + "\\end{axis}\n\\end{tikzpicture}\n";
 }
 

@@ -1,4 +1,4 @@
-// Stored tables: radial.csv, pair-correlation.csv and zone-plate.csv, told apart by their headers, and tiles.txt.
+// Stored tables: radial.csv, pair-correlation.csv, number-variance.csv and zone-plate.csv, told apart by their headers, and tiles.txt.
 #include "results/curve_tables.hpp"
 #include "results/pictures/tiling_result.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
@@ -31,6 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
             fuzz::require(std::isfinite(peak_power(read_radial_table(file)).power), "a peak that is no number");
         else if (text.starts_with("distance,p"))
             fuzz::require(!read_pair_correlation_table(file).empty(), "an empty table");
+        else if (text.starts_with("radius"))
+            fuzz::require(!read_number_variance_table(file).empty(), "an empty table");
         else if (text.starts_with("distance"))
             fuzz::require(!read_zone_plate_table(file).empty(), "an empty table");
         else

@@ -48,6 +48,25 @@ TEST(StructureFactor, RingsWithoutPowerLieBelowTheAxis)
     for (const double low : plot.curves[0].low) EXPECT_GT(low, 0);
 }
 
+TEST(StructureFactor, HasPowerLawsToCompareDeepCurvesWith)
+{
+    Curve deep = square_law();
+    EXPECT_TRUE(structure_factor_plot({{0, "a", &deep}}, LengthUnit::absolute).slopes.empty());
+    deep.points = 10'000; // 100 cycles are one a mean spacing
+    deep.bins.front().power = 1e-8;
+    const Plot plot = structure_factor_plot({{0, "a", &deep}}, LengthUnit::absolute);
+    ASSERT_EQ(plot.slopes.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const SlopeMark& law = plot.slopes[i];
+        EXPECT_EQ(law.right, 40);
+        EXPECT_EQ(law.right_height, 0.03);
+        const double slope = std::log(law.right_height / law.left_height) / std::log(law.right / law.left);
+        EXPECT_NEAR(slope, 2.0 + 2 * static_cast<double>(i), 1e-9);
+        EXPECT_GE(law.left_height, plot.y.low * (1 - 1e-12));
+    }
+    EXPECT_EQ(plot.slopes[0].name, "f^2");
+}
+
 TEST(StructureFactor, HasTheLineOfTheFit)
 {
     const Curve curve = square_law();
@@ -55,23 +74,24 @@ TEST(StructureFactor, HasTheLineOfTheFit)
     ASSERT_TRUE(fit);
     const Plot all = structure_factor_plot({{0, "a", &curve}}, LengthUnit::absolute);
     const Plot plot = structure_factor_alone(all, 0, curve, fit);
-    ASSERT_TRUE(plot.slope);
-    EXPECT_EQ(plot.slope->left, 2);
-    EXPECT_EQ(plot.slope->right, 8);
-    EXPECT_NEAR(plot.slope->left_height, 0.012, 1e-12);
-    EXPECT_NEAR(plot.slope->right_height, 0.192, 1e-12);
-    EXPECT_EQ(plot.slope->name, "f^{2.0}");
-    EXPECT_FALSE(structure_factor_alone(all, 0, curve, std::nullopt).slope);
+    ASSERT_EQ(plot.slopes.size(), 1u);
+    const SlopeMark& line = plot.slopes.front();
+    EXPECT_EQ(line.left, 2);
+    EXPECT_EQ(line.right, 8);
+    EXPECT_NEAR(line.left_height, 0.012, 1e-12);
+    EXPECT_NEAR(line.right_height, 0.192, 1e-12);
+    EXPECT_EQ(line.name, "f^{2.0}");
+    EXPECT_TRUE(structure_factor_alone(all, 0, curve, std::nullopt).slopes.empty());
     // The part of a line from 0.012 to 0.192, what is above 0.048, which is half of it on logarithmic axes.
     Plot higher = all;
     higher.y.low = 0.048;
-    const auto part = structure_factor_alone(higher, 0, curve, fit).slope;
-    ASSERT_TRUE(part);
-    EXPECT_NEAR(part->left, 4, 1e-12);
-    EXPECT_EQ(part->left_height, 0.048);
-    EXPECT_NEAR(part->right_height, 0.192, 1e-12);
+    const auto part = structure_factor_alone(higher, 0, curve, fit).slopes;
+    ASSERT_EQ(part.size(), 1u);
+    EXPECT_NEAR(part[0].left, 4, 1e-12);
+    EXPECT_EQ(part[0].left_height, 0.048);
+    EXPECT_NEAR(part[0].right_height, 0.192, 1e-12);
     higher.y.low = 0.2;
-    EXPECT_FALSE(structure_factor_alone(higher, 0, curve, fit).slope);
+    EXPECT_TRUE(structure_factor_alone(higher, 0, curve, fit).slopes.empty());
     const auto text = gnuplot_picture(plot, "a").commands;
     EXPECT_THAT(text, HasSubstr("set logscale x\n"));
     EXPECT_THAT(text, HasSubstr("set arrow from 2, 0.012 to 8, 0.192 nohead"));

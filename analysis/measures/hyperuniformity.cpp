@@ -1,0 +1,259 @@
+#include "analysis/measures/hyperuniformity.hpp"
+
+#include "base/random/random_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+constexpr double part_of_tile_frequency = 0.4;
+constexpr double most_tested_2d = 16, most_tested_3d = 6;
+constexpr std::size_t least_shells = 3;
+constexpr int draws = 9999;
+
+/// Calls visit(|f|^2, power) for one of each two opposite frequencies with |f| <= reach.
+template <class Visit>
+void for_each_pair(const Spectrum& spectrum, std::int64_t reach, const Visit& visit)
+{
+    const std::int64_t m = spectrum.size, half = m / 2;
+    const std::int64_t slices = spectrum.dimension == 3 ? reach : 0;
+    for (std::int64_t w = 0; w <= slices; ++w)
+        for (std::int64_t v = w > 0 ? -reach : 0; v <= reach; ++v)
+            for (std::int64_t u = w > 0 || v > 0 ? -reach : 1; u <= reach; ++u) {
+                const std::int64_t slice = spectrum.dimension == 3 ? w + half : 0;
+                visit(u * u + v * v + w * w,
+                      spectrum.power[static_cast<std::size_t>((slice * m + v + half) * m + u + half)]);
+            }
+}
+
+/// The same shells with no power below `least`; empty where there is nothing to measure.
+std::vector<PowerShell> shells_above(std::vector<PowerShell> shells, double least)
+{
+    const auto empty = std::ranges::count_if(shells, [&](const PowerShell& shell) { return !(shell.power > least); });
+    if (shells.size() < least_shells || 2 * static_cast<std::size_t>(empty) > shells.size()) return {};
+    for (PowerShell& shell : shells) shell.power = std::max(shell.power, least);
+    return shells;
+}
+
+double total_pairs(const std::vector<PowerShell>& shells)
+{
+    double pairs = 0;
+    for (const PowerShell& shell : shells) pairs += static_cast<double>(shell.pairs);
+    return pairs;
+}
+
+/// The logarithms of the shells' frequencies, less their mean over pairs.
+std::vector<double> centred_logarithms(const std::vector<PowerShell>& shells)
+{
+    double mean = 0;
+    for (const PowerShell& shell : shells) mean += static_cast<double>(shell.pairs) * std::log(shell.frequency);
+    mean /= total_pairs(shells);
+    std::vector<double> x;
+    for (const PowerShell& shell : shells) x.push_back(std::log(shell.frequency) - mean);
+    return x;
+}
+
+/// Moments of x where shell i weighs pairs P exp(-b x).
+struct Tilted
+{
+    double weight = 0, mean = 0, variance = 0;
+};
+
+Tilted tilted(const std::vector<PowerShell>& shells, const std::vector<double>& x, double b)
+{
+    Tilted t;
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        const double weight = static_cast<double>(shells[i].pairs) * shells[i].power * std::exp(-b * x[i]);
+        t.weight += weight;
+        sum += weight * x[i];
+        squares += weight * x[i] * x[i];
+    }
+    t.mean = sum / t.weight;
+    t.variance = squares / t.weight - t.mean * t.mean;
+    return t;
+}
+
+/// The b for which the tilted mean is 0: it falls as b grows. Newton's steps, halved intervals where they leave them.
+double root_of_tilt(const std::vector<PowerShell>& shells, const std::vector<double>& x)
+{
+    double low = -50, high = 50, b = 0;
+    for (int step = 0; step < 100 && high - low > 1e-12; ++step) {
+        const Tilted t = tilted(shells, x, b);
+        (t.mean > 0 ? low : high) = b;
+        const double next = b + t.mean / t.variance;
+        const double to = next > low && next < high ? next : (low + high) / 2;
+        if (std::abs(to - b) < 1e-12) break;
+        b = to;
+    }
+    return b;
+}
+
+/// The likelihood ratio over a fixed list of s / t, for shells with the same frequencies.
+class RatioTest
+{
+public:
+    RatioTest(const std::vector<PowerShell>& shells, int realizations)
+        : pairs_(total_pairs(shells)), realizations_(realizations)
+    {
+        constexpr int ratios = 64;
+        constexpr double step = 1.2;
+        const double unit = shells.back().frequency * shells.back().frequency;
+        for (int i = 0; i <= ratios; ++i) {
+            Model model;
+            const double s = i == 0 ? 0 : std::pow(step, i - ratios);
+            for (const PowerShell& shell : shells) {
+                const double power = s + (1 - s) * shell.frequency * shell.frequency / unit;
+                const auto n = static_cast<double>(shell.pairs);
+                model.weights.push_back(n / power / pairs_);
+                model.logarithms += n * std::log(power);
+            }
+            models_.push_back(std::move(model));
+        }
+    }
+
+    /// T of powers in the order of the shells.
+    double statistic(const std::vector<double>& power) const
+    {
+        const double without = log_likelihood(models_.front(), power);
+        double best = without;
+        for (std::size_t i = 1; i < models_.size(); ++i) best = std::max(best, log_likelihood(models_[i], power));
+        return 2 * realizations_ * (best - without);
+    }
+
+private:
+    struct Model
+    {
+        std::vector<double> weights; ///< pairs / model / all pairs
+        double logarithms = 0;       ///< the sum of pairs ln model
+    };
+
+    /// Of one realization, at the best scale of the model.
+    double log_likelihood(const Model& model, const std::vector<double>& power) const
+    {
+        double scale = 0;
+        for (std::size_t i = 0; i < power.size(); ++i) scale += model.weights[i] * power[i];
+        return -pairs_ * std::log(scale) - model.logarithms;
+    }
+
+    double pairs_;
+    int realizations_;
+    std::vector<Model> models_;
+};
+
+double uniform(RandomWords& words) { return (words.next() + 0.5) * 0x1p-32; }
+
+double normal(RandomWords& words)
+{
+    const double radius = std::sqrt(-2 * std::log(uniform(words)));
+    return radius * std::cos(2 * std::numbers::pi * uniform(words));
+}
+
+/// A gamma variable of mean 1 and a shape of at least 1. Marsaglia and Tsang, A simple method for generating gamma
+/// variables, ACM TOMS 26(3), 2000.
+double gamma_of_mean_1(RandomWords& words, double shape)
+{
+    const double d = shape - 1.0 / 3, c = 1 / std::sqrt(9 * d);
+    for (;;) {
+        const double x = normal(words), root = 1 + c * x;
+        if (root <= 0) continue;
+        const double v = root * root * root;
+        if (std::log(uniform(words)) < 0.5 * x * x + d * (1 - v + std::log(v))) return d * v / shape;
+    }
+}
+
+std::vector<double> powers_of(const std::vector<PowerShell>& shells)
+{
+    std::vector<double> powers;
+    for (const PowerShell& shell : shells) powers.push_back(shell.power);
+    return powers;
+}
+
+}
+
+std::vector<PowerShell> power_shells(const Spectrum& spectrum, const FrequencyRange& range)
+{
+    const double end = std::min(range.end, spectrum.size / 2 - 1.0);
+    if (end < 1) return {};
+    const auto most = static_cast<std::size_t>(end * end);
+    std::vector<PowerShell> all(most + 1);
+    for_each_pair(spectrum, static_cast<std::int64_t>(end), [&](std::int64_t squared, double power) {
+        if (static_cast<std::size_t>(squared) > most) return;
+        PowerShell& shell = all[static_cast<std::size_t>(squared)];
+        shell.power += power;
+        ++shell.pairs;
+    });
+    std::vector<PowerShell> shells;
+    for (std::size_t squared = 1; squared <= most; ++squared) {
+        const double frequency = std::sqrt(static_cast<double>(squared));
+        const PowerShell& shell = all[squared];
+        if (shell.pairs > 0 && frequency >= range.begin)
+            shells.push_back({frequency, shell.power / static_cast<double>(shell.pairs), shell.pairs});
+    }
+    return shells;
+}
+
+FrequencyRange hyperuniform_range(std::size_t points, int dimension, int tiles)
+{
+    FrequencyRange range = low_frequency_range(points, dimension);
+    if (tiles > 0) range.end = std::min(range.end, part_of_tile_frequency * tiles);
+    return range;
+}
+
+FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int tiles)
+{
+    FrequencyRange range = hyperuniform_range(points, dimension, tiles);
+    range.end = std::min(range.end / 2, dimension == 3 ? most_tested_3d : most_tested_2d);
+    return range;
+}
+
+std::optional<HyperuniformityExponent> hyperuniformity_exponent(const std::vector<PowerShell>& measured,
+                                                                int realizations, double least)
+{
+    const std::vector<PowerShell> shells = shells_above(measured, least);
+    if (shells.empty()) return std::nullopt;
+    const std::vector<double> x = centred_logarithms(shells);
+    HyperuniformityExponent exponent{root_of_tilt(shells, x), 0};
+
+    const double pairs = total_pairs(shells);
+    const double scale = tilted(shells, x, exponent.value).weight / pairs;
+    double information = 0, scatter = 0;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        const double samples = realizations * static_cast<double>(shells[i].pairs);
+        const double deviation = shells[i].power / (scale * std::exp(exponent.value * x[i])) - 1;
+        information += samples * x[i] * x[i];
+        scatter += samples * deviation * deviation;
+    }
+    const double excess = std::max(1.0, scatter / static_cast<double>(shells.size() - 2));
+    exponent.standard_error = std::sqrt(excess / information);
+    return exponent;
+}
+
+double hyperuniformity_statistic(const std::vector<PowerShell>& shells, int realizations)
+{
+    return RatioTest(shells, realizations).statistic(powers_of(shells));
+}
+
+std::optional<double> hyperuniformity_p_value(const std::vector<PowerShell>& measured, int realizations, double least)
+{
+    const std::vector<PowerShell> shells = shells_above(measured, least);
+    if (shells.empty()) return std::nullopt;
+    const RatioTest test(shells, realizations);
+    const double found = test.statistic(powers_of(shells));
+    RandomWords words(stream_key(0, Purpose::hyperuniformity_test, 0), 0);
+    std::vector<double> power(shells.size());
+    int as_large = 1;
+    for (int draw = 0; draw < draws; ++draw) {
+        for (std::size_t i = 0; i < shells.size(); ++i)
+            power[i] = shells[i].frequency * shells[i].frequency *
+                       gamma_of_mean_1(words, realizations * static_cast<double>(shells[i].pairs));
+        if (test.statistic(power) >= found) ++as_large;
+    }
+    return as_large / (draws + 1.0);
+}
+
+}
