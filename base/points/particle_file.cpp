@@ -28,12 +28,14 @@ constexpr std::size_t types = 6; // of particles; the second is dark matter
                                   : fmt::format("cannot be written: {}", std::strerror(error)));
 }
 
-/// HDF5 prints no errors of its own meanwhile.
+/// HDF5 prints no errors of its own meanwhile. At the end of the program it would try again to write files that a full
+/// disk did not take, and crash: it must not, and there is nothing else for it to do then.
 class QuietHdf5
 {
 public:
     QuietHdf5()
     {
+        [[maybe_unused]] static const herr_t is_told = H5dont_atexit();
         H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     }

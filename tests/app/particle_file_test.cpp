@@ -71,7 +71,7 @@ TEST_F(ParticleFiles, SnapshotsAreAsGadgetHasThem)
                                       "list(f['Header'].attrs['MassTable'])"),
               "3.0 [0, 216, 0, 0, 0, 0] [0, 216, 0, 0, 0, 0] [0, 0, 0, 0, 0, 0] [0.0, 0.125, 0.0, 0.0, 0.0, 0.0]\n");
     EXPECT_EQ(read_back("glass.hdf5", "f['Header'].attrs['NumFilesPerSnapshot'], f['PartType1/Coordinates'].attrs["
-                                      "'Units']"),
+                                      "'Units'].decode()"),
               "1 tiles, BoxSize of them along each axis\n");
 }
 

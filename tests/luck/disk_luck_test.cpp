@@ -85,7 +85,7 @@ TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
 TEST_F(DiskLuck, FillsUpWhileParticlesAreWritten)
 {
     ASSERT_EQ(run_program(folder_.path(), {"tiles", "build", "sphere", "--colors", "1", "--points", "16", "--lloyd",
-                                           "2", "--quiet", "--relative-radius", "0.5", "--out", absolute("set.ptiles")})
+                                           "2", "--quiet", "--relative-radius", "0.4", "--out", absolute("set.ptiles")})
                   .status,
               0);
     for (const std::string name : {"glass.hdf5", "glass.h5part"}) {
