@@ -36,6 +36,10 @@ class Analyses(FolderTest):
         for name, column in {"distance": "distance", "value": "pair_correlation", "error": "standard_error",
                              "pairs": "pairs"}.items():
             self.assert_same_bytes(getattr(analysis.pair_correlation, name), stored[column])
+        stored = columns_of(folder / "number-variance.csv")
+        for name, column in {"radius": "radius", "points": "points", "variance": "variance",
+                             "error": "standard_error"}.items():
+            self.assert_same_bytes(getattr(analysis.number_variance, name), stored[column])
 
     def test_have_the_numbers_of_the_program_bit_for_bit(self):
         for k, n, d, options in ((3, 200, 2, {}), (1, 150, 3, {}), (34, 20, 2, {"spectrum": "exact"}),
