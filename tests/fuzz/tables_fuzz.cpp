@@ -1,4 +1,5 @@
-// Stored tables: radial.csv, pair-correlation.csv, number-variance.csv and zone-plate.csv, told apart by their headers, and tiles.txt.
+// Stored tables: radial.csv, pair-correlation.csv, number-variance.csv and zone-plate.csv, told apart by their headers,
+// and tiles.txt.
 #include "results/curve_tables.hpp"
 #include "results/pictures/tiling_result.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
