@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 constexpr int rough_reach = 1, upright_reach = 1, level_reach = 2;
 static_assert(rough_reach + level_reach <= exact_reach && rough_reach + upright_reach <= exact_reach);
 
-constexpr std::size_t searched_points = 16; ///< half of which are all moved in all ways
+constexpr std::size_t searched_points = 16;
+constexpr std::ptrdiff_t listed_points = 7; ///< of them, all ways of which are listed at once
 constexpr std::size_t rough_points = 32;    ///< that are moved by pairs
 constexpr int most_rough_steps = 200;
 constexpr std::size_t most_searches = 12;
@@ -50,20 +52,46 @@ std::vector<std::uint64_t> all_sums(const std::vector<std::vector<std::uint64_t>
     return sums;
 }
 
-/// A set of numbers that sometimes takes others for its own.
-class Sieve
+/// Finds the ways that make a change. Most changes are found to be made by none in a small sieve.
+class WayTable
 {
 public:
-    explicit Sieve(unsigned bits) : shift_(64 - bits), words_((std::size_t{1} << bits) / 64) {}
+    explicit WayTable(const std::vector<std::uint64_t>& changes)
+    {
+        unsigned bits = 8;
+        while (std::size_t{1} << bits < 2 * changes.size()) ++bits;
+        shift_ = 64 - bits;
+        ways_.assign(std::size_t{1} << bits, none);
+        changes_.resize(ways_.size());
+        sieve_.assign((ways_.size() << sieve_bits) / 64, 0);
+        for (std::uint32_t way = 0; way < changes.size(); ++way) {
+            std::size_t place = mixed(changes[way]) >> shift_;
+            while (ways_[place] != none) place = (place + 1) % ways_.size();
+            ways_[place] = way;
+            changes_[place] = changes[way];
+            const std::uint64_t bit = mixed(changes[way]) >> (shift_ - sieve_bits);
+            sieve_[bit / 64] |= std::uint64_t{1} << bit % 64;
+        }
+    }
 
-    void add(std::uint64_t number) { words_[place(number) / 64] |= std::uint64_t{1} << place(number) % 64; }
-    bool may_have(std::uint64_t number) const { return words_[place(number) / 64] >> place(number) % 64 & 1; }
+    std::optional<std::size_t> find(std::uint64_t change) const
+    {
+        const std::uint64_t bit = mixed(change) >> (shift_ - sieve_bits);
+        if ((sieve_[bit / 64] >> bit % 64 & 1) == 0) return {};
+        for (std::size_t place = mixed(change) >> shift_; ways_[place] != none; place = (place + 1) % ways_.size())
+            if (changes_[place] == change) return ways_[place];
+        return {};
+    }
 
 private:
-    std::size_t place(std::uint64_t number) const { return number * 0xff51afd7ed558ccd >> shift_; }
+    static constexpr std::uint32_t none = UINT32_MAX;
+    static constexpr unsigned sieve_bits = 3; ///< of a place of the table, more than one
 
-    unsigned shift_;
-    std::vector<std::uint64_t> words_;
+    static std::uint64_t mixed(std::uint64_t change) { return (change ^ change >> 32) * 0xff51afd7ed558ccd; }
+
+    unsigned shift_ = 0;
+    std::vector<std::uint32_t> ways_;
+    std::vector<std::uint64_t> changes_, sieve_;
 };
 
 /// Moves each of some points along an axis in all ways; the numbers of ways count points' movements.
@@ -214,6 +242,13 @@ private:
                                  [&](std::size_t i) { return std::abs(points_[i][0]) + std::abs(points_[i][1]); });
         order.resize(std::min(order.size(), searched_points));
         for (std::size_t i = 0; i < order.size(); ++i) halves_[i % 2].points.push_back(order[i]);
+        // Few ways fit into a fast memory, and those of the others are looked at until one is found.
+        auto& first = halves_[0].points;
+        auto& second = halves_[1].points;
+        if (std::ssize(first) > listed_points) {
+            second.insert(second.end(), first.begin() + listed_points, first.end());
+            first.resize(listed_points);
+        }
     }
 
     /// Movements along y that make the sums of y and of its squares right, those first that leave least of the third
@@ -254,29 +289,27 @@ private:
                 move(halves_[h].points[i], axis, Half::movement(i, ways[h], reach));
     }
 
-    /// Movements along x that make all that is left right: every way of one half, with one of the other that a sieve
-    /// lets through.
+    /// Movements along x that make all that is left right: each way of one part, with one of the other from a table.
     bool search_level()
     {
         const auto change = [&](std::size_t i, std::int64_t by) {
             return mixture(by, (2 * points_[i][0] + by) * by, points_[i][1] * by);
         };
-        const auto first = halves_[0].changes(level_reach, change), second = halves_[1].changes(level_reach, change);
-        const std::uint64_t wanted = mixture(lacking_[in_x], lacking_[in_xx], lacking_[in_xy]);
-        Sieve of_first(23), of_rest(20);
-        for (const std::uint64_t number : first) of_first.add(number);
-        std::vector<std::pair<std::uint64_t, std::size_t>> rest; // what the first half must change, way of the second
-        for (std::size_t way = 0; way < second.size(); ++way)
-            if (of_first.may_have(wanted - second[way])) rest.emplace_back(wanted - second[way], way);
-        std::ranges::sort(rest);
-        for (const auto& [number, way] : rest) of_rest.add(number);
-        for (std::size_t way = 0; way < first.size(); ++way) {
-            if (!of_rest.may_have(first[way])) continue;
-            const auto found = std::ranges::lower_bound(rest, std::pair{first[way], std::size_t{0}});
-            if (found == rest.end() || found->first != first[way]) continue;
-            move_all({way, found->second}, 0, level_reach);
-            return true;
+        Half inner = halves_[1], outer;
+        if (std::ssize(inner.points) > listed_points) {
+            outer.points.assign(inner.points.begin() + listed_points, inner.points.end());
+            inner.points.resize(listed_points);
         }
+        const WayTable table(halves_[0].changes(level_reach, change));
+        const auto inner_changes = inner.changes(level_reach, change),
+                   outer_changes = outer.changes(level_reach, change);
+        const std::uint64_t wanted = mixture(lacking_[in_x], lacking_[in_xx], lacking_[in_xy]);
+        for (std::size_t o = 0; o < outer_changes.size(); ++o)
+            for (std::size_t i = 0; i < inner_changes.size(); ++i)
+                if (const auto way = table.find(wanted - outer_changes[o] - inner_changes[i])) {
+                    move_all({*way, o * inner_changes.size() + i}, 0, level_reach);
+                    return true;
+                }
         return false;
     }
 

@@ -343,12 +343,14 @@ TEST(ChainMoments, DoNotDependOnWhoMakesThem)
     EXPECT_EQ(chains_by_device(set.parameters, 0, 1), set);
 }
 
-TEST(ChainMoments, ThatCannotBeHadAreRefused)
+TEST(ChainMoments, ThatCannotBeHadAreRefusedWithThoseThatCan)
 {
-    PoissonTileParameters p = chain_parameters(2, 8, 0.7);
+    PoissonTileParameters p = chain_parameters(2, 12, 0.7);
     p.equal_moments = 2;
     EXPECT_THAT(refusal_of([&] { chains_by_device(p); }),
                 HasSubstr("equal_moments = 2: must be at most 1 with these parameters: "));
+    p.equal_moments = 1;
+    EXPECT_EQ(certify(chains_by_device(p)).moments.equal_order(), 1U);
 }
 
 // The gain of chains.
