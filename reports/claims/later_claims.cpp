@@ -211,6 +211,7 @@ std::vector<Paper> later_papers()
            "in "
            "every series with such a radius, by two standard errors",
            large_radii_have_directions}}},
+        paper_on_even_tilings(),
         farthest_points(),
         {"degoes-2012",
          "de Goes, Breeden, Ostromoukhov and Desbrun, <cite>Blue Noise through Optimal Transport</cite> (2012)",

@@ -98,6 +98,9 @@ std::vector<PaperClaim> recommendations();
 /// Papers of 2006 and later about methods that optimise sets, and point sets that were published.
 std::vector<Paper> later_papers();
 
+/// Gabrielli and others (2008), about moments that tiles have in common.
+Paper paper_on_even_tilings();
+
 /// The effective Nyquist frequencies and oscillations of the series of a method: shown.
 PaperClaim nyquist_and_oscillation(const char* id, const char* says, const char* criterion, const char* sampler);
 

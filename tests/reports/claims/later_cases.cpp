@@ -122,6 +122,22 @@ std::vector<ClaimCase> optimized_cases()
              MadeUpReport::set_radius(low, 0.8);
              MadeUpReport::set_curve(low, {});
          }},
+        {"gabrielli-2008-exponent",
+         [](MadeUpReport& r, Told what) {
+             const auto tiling = [&](const char* sampler, int dimension, const char* moments, const char* density,
+                                     double exponent, double error) {
+                 ReportSeries& series =
+                     r.add(sampler, {{"points_per_tile", "32"}, {"equal_moments", moments}, {"density", density}},
+                           16384, dimension);
+                 set_number(series, "hyperuniformity_exponent", exponent, error);
+                 MadeUpReport::set_curve(series, {.low = 1e-4});
+             };
+             tiling("corner-tiles", 2, "0", "1", told(what, 1.8, 0.3, 1.05), 0.05);
+             tiling("corner-tiles", 2, "2", "1", told(what, 5.5, 3.6, 5.05), 0.05);
+             tiling("sphere-tiles", 3, "1", "1", told(what, 3.5, 1.9, 2.95), 0.05);
+             tiling("template-tiles", 2, "1", "0.5", 0.1, 0.05); // points that are left out
+             MadeUpReport::set_curve(lloyd(r, 20), {.low = 0.01});
+         }},
         {"schloemer-2011-radius",
          [](MadeUpReport& r, Told what) {
              MadeUpReport::set_radii(r.add("farthest-point", {}),

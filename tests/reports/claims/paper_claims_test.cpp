@@ -41,6 +41,25 @@ TEST(PaperClaimList, ShowsNyquistFrequencyAndOscillationOfEachLaterMethod)
     EXPECT_FALSE(MadeUpReport().outcome("ahmed-2022-spectrum"));
 }
 
+/// Tilings of 22.6 x 22.6 tiles, with power below 9 cycles, beside a set without tiles; alone, those of order 0 say
+/// nothing of moments.
+TEST(PaperClaimList, TilingsWithEqualMomentsStandBesideSetsWithoutTiles)
+{
+    MadeUpReport report;
+    const auto tiling = [&](const char* moments, double exponent, double low) {
+        ReportSeries& series = report.add("corner-tiles", {{"points_per_tile", "32"}, {"equal_moments", moments}});
+        test::set_number(series, "hyperuniformity_exponent", exponent, 0.05);
+        MadeUpReport::set_curve(series, {.low = low});
+    };
+    tiling("0", 1.8, 0.02);
+    EXPECT_FALSE(report.outcome("gabrielli-2008-exponent"));
+    tiling("2", 5.5, 1e-4);
+    EXPECT_THAT(report.outcome("gabrielli-2008-exponent")->measured, HasSubstr("m = 2: 5.50 ± 0.05; holds in 2 of 2"));
+    MadeUpReport::set_curve(test::lloyd(report, 20), {.low = 0.01});
+    EXPECT_THAT(report.outcome("gabrielli-2008-exponent")->measured,
+                HasSubstr("those with equal moments have 0.010 times the power of sets without tiles"));
+}
+
 /// Two rings of 100 samples, 1 dB and 3 dB above chance, and one that is too small.
 TEST(PaperClaimList, AnisotropyHasTheErrorOfItsRings)
 {
