@@ -165,7 +165,8 @@ TEST(Runner, LeavesOutWhatIsNotAskedFor)
     const auto files = files_below(folder.path() / "few/s");
     std::vector<std::string> names;
     for (const auto& [name, content] : files) names.push_back(name);
-    EXPECT_EQ(names, (std::vector<std::string>{"realization-000.dat", "zone-plate.csv", "zone-plate.exr"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"number-variance.csv", "realization-000.dat", "zone-plate.csv",
+                                               "zone-plate.exr"}));
 
     const auto series_of = [&](const char* name) {
         return nlohmann::json::parse(content_of(folder.path() / name / "results.json"))["series"][0];

@@ -1,4 +1,4 @@
-#include "analysis/measures/lattice_share.hpp"
+#include "analysis/tilings/lattice_share.hpp"
 
 #include "base/errors/errors.hpp"
 

@@ -1,4 +1,4 @@
-#include "analysis/measures/distance_within_tiles.hpp"
+#include "analysis/tilings/distance_within_tiles.hpp"
 
 #include <algorithm>
 #include <array>
