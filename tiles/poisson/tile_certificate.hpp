@@ -77,8 +77,8 @@ TileCertificate certify(const PoissonTileSet& set);
 std::string described(const NearestPair& pair, int dimension);
 
 /// Throws InputError, a sentence, where the file of a set promises more than its certificate proves: by the squared
-/// minimum distance that it states, by its relative radius, or by the moments that tiles should have in common. It names
-/// the points that are too near.
+/// minimum distance that it states, by its relative radius, or by the moments that tiles should have in common. It
+/// names the points that are too near.
 void check_promises(const PoissonTileParameters& parameters, std::uint64_t stored_squared_distance,
                     const TileCertificate& certificate);
 
