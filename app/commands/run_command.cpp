@@ -19,7 +19,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <optional>
-#include <thread>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -54,15 +53,6 @@ std::optional<Shard> parse_shard(const std::string& text)
     if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.number < 1 || shard.number > shard.count)
         throw InputError("--shard " + text + ": must be i/n, with i from 1 to n");
     return shard;
-}
-
-/// Processes of a crew share the cores of a machine, unless mpirun has given each its own. 0: all there are.
-int threads_of(const RunOptions& options, const Crew& crew)
-{
-    if (options.threads > 0 || crew.size() == 1) return options.threads;
-    const auto own = static_cast<int>(std::thread::hardware_concurrency());
-    const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
-    return std::max(1, own < all ? own : all / crew_processes_here());
 }
 
 /// Throws InputError before any work is done if the results could not be written at the end.
@@ -161,7 +151,7 @@ void run(const RunOptions& options)
 {
     const auto shard = parse_shard(options.shard);
     const auto crew = make_crew();
-    const ThreadLimit limit(threads_of(options, *crew));
+    const ThreadLimit limit(threads_of_process(options.threads, *crew));
     RunPlan plan;
     const bool is_planned = crew->together([&] {
         plan = plan_run(options, ThreadLimit::current());

@@ -42,9 +42,10 @@ std::optional<CoordinateRange> parse_range(std::string_view text);
 std::vector<PointSet> read_points(const std::filesystem::path& path, std::optional<CoordinateRange> range = {});
 
 /// Writes one point set. The format follows the extension: .ply (ascii, double), .npy (float64, N x
-/// dimension), .csv (columns x, y and, in 3D, z), .usda (a point instancer of USD, whose positions are floats: it is
-/// not read back); anything else text with 17 significant digits, so that reading back gives the same doubles.
-/// `comment`, where the format has room for it, is put at the top. Whole or not at all. Throws StorageError.
+/// dimension), .h5 (HDF5), .hdf5 and .h5part (particles in 3D, see hdf5_points.hpp), .csv (columns x, y and, in 3D, z),
+/// .usda (a point instancer of USD, whose positions are floats: it is not read back); anything else text with 17
+/// significant digits, so that reading back gives the same doubles. `comment`, where the format has room for it, is put
+/// at the top. Whole or not at all. Throws StorageError.
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment = {});
 
 /// Takes whole points, coordinate after coordinate.

@@ -5,6 +5,7 @@
 #include "base/points/point_file.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,9 @@ void write_usd_points(const std::filesystem::path& path, int dimension, std::siz
 
 inline constexpr std::string_view ply_magic = "ply";
 inline constexpr std::string_view npy_magic = "\x93NUMPY";
+/// What is before the numbers of a .npy file of float64, points x dimension.
+std::string npy_header(std::uint64_t points, int dimension);
+
 inline constexpr std::string_view utk_magic = "UTK!", swapped_utk_magic = "!KTU"; ///< 0x214B5455 of either byte order
 
 /// The first line of comma-separated values in 2D and 3D.

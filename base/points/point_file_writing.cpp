@@ -1,8 +1,7 @@
-// Writes point sets as text, CSV, PLY, NumPy or USD.
-#include "base/errors/errors.hpp"
+// Writes point sets as text, CSV, PLY or USD; NumPy and HDF5 are those of placed_file.
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/points/particle_file.hpp"
+#include "base/points/placed_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/points/point_file_formats.hpp"
 
@@ -72,7 +71,9 @@ void append_ply_header(fmt::memory_buffer& out, std::size_t points, std::string_
                    "element vertex {}\nproperty double x\nproperty double y\nproperty double z\nend_header\n", points);
 }
 
-void append_npy_header(fmt::memory_buffer& out, std::size_t points, int dimension)
+}
+
+std::string npy_header(std::uint64_t points, int dimension)
 {
     // The numbers start at a multiple of 64 bytes; blanks and an end of line fill the header up to there.
     constexpr std::size_t alignment = 64;
@@ -82,15 +83,9 @@ void append_npy_header(fmt::memory_buffer& out, std::size_t points, int dimensio
     const std::size_t unpadded = before_header + header.size() + 1;
     header.append((alignment - unpadded % alignment) % alignment, ' ');
     header += '\n';
-
-    out.append(npy_magic);
-    const auto version = std::string_view("\x01\x00", 2);
-    out.append(version);
-    out.push_back(static_cast<char>(header.size() % 256));
-    out.push_back(static_cast<char>(header.size() / 256));
-    out.append(header);
-}
-
+    return fmt::format("{}{}{}{}", npy_magic, std::string_view("\x01\x00", 2),
+                       std::string{static_cast<char>(header.size() % 256), static_cast<char>(header.size() / 256)},
+                       header);
 }
 
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment)
@@ -102,29 +97,20 @@ void write_points(const std::filesystem::path& path, const PointSet& points, con
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,
                             const std::string& comment, const std::function<void(const PointSink& sink)>& write)
 {
-    if (is_particle_file(path)) {
-        if (dimension != 3)
-            throw InputError(fmt::format("{}: particles of simulations are in 3D; these points are in 2D, which .npy, "
-                                         ".csv, .ply and text take",
-                                         printable(path.string())));
-        return write_particles_in_pieces(path, points, 1, "sides of the box", comment, write);
-    }
+    if (has_known_places(path))
+        return write_placed_points(path, {.dimension = dimension, .points = points, .comment = comment}, write);
     const auto extension = path.extension();
     if (extension == ".usda") return write_usd_points(path, dimension, points, comment, write);
-    const bool is_ply = extension == ".ply", is_npy = extension == ".npy", is_csv = extension == ".csv";
+    const bool is_ply = extension == ".ply", is_csv = extension == ".csv";
     fmt::memory_buffer header;
     if (is_ply) append_ply_header(header, points, comment);
-    if (is_npy) append_npy_header(header, points, dimension);
     if (is_csv) fmt::format_to(std::back_inserter(header), "{}\n", dimension == 2 ? csv_header_2d : csv_header_3d);
-    if (!is_ply && !is_npy && !is_csv) append_comment(header, "#", comment);
+    if (!is_ply && !is_csv) append_comment(header, "#", comment);
 
     const LineMarks marks{is_csv ? "," : " ", is_ply && dimension == 2 ? " 0\n" : "\n"};
     write_whole_file_in_pieces(path, [&](const FileSink& file) {
         file({header.data(), header.size()});
-        write([&](std::span<const double> coordinates) {
-            if (is_npy) file({reinterpret_cast<const char*>(coordinates.data()), coordinates.size_bytes()});
-            if (!is_npy) write_lines(file, coordinates, dimension, marks);
-        });
+        write([&](std::span<const double> coordinates) { write_lines(file, coordinates, dimension, marks); });
     });
 }
 

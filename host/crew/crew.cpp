@@ -5,10 +5,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <initializer_list>
 #include <string_view>
+#include <thread>
+
+#include <unistd.h>
 
 namespace poissonlab {
 namespace {
@@ -34,6 +38,14 @@ int crew_rank() { return number_in_environment({"OMPI_COMM_WORLD_RANK", "PMI_RAN
 }
 
 int crew_processes_here() { return number_in_environment({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}, 1); }
+
+int threads_of_process(int asked, const Crew& crew)
+{
+    if (asked > 0 || crew.size() == 1) return asked;
+    const auto own = static_cast<int>(std::thread::hardware_concurrency());
+    const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
+    return std::max(1, own < all ? own : all / crew_processes_here());
+}
 
 bool is_crew_follower() { return crew_size() > 1 && crew_rank() > 0; }
 

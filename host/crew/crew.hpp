@@ -3,9 +3,11 @@
 
 #include "host/crew/schedule.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -36,6 +38,9 @@ public:
 
     /// The text of the process that leads, in every process.
     virtual std::string from_leader(const std::string& text) = 0;
+
+    /// The sums of the numbers of all processes, place by place, in every process; each has as many numbers.
+    virtual std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) = 0;
 };
 
 /// A crew of this process alone.
@@ -47,6 +52,10 @@ std::unique_ptr<Crew> make_crew();
 
 /// The number of processes of the crew on this machine, this one included. Asks the environment only.
 int crew_processes_here();
+
+/// The threads of this process for ThreadLimit, of which the user has asked for so many (0: as many as there are).
+/// Processes of a crew share the cores of a machine, unless mpirun has given each its own.
+int threads_of_process(int asked, const Crew& crew);
 
 /// True if another process leads the crew of this one. Asks the environment only.
 bool is_crew_follower();

@@ -257,6 +257,14 @@ public:
         return result;
     }
 
+    std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) override
+    {
+        std::vector<std::uint64_t> sums(numbers.size());
+        MPI_Allreduce(numbers.data(), sums.data(), static_cast<int>(numbers.size()), MPI_UINT64_T, MPI_SUM,
+                      MPI_COMM_WORLD);
+        return sums;
+    }
+
 private:
     [[noreturn]] static void refuse(const std::string& why)
     {

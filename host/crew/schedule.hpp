@@ -22,6 +22,7 @@ struct Job
         tiling,        ///< a tile set or tiling
         constructions, ///< all constructions of an experiment
         distribution,  ///< one that follows a density
+        points,        ///< piece `first` of the points of a window
     };
 
     Kind kind = Kind::series;

@@ -213,6 +213,8 @@ void RunWork::execute_in_memory(const Job& job, const WorkListener& listener)
         return pictures_.make_constructions();
     case Job::Kind::distribution:
         return distributions_.make(job.item);
+    case Job::Kind::points:
+        throw std::logic_error("pieces of windows are no work of runs");
     }
 }
 

@@ -1,24 +1,33 @@
 #include "host/tile_points/point_levels.hpp"
 
+#include <tbb/parallel_for.h>
+
 namespace poissonlab {
 
-PointLevels::PointLevels(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block)
-    : tiling_(runtime_tiling(tiles, tiling)), block_(block)
+PointLevels::PointLevels(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
+                         std::uint64_t first)
+    : tiling_(runtime_tiling(tiles, tiling)), block_(block), done_(first)
 {}
+
+void PointLevels::write_tile(std::uint64_t tile, double* levels) const
+{
+    const ptiles_set& set = tiling_.set;
+    const std::uint64_t row = tile / block_.size[0];
+    const std::array<std::uint64_t, 3> offset{tile % block_.size[0], row % block_.size[1], row / block_.size[1]};
+    std::int32_t place[3];
+    for (std::size_t a = 0; a < 3; ++a) place[a] = block_.lowest[a] + static_cast<std::int32_t>(offset[a]);
+    const std::uint16_t* numbers = ptiles_points(&set, ptiles_tile(&tiling_, place[0], place[1], place[2]));
+    for (std::uint32_t n = 0; n < set.points_per_tile; ++n, numbers += set.dimension)
+        levels[n] = ptiles_point_at(&tiling_, place, n, numbers).level;
+}
 
 std::span<const double> PointLevels::next(std::size_t tiles)
 {
-    levels_.clear();
-    const ptiles_set& set = tiling_.set;
-    for (const std::uint64_t end = done_ + tiles; done_ < end; ++done_) {
-        const std::uint64_t row = done_ / block_.size[0];
-        const std::array<std::uint64_t, 3> offset{done_ % block_.size[0], row % block_.size[1], row / block_.size[1]};
-        std::int32_t place[3];
-        for (std::size_t a = 0; a < 3; ++a) place[a] = block_.lowest[a] + static_cast<std::int32_t>(offset[a]);
-        const std::uint16_t* numbers = ptiles_points(&set, ptiles_tile(&tiling_, place[0], place[1], place[2]));
-        for (std::uint32_t n = 0; n < set.points_per_tile; ++n, numbers += set.dimension)
-            levels_.push_back(ptiles_point_at(&tiling_, place, n, numbers).level);
-    }
+    const std::size_t points = tiling_.set.points_per_tile;
+    levels_.resize(tiles * points);
+    tbb::parallel_for(std::size_t{0}, tiles,
+                      [&](std::size_t t) { write_tile(done_ + t, levels_.data() + t * points); });
+    done_ += tiles;
     return levels_;
 }
 

@@ -15,13 +15,17 @@ namespace poissonlab {
 class PointLevels
 {
 public:
-    /// `tiles` must outlive this. `block` is one that check() accepts.
-    PointLevels(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block);
+    /// `tiles` must outlive this. `block` is one that check() accepts, `first` the tile of it that comes first.
+    PointLevels(const PoissonTileSet& tiles, const PoissonTiling& tiling, const TileBlock& block,
+                std::uint64_t first = 0);
 
     /// Returns the levels of the next `tiles` tiles; they are valid until the next call.
     std::span<const double> next(std::size_t tiles);
 
 private:
+    /// Those of a tile, by its place in the block.
+    void write_tile(std::uint64_t tile, double* levels) const;
+
     ptiles_tiling tiling_;
     TileBlock block_;
     std::uint64_t done_ = 0; ///< tiles

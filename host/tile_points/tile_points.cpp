@@ -141,19 +141,22 @@ void TilePointGenerator::place(const PoissonTiling& tiling, const TileBlock& blo
     place_values(place_integers_, tiling, block, run, points);
 }
 
-void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block,
-                                const std::function<void(std::span<const std::uint32_t> units)>& sink)
+void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block, const Sink& sink)
+{
+    stream(tiling, block, 0, block.tiles(), sink);
+}
+
+void TilePointGenerator::stream(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first,
+                                std::uint64_t end, const Sink& sink)
 {
     const std::size_t most = tiles_per_piece(values_per_tile_, device_.info());
-    const std::uint64_t tiles = block.tiles();
-    std::vector<std::uint32_t> values;
-    reserve(device_, buffers_.needed(parameters_, std::min<std::uint64_t>(most, tiles)));
-    for (std::uint64_t first = 0; first < tiles; first += most) {
-        const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, tiles - first));
+    reserve(device_, buffers_.needed(parameters_, std::min<std::uint64_t>(most, end - first)));
+    for (; first < end; first += most) {
+        const auto count = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, end - first));
         place(tiling, block, {first, count}, buffers_.points);
-        values.resize(count * values_per_tile_);
-        buffers_.points.read(std::span(values));
-        sink(values);
+        piece_.resize(count * values_per_tile_);
+        buffers_.points.read(std::span(piece_));
+        sink(piece_);
     }
 }
 

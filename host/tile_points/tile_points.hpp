@@ -76,10 +76,15 @@ public:
     void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<float>& points);
     void place(const PoissonTiling& tiling, const TileBlock& block, const TileRun& run, Buffer<std::uint32_t>& points);
 
-    /// Hands all exact positions of a block to `sink`, in pieces of whole tiles: memory does not depend on
-    /// the block.
-    void stream(const PoissonTiling& tiling, const TileBlock& block,
-                const std::function<void(std::span<const std::uint32_t> units)>& sink);
+    /// Takes exact positions of whole tiles.
+    using Sink = std::function<void(std::span<const std::uint32_t> units)>;
+
+    /// Hands all exact positions of a block to `sink`, in pieces: memory does not depend on the block.
+    void stream(const PoissonTiling& tiling, const TileBlock& block, const Sink& sink);
+
+    /// Those of a part of it: tiles from `first` on, below `end`.
+    void stream(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
+                const Sink& sink);
 
     /// All points of the toroidal tiling with this period, 1 to 65,536.
     PointSet generate_torus(std::uint32_t seed, std::uint32_t period);
@@ -105,6 +110,7 @@ private:
     std::size_t work_group_size_;
     std::size_t values_per_tile_;
     Buffers buffers_;
+    std::vector<std::uint32_t> piece_; ///< of stream()
     Kernel look_up_, place_floats_, place_integers_;
 };
 

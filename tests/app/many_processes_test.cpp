@@ -2,6 +2,8 @@
 #include "tests/app/lasting_results.hpp"
 #include "tests/app/survival_config.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/random_tile_set.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -146,6 +148,43 @@ TEST_F(ManyProcesses, ExperimentsOfTheSameSetsShareThem)
     first.erase("collection.json"); // has the command
     second.erase("collection.json");
     EXPECT_EQ(first, second);
+}
+
+/// Several pieces each; of chains and with a density their sizes are counted first, by all.
+TEST_F(ManyProcesses, RanksWriteOneFileOfPoints)
+{
+    write_tile_set(folder_->path() / "strips.ptiles", random_tile_set(PoissonTileKind::corner, 2, 3, 9));
+    write_tile_set(folder_->path() / "chains.ptiles", with_random_ranks(random_chain_set(3, 20)));
+    const auto same = [](const std::string& arguments, const std::string& extension) {
+        const std::string one = "one" + extension;
+        ASSERT_EQ(run_in_shell(folder_->path(), quoted(program_file()) + " tiles points " + arguments + one).status, 0);
+        for (const int ranks : {1, 2, 5}) {
+            const Outcome outcome = run_ranks(folder_->path(), ranks, "tiles points " + arguments + "some" + extension);
+            EXPECT_EQ(outcome.status, 0) << outcome.error;
+            EXPECT_EQ(outcome.error, "");
+            EXPECT_TRUE(content_of(folder_->path() / one) == content_of(folder_->path() / ("some" + extension)))
+                << arguments << ranks;
+        }
+    };
+    same("strips.ptiles --window -3 5 700 701 --seed 7 --out ", ".npy");
+    same("chains.ptiles --window 0 0 500 500 --density 0.5 --out ", ".h5");
+    same("strips.ptiles --window 0 0 20 20 --out ", ".txt");
+    for (const auto& entry : fs::directory_iterator(folder_->path()))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".tmp")) << entry.path();
+    expect_one_error(run_ranks(folder_->path(), 3, "tiles points none.ptiles --torus 2 --out a.npy"), "none.ptiles: ");
+}
+
+/// mpirun ends the others; whoever starts it again gets the file.
+TEST_F(ManyProcesses, ARankThatDiesLeavesNoFileOfPoints)
+{
+    write_tile_set(folder_->path() / "strips.ptiles", random_tile_set(PoissonTileKind::corner, 2, 3, 9));
+    const std::string command = quoted(program_file()) + " tiles points strips.ptiles --torus 900 --out died.npy";
+    const Outcome outcome = run_in_shell(folder_->path(), mpirun + "-n 1 " + command + " : -n 1 sh -c " +
+                                                              quoted("ulimit -f 1; exec " + command));
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_FALSE(fs::exists(folder_->path() / "died.npy"));
+    EXPECT_EQ(run_ranks(folder_->path(), 2, "tiles points strips.ptiles --torus 900 --out died.npy").status, 0);
+    EXPECT_EQ(fs::file_size(folder_->path() / "died.npy"), 128 + std::uint64_t{900} * 900 * 9 * 16);
 }
 
 TEST_F(ManyProcesses, FailureBeforeTheWorkIsSaidOnce)

@@ -1,5 +1,5 @@
 // Particle files of `tiles points`, read back by h5py: HDF5 by another program than ours.
-#include "base/points/particle_file.hpp"
+#include "base/points/placed_file.hpp"
 
 #include "base/errors/errors.hpp"
 #include "host/tile_points/tile_points.hpp"
@@ -107,20 +107,23 @@ TEST_F(ParticleFiles, BadArgumentsLeaveNothingBehind)
         "spheres.ptiles --window 0 0 0 2 2 3 --out a.hdf5",
         "tiles points: --out a.hdf5: particles are in a cube: --window must have as many tiles along each axis");
     expect_error_with("plane.ptiles --torus 4 --out a.h5part",
-                      "tiles points: --out a.h5part: particles of simulations are in");
+                      "a.h5part: particles of simulations are in 3D; these points are in 2D");
     expect_error_with("spheres.ptiles --out a.hdf5", "tiles points: needs --window or --torus, and not both");
     expect_error_with("spheres.ptiles --torus 2 --window 0 0 0 1 1 1 --out a.hdf5", "and not both");
     expect_error_with("spheres.ptiles --torus 65536 --out a.hdf5", "--torus 65536: must be 1 to 65,535 tiles");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.hdf5"));
 }
 
-TEST_F(ParticleFiles, TakeAsManyParticlesAsTheySay)
+TEST_F(ParticleFiles, TakeAsManyPointsAsTheySay)
 {
     const std::vector<double> two(6, 0.5);
     for (const std::size_t said : {1u, 3u}) {
         const auto write = [&](const PointSink& sink) { sink(two); };
-        EXPECT_THROW(write_particles_in_pieces(folder_.path() / "a.hdf5", said, 1, "tiles", "", write), InputError);
-        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "a.hdf5"));
+        for (const std::string name : {"a.hdf5", "a.h5", "a.npy"}) {
+            const PointFileHead head{.dimension = 3, .points = said};
+            EXPECT_THROW(write_placed_points(folder_.path() / name, head, write), InputError);
+            EXPECT_FALSE(std::filesystem::exists(folder_.path() / name));
+        }
     }
 }
 

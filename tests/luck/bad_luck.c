@@ -221,7 +221,8 @@ int statvfs(const char* restrict path, struct statvfs* restrict info)
     REAL(int, statvfs, const char*, struct statvfs*);
     const int result = real(path, info);
     const char* folder = getenv("BAD_LUCK_FOLDER");
-    if (result == 0 && folder && is_below(path, folder)) info->f_bavail = 0;
+    const int is_full = number("BAD_LUCK_AFTER", 0) == 0; /* from the begin; else it fills up */
+    if (result == 0 && folder && is_full && is_below(path, folder)) info->f_bavail = 0;
     return result;
 }
 

@@ -81,14 +81,14 @@ TEST_F(DiskLuck, FillsUpWhileTilesAreWritten)
     }
 }
 
-/// HDF5 writes these files itself.
+/// HDF5 makes these files.
 TEST_F(DiskLuck, FillsUpWhileParticlesAreWritten)
 {
     ASSERT_EQ(run_program(folder_.path(), {"tiles", "build", "sphere", "--colors", "1", "--points", "16", "--lloyd",
                                            "2", "--quiet", "--relative-radius", "0.4", "--out", absolute("set.ptiles")})
                   .status,
               0);
-    for (const std::string name : {"glass.hdf5", "glass.h5part"}) {
+    for (const std::string name : {"glass.hdf5", "glass.h5part", "points.h5"}) {
         std::filesystem::create_directories(path("new"));
         const std::string file = absolute("new/" + name);
         const std::vector<std::string> command{"tiles", "points", "set.ptiles", "--torus", "30", "--out", file};
@@ -96,7 +96,9 @@ TEST_F(DiskLuck, FillsUpWhileParticlesAreWritten)
         ASSERT_GT(all, 3);
         const std::string earlier = content_of(file);
         ASSERT_FALSE(earlier.empty());
-        for (const long after : {0L, all / 2, all - 1}) {
+        const Outcome before = run_program(folder_.path(), command, bad_luck(full("new", 0)));
+        expect_one_line(before, 2, file + ": 432000 points take 0.01");
+        for (const long after : {1L, all / 2, all - 1}) {
             SCOPED_TRACE(name + " after " + std::to_string(after));
             const Outcome outcome = run_program(folder_.path(), command, bad_luck(full("new", after)));
             expect_one_line(outcome, 1, file + ": cannot be written: No space left on device");

@@ -1,18 +1,18 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
 #include "app/commands/command.hpp"
 #include "app/commands/point_target.hpp"
-#include "app/commands/tiles/window_density.hpp"
+#include "app/commands/tiles/window_file.hpp"
 #include "base/errors/errors.hpp"
-#include "base/points/particle_file.hpp"
-#include "base/points/point_file.hpp"
+#include "base/points/hdf5_points.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/tile_points/point_levels.hpp"
+#include "host/crew/thread_limit.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -20,9 +20,10 @@ namespace {
 constexpr auto tiles_points_notes =
     R"help(Coordinates are in tiles, from the lowest corner of the window. Rows of tiles from south to north (3D: layers
 from the bottom), in each from west to east. The seed chooses the tiling: windows of the same seed fit together.
-The format follows the extension: .npy, .csv, .usda, .ply (ascii), or text; the latter two say `domain 0:N`, the longest
-side of the window, so that poissonlab analyze takes the points of a square one; for .npy and .csv, --domain N. Edges of
-the window are not those of a torus: --set analysis.window=true.
+The format follows the extension: .npy, .h5 (HDF5: /points), .csv, .usda, .ply (ascii), or text; the latter two say
+`domain 0:N`, the longest side of the window, so that poissonlab analyze takes the points of a square one; for .npy and
+.csv, --domain N. Edges of the window are not those of a torus: --set analysis.window=true.
+Files may be larger than memory. Started by mpirun, processes write .npy and HDF5 together, the same bytes as one.
 With --torus, N x N (x N) tiles whose opposite edges fit: a box with periodic borders, as simulations have it.
 Points of cubes as particles: .hdf5 is a snapshot as Gadget has it (BoxSize in tiles), which monofonIC takes as a glass;
 .h5part has x, y and z in the unit cube, for SPH-EXA.
@@ -82,16 +83,14 @@ TileBlock checked_block(const TilesPointsOptions& options, int dimension)
 }
 
 /// Particles are in cubes.
-void check_particles(const TilesPointsOptions& options, const TileBlock& block, int dimension)
+void check_particles(const TilesPointsOptions& options, const TileBlock& block, const PointFileHead& head)
 {
-    if (!is_particle_file(options.out)) return;
-    const std::string out = fmt::format("tiles points: --out {}", printable(options.out.string()));
-    if (dimension != 3)
-        throw InputError(out +
-                         ": particles of simulations are in 3D, and these tiles in 2D: must be .npy, .csv, .usda, "
-                         ".ply or text");
-    if (block.size[0] != block.size[1] || block.size[0] != block.size[2])
-        throw InputError(out + ": particles are in a cube: --window must have as many tiles along each axis");
+    check_head(options.out, head);
+    if (is_particle_file(options.out) && (block.size[0] != block.size[1] || block.size[0] != block.size[2]))
+        throw InputError(
+            fmt::format("tiles points: --out {}: particles are in a cube: --window must have as many tiles "
+                        "along each axis",
+                        printable(options.out.string())));
 }
 
 /// What the file says of its points.
@@ -106,111 +105,28 @@ std::string comment_of(const TilesPointsOptions& options)
                        options.torus > 0 ? "torus" : "window");
 }
 
-/// With chains, points lie outside of their tiles' squares: those of a window are looked for one tile farther.
-TileBlock searched_block(const TileBlock& window, std::uint32_t period, const PoissonTileParameters& p)
-{
-    if (p.border == TileBorder::strip || period > 0) return window;
-    TileBlock block = window;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        constexpr std::uint32_t most = 65'534;
-        if (window.size[axis] > most)
-            throw InputError(fmt::format("tiles points: --window: {} tiles along an axis: must be at most {} for tiles "
-                                         "with chains",
-                                         window.size[axis], most));
-        --block.lowest[axis];
-        block.size[axis] += 2;
-    }
-    check(block, p.dimension);
-    return block;
-}
-
-/// Hands on the coordinates, in tiles, of the points of a window or of a whole torus, in pieces.
-class WindowPoints
-{
-public:
-    /// `tiles` and `density` must outlive this. `period`: of the torus that the block is; 0: the plane.
-    WindowPoints(const Device& device, const PoissonTileSet& tiles, const TileBlock& window, std::uint32_t period,
-                 const WindowDensity& density)
-        : tiles_(tiles), window_(window), period_(period), density_(density),
-          block_(searched_block(window, period, tiles.parameters)), generator_(device, tiles)
-    {}
-
-    std::size_t count(std::uint32_t seed)
-    {
-        if ((!has_overhang() || period_ > 0) && density_.is_full())
-            return window_.tiles() * tiles_.parameters.points_per_tile;
-        std::size_t points = 0;
-        stream(seed, [&](std::span<const double> coordinates) { points += coordinates.size() / dimension(); });
-        return points;
-    }
-
-    void stream(std::uint32_t seed, const PointSink& sink)
-    {
-        const PoissonTiling tiling{seed, static_cast<std::int32_t>(period_)};
-        PointLevels levels(tiles_, tiling, block_);
-        generator_.stream(tiling, block_, [&](std::span<const std::uint32_t> units) {
-            stop_if_interrupted();
-            coordinates_.clear();
-            std::span<const double> level;
-            if (!density_.is_full()) level = levels.next(units.size() / generator_.values_per_tile());
-            for (std::size_t i = 0; i < units.size() / dimension(); ++i) {
-                const std::size_t before = coordinates_.size();
-                if (append_if_inside(units.subspan(i * dimension(), dimension())) && !level.empty() &&
-                    !density_.keeps(std::span(coordinates_).subspan(before), level[i]))
-                    coordinates_.resize(before);
-            }
-            sink(coordinates_);
-        });
-    }
-
-private:
-    bool has_overhang() const { return tiles_.parameters.border == TileBorder::chain; }
-    std::size_t dimension() const { return static_cast<std::size_t>(tiles_.parameters.dimension); }
-
-    /// Appends a point and says so, unless it is outside of the window.
-    bool append_if_inside(std::span<const std::uint32_t> units)
-    {
-        if (period_ > 0) {
-            for (const std::uint32_t unit : units)
-                coordinates_.push_back(static_cast<double>(torus_place(unit, period_)) / 65536.0);
-            return true;
-        }
-        constexpr std::uint32_t tile = 65536;
-        const std::uint32_t margin = has_overhang() ? tile : 0; // of the block around the window
-        for (std::size_t axis = 0; has_overhang() && axis < units.size(); ++axis)
-            if (units[axis] < margin || units[axis] - margin >= std::uint64_t{tile} * window_.size[axis]) return false;
-        for (const std::uint32_t unit : units) coordinates_.push_back((unit - margin) / 65536.0);
-        return true;
-    }
-
-    const PoissonTileSet& tiles_;
-    TileBlock window_;
-    std::uint32_t period_;
-    const WindowDensity& density_;
-    TileBlock block_;
-    TilePointGenerator generator_;
-    std::vector<double> coordinates_;
-};
-
 void write_tile_points(const TilesPointsOptions& options)
 {
-    check_point_target("tiles points", options.out);
-    const PoissonTileSet tiles = read_tile_set(options.file);
-    const PoissonTileParameters& p = tiles.parameters;
-    const TileBlock block = checked_block(options, p.dimension);
-    check_particles(options, block, p.dimension);
-    const WindowDensity density(options.density, options.density_from, block, p.dimension);
-    const Device device = Device::open(options.device);
-    check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
-    WindowPoints points(device, tiles, block, options.torus, density);
-    const std::size_t count = points.count(options.seed);
-    const auto stream = [&](const PointSink& sink) { points.stream(options.seed, sink); };
-    const std::uint32_t side = std::ranges::max(block.size); // of the square (cube) that the points are in
-    if (is_particle_file(options.out))
-        write_particles_in_pieces(options.out, count, side, "tiles", comment_of(options), stream);
-    else
-        write_points_in_pieces(options.out, p.dimension, count,
-                               fmt::format("domain 0:{}\n{}", side, comment_of(options)), stream);
+    const auto crew = make_crew();
+    const ThreadLimit limit(threads_of_process(0, *crew));
+    if (!crew->leads()) say_nothing_when_interrupted();
+    std::optional<PoissonTileSet> tiles;
+    std::optional<WindowDensity> density;
+    std::optional<WindowPoints> points;
+    PointFileHead head{.unit = "tiles", .comment = comment_of(options)};
+    const bool is_ready = crew->together([&] {
+        check_point_target("tiles points", options.out);
+        const PoissonTileParameters& p = tiles.emplace(read_tile_set(options.file)).parameters;
+        const TileBlock block = checked_block(options, p.dimension);
+        head.dimension = p.dimension;
+        head.side = std::ranges::max(block.size); // of the square (cube) that the points are in
+        check_particles(options, block, head);
+        density.emplace(options.density, options.density_from, block, p.dimension);
+        const Device device = Device::open(options.device);
+        check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
+        points.emplace(device, *tiles, WindowOfTiling{block, options.torus, options.seed}, *density);
+    });
+    if (is_ready) write_window(options.out, head, *points, *crew);
 }
 
 }

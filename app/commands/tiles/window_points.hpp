@@ -1,0 +1,59 @@
+// The points of a window of a tiling, or of a whole torus, in pieces that any process can make.
+#pragma once
+
+#include "app/commands/tiles/window_density.hpp"
+#include "host/tile_points/tile_points.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace poissonlab {
+
+/// Which tiling, and which tiles of it.
+struct WindowOfTiling
+{
+    TileBlock block;
+    std::uint32_t period = 0; ///< of the torus that the block is; 0: the plane
+    std::uint32_t seed = 1;
+};
+
+/// Makes the coordinates, in tiles from the window's lowest corner. Pieces do not depend on the device: together, one
+/// after another, they have the points in their order.
+class WindowPoints
+{
+public:
+    /// `tiles` and `density` must outlive this. Throws InputError for windows that are too large.
+    WindowPoints(const Device& device, const PoissonTileSet& tiles, const WindowOfTiling& window,
+                 const WindowDensity& density);
+
+    std::uint32_t pieces() const { return pieces_; }
+
+    /// True if the number of points follows from that of the tiles.
+    bool has_known_counts() const { return (!has_overhang_ || window_.period > 0) && density_.is_full(); }
+
+    /// At least so many points are in the window.
+    std::uint64_t least_points() const;
+
+    /// The number of a piece's points, which are made where it is not known.
+    std::uint64_t count(std::uint32_t piece);
+
+    /// Makes the points of a piece, instead of what is in `coordinates`.
+    void make(std::uint32_t piece, std::vector<double>& coordinates);
+
+private:
+    void append(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;
+    bool append_if_inside(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;
+
+    const PoissonTileSet& tiles_;
+    WindowOfTiling window_;
+    const WindowDensity& density_;
+    std::size_t dimension_;
+    bool has_overhang_; ///< points lie outside of their tiles' squares
+    TileBlock block_;   ///< the tiles whose points are looked at
+    std::uint64_t tiles_per_piece_;
+    std::uint32_t pieces_;
+    TilePointGenerator generator_;
+    std::vector<double> counted_;
+};
+
+}
