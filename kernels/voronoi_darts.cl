@@ -4,10 +4,14 @@
 // section 6.12. The plain twin of these kernels, which gives the same bytes, is
 // host/sampling/reference/voronoi_darts.cpp; host/sampling/voronoi_darts.cpp runs them, batch after batch:
 //   measure_cells   the free area of cells as an integer
+//   choose_sites    the cell whose free area each dart falls into
 //   throw_darts     places that are uniform in all free area, one dart each; those that a point rejects are told
 //   resolve_darts   (in rounds) a dart is rejected when an earlier dart of the batch within the minimum distance is
 //                   accepted, and accepted when all of those are rejected: exactly what throwing them one by one gives
 //   insert_darts    accepted darts become points
+// Work-items that follow each other look into neighbouring rows of the grid, or memory far away would keep those of large
+// sets waiting: count_sites and choose_sites count what is in each row, and order_items lists sites and darts by rows. In
+// which order they are worked on decides about the time only.
 // Double precision serves the geometry, without library functions but the square root, which is rounded correctly, so
 // that bytes are the same everywhere. Neighbours cut a cell in the order of the list of offsets.
 
@@ -27,12 +31,17 @@
 
 uint cell_of(uint coordinate, uint grid_size) { return (uint)(((ulong)coordinate * grid_size) >> 32); }
 
-/// The Voronoi cell of a point; no vertices where its disk covers it. False where it is unknown.
-bool find_cell(struct Torus torus, constant const struct Offset* offsets, global const uint* points,
-               global const uint* slots, uint site, Polygon* cell)
+/// The number of this work-item's site or dart: in the order of rows, if there is one.
+uint item_of(uint is_ordered, global const uint* order, uint count)
 {
-    const uint x = points[2 * site];
-    const uint y = points[2 * site + 1];
+    const uint id = get_global_id(0);
+    return is_ordered && id < count ? order[id] : id;
+}
+
+/// The Voronoi cell of a point; no vertices where its disk covers it. False where it is unknown.
+bool find_cell(struct Torus torus, constant const struct Offset* offsets, global const uint* slots,
+               global const uint* places, uint x, uint y, Polygon* cell)
+{
     const uint cell_x = cell_of(x, torus.grid_size);
     const uint cell_y = cell_of(y, torus.grid_size);
     const double far = MAX_GAP * sqrt(torus.squared_cell);
@@ -44,10 +53,11 @@ bool find_cell(struct Torus torus, constant const struct Offset* offsets, global
         int turns_x, turns_y;
         const uint other_x = turned_cell(cell_x, offset.x, (int)torus.grid_size, &turns_x);
         const uint other_y = turned_cell(cell_y, offset.y, (int)torus.grid_size, &turns_y);
-        const uint slot = slots[other_y * torus.grid_size + other_x];
+        const uint other = other_y * torus.grid_size + other_x;
+        const uint slot = slots[other];
         if (slot == 0) continue;
-        const double to_x = (double)points[2 * slot - 2] - (double)x + turns_x * UNITS;
-        const double to_y = (double)points[2 * slot - 1] - (double)y + turns_y * UNITS;
+        const double to_x = (double)places[2 * other] - (double)x + turns_x * UNITS;
+        const double to_y = (double)places[2 * other + 1] - (double)y + turns_y * UNITS;
         if (to_x * to_x + to_y * to_y >= 4 * squared_radius) continue;
         if (!cut(cell, to_x, to_y, slot)) return false;
         squared_radius = squared_radius_of(cell);
@@ -129,14 +139,16 @@ ulong area_of(const Piece* piece, double squared_min_distance)
 
 /// One work-item owns one of the sites, and the free area of its cell.
 kernel void measure_cells(struct Torus torus, constant const struct Offset* offsets, global const uint* points,
-                          global const uint* slots, global const uint* sites, uint site_count, global ulong* areas)
+                          global const uint* slots, global const uint* places, global const uint* sites,
+                          uint site_count, uint is_ordered, global const uint* order, global ulong* areas)
 {
-    const uint id = get_global_id(0);
+    const uint id = item_of(is_ordered, order, site_count);
     if (id >= site_count) return;
     const double squared_min_distance = (double)torus.squared_min_distance;
     Polygon cell;
     ulong area = 0;
-    if (find_cell(torus, offsets, points, slots, sites[id], &cell)) {
+    const uint site = sites[id];
+    if (find_cell(torus, offsets, slots, places, points[2 * site], points[2 * site + 1], &cell)) {
         for (uint edge = 0; edge < cell.count; ++edge) {
             Piece pieces[2];
             const uint count = pieces_of(&cell, edge, squared_min_distance, pieces);
@@ -194,8 +206,8 @@ bool place_in_cell(const Polygon* cell, ulong rest, double squared_min_distance,
 uint to_units(double length) { return (uint)(long)floor(length + 0.5); }
 
 /// Is a point nearer than the minimum distance?
-bool is_covered(struct Torus torus, constant const struct Offset* offsets, global const uint* points,
-                global const uint* slots, const Position* position)
+bool is_covered(struct Torus torus, constant const struct Offset* offsets, global const uint* slots,
+                global const uint* places, const Position* position)
 {
     const uint cell_x = cell_of(position->c[0], torus.grid_size);
     const uint cell_y = cell_of(position->c[1], torus.grid_size);
@@ -203,49 +215,99 @@ bool is_covered(struct Torus torus, constant const struct Offset* offsets, globa
         int turns;
         const uint other_x = turned_cell(cell_x, offsets[i].x, (int)torus.grid_size, &turns);
         const uint other_y = turned_cell(cell_y, offsets[i].y, (int)torus.grid_size, &turns);
-        const uint slot = slots[other_y * torus.grid_size + other_x];
-        if (slot == 0) continue;
-        const Position other = {{points[2 * slot - 2], points[2 * slot - 1]}};
+        const uint cell = other_y * torus.grid_size + other_x;
+        if (slots[cell] == 0) continue;
+        const Position other = {{places[2 * cell], places[2 * cell + 1]}};
         if (squared_distance(&other, position) < torus.squared_min_distance) return true;
     }
     return false;
 }
 
-/// One work-item owns one dart: its place, its state, and its link in the chain of its cell. `ends` are the sums of the
-/// sites' areas, each with those before. `heads` hold 0, or 1 + the number of a dart.
-kernel void throw_darts(struct Torus torus, struct Batch batch, constant const struct Offset* offsets,
-                        global const uint* points, global const uint* slots, global const uint* sites,
-                        global const ulong* ends, global uint* darts, global uint* states, global uint* next,
-                        global uint* heads)
+/// The random words that choose a dart's place.
+uint4 words_of(uint dart, struct Batch batch)
+{
+    return philox((uint4)(dart, batch.number, 0, 0), (uint2)(batch.key_x, batch.key_y));
+}
+
+/// The place of a dart in all free area.
+ulong chosen_area(uint4 words, struct Batch batch) { return mul_hi(long_word(words.x, words.y), batch.free_area); }
+
+/// One work-item owns one site. Stores its row of the grid, and adds it to those that the row has.
+kernel void count_sites(uint grid_size, global const uint* points, global const uint* sites, uint site_count,
+                        global uint* rows, global uint* counts)
+{
+    const uint id = get_global_id(0);
+    if (id >= site_count) return;
+    const uint row = cell_of(points[2 * sites[id] + 1], grid_size);
+    rows[id] = row;
+    atomic_inc(&counts[row]);
+}
+
+/// One work-item owns one dart. Stores the place in the list of the site into whose cell it falls, and the row of the
+/// grid that it falls into or near, and adds it to those that the row has. `ends` are the sums of the sites' areas, each
+/// with those before.
+kernel void choose_sites(struct Torus torus, struct Batch batch, global const uint* points, global const uint* sites,
+                         global const ulong* ends, global uint* chosen, global uint* rows, global uint* counts)
 {
     const uint id = get_global_id(0);
     if (id >= batch.darts) return;
-    const uint2 key = (uint2)(batch.key_x, batch.key_y);
-    const uint4 words = philox((uint4)(id, batch.number, 0, 0), key);
-    Position position = {{words.x, words.y}};
-    bool is_there = true;
+    const uint4 words = words_of(id, batch);
+    uint y = words.y;
     if (batch.free_area > 0) {
-        const ulong chosen = mul_hi(long_word(words.x, words.y), batch.free_area);
+        const ulong area = chosen_area(words, batch);
         uint begin = 0, end = batch.sites - 1;
         while (begin < end) {
             const uint middle = (begin + end) / 2;
-            if (ends[middle] > chosen) {
+            if (ends[middle] > area) {
                 end = middle;
             } else {
                 begin = middle + 1;
             }
         }
+        chosen[id] = begin;
+        y = points[2 * sites[begin] + 1];
+    }
+    const uint row = cell_of(y, torus.grid_size);
+    rows[id] = row;
+    atomic_inc(&counts[row]);
+}
+
+/// One work-item owns one site or dart. Lists it with those of its row, whose free place in the list is `next`.
+kernel void order_items(uint count, global const uint* rows, global uint* next, global uint* order)
+{
+    const uint id = get_global_id(0);
+    if (id < count) order[atomic_inc(&next[rows[id]])] = id;
+}
+
+/// One work-item owns one dart: its place, its state, and its link in the chain of its cell. `heads` hold 0, or 1 + the
+/// number of a dart.
+kernel void throw_darts(struct Torus torus, struct Batch batch, constant const struct Offset* offsets,
+                        global const uint* points, global const uint* slots, global const uint* places,
+                        global const uint* sites, global const ulong* ends, global const uint* chosen,
+                        uint is_ordered, global const uint* order, global uint* darts, global uint* states,
+                        global uint* next, global uint* heads)
+{
+    const uint id = item_of(is_ordered, order, batch.darts);
+    if (id >= batch.darts) return;
+    const uint2 key = (uint2)(batch.key_x, batch.key_y);
+    const uint4 words = words_of(id, batch);
+    Position position = {{words.x, words.y}};
+    bool is_there = true;
+    if (batch.free_area > 0) {
+        const uint begin = chosen[id];
+        const ulong rest = chosen_area(words, batch) - (begin > 0 ? ends[begin - 1] : 0);
+        const uint x = points[2 * sites[begin]];
+        const uint y = points[2 * sites[begin] + 1];
         Polygon cell;
         double2 place = 0;
-        find_cell(torus, offsets, points, slots, sites[begin], &cell);
-        is_there = place_in_cell(&cell, chosen - (begin > 0 ? ends[begin - 1] : 0), (double)torus.squared_min_distance,
-                                 id, batch.number, key, &place);
-        position.c[0] = points[2 * sites[begin]] + to_units(place.x);
-        position.c[1] = points[2 * sites[begin] + 1] + to_units(place.y);
+        find_cell(torus, offsets, slots, places, x, y, &cell);
+        is_there = place_in_cell(&cell, rest, (double)torus.squared_min_distance, id, batch.number, key, &place);
+        position.c[0] = x + to_units(place.x);
+        position.c[1] = y + to_units(place.y);
     }
     darts[2 * id] = position.c[0];
     darts[2 * id + 1] = position.c[1];
-    if (!is_there || is_covered(torus, offsets, points, slots, &position)) {
+    if (!is_there || is_covered(torus, offsets, slots, places, &position)) {
         states[id] = REJECTED;
         return;
     }
@@ -258,10 +320,11 @@ kernel void throw_darts(struct Torus torus, struct Batch batch, constant const s
 /// One work-item owns one dart and its next state; the states that the round before left are only read. Where a dart
 /// has to wait, `waiting` becomes 1.
 kernel void resolve_darts(struct Torus torus, uint dart_count, constant const struct Offset* offsets,
-                          global const uint* darts, global const uint* next, global const uint* heads,
-                          global const uint* states, global uint* next_states, global uint* waiting)
+                          uint is_ordered, global const uint* order, global const uint* darts,
+                          global const uint* next, global const uint* heads, global const uint* states,
+                          global uint* next_states, global uint* waiting)
 {
-    const uint id = get_global_id(0);
+    const uint id = item_of(is_ordered, order, dart_count);
     if (id >= dart_count) return;
     uint state = states[id];
     if (state == UNDECIDED) {
@@ -293,7 +356,7 @@ kernel void resolve_darts(struct Torus torus, uint dart_count, constant const st
 
 /// One work-item owns one dart: forgets the chain of its cell, and makes it a point if it has a number (from 1 on).
 kernel void insert_darts(uint grid_size, uint dart_count, global const uint* darts, global const uint* numbers,
-                         global uint* points, global uint* slots, global uint* heads)
+                         global uint* points, global uint* slots, global uint* places, global uint* heads)
 {
     const uint id = get_global_id(0);
     if (id >= dart_count) return;
@@ -304,6 +367,8 @@ kernel void insert_darts(uint grid_size, uint dart_count, global const uint* dar
     const uint number = numbers[id];
     if (number == 0) return;
     slots[cell] = number;
+    places[2 * cell] = x;
+    places[2 * cell + 1] = y;
     points[2 * number - 2] = x;
     points[2 * number - 1] = y;
 }

@@ -25,6 +25,9 @@ constexpr std::uint32_t least_batch = 256;
 /// Rounds of resolve_darts before the host looks whether all darts are decided.
 constexpr int voronoi_rounds = 4;
 
+/// Fewer sites or darts are worked on as they come: what they look into fits in caches.
+constexpr std::size_t least_ordered = 4096;
+
 std::uint32_t at_least_some(double darts) { return std::max(least_batch, static_cast<std::uint32_t>(darts)); }
 
 }
@@ -81,8 +84,10 @@ struct VoronoiDartBuffers
     Buffer<Offset> offsets;
     Words points, sites;
     Buffer<std::uint64_t> areas, ends;
-    Words slots, heads;                              ///< a cell of the grid each
-    Words darts, states, next_states, next, numbers; ///< a dart of the batch each
+    Words slots, places, heads;                              ///< a cell of the grid each, of two coordinates
+    Words darts, chosen, states, next_states, next, numbers; ///< a dart of the batch each
+    Words rows, order;                                       ///< a site or a dart each
+    Words counts;                                            ///< a row of the grid each
     Words waiting;
 
     NeededBuffers needed(const DartThrowingRequest& request)
@@ -92,19 +97,15 @@ struct VoronoiDartBuffers
         const std::size_t most_points = packing_bound(request.min_distance, 2);
         const VoronoiDartBatches batches(torus);
         const std::size_t most_darts = std::max<std::size_t>(batches.darts_anywhere(), least_batch + most_points);
-        return {{offsets, torus.offsets},
-                {points, 2 * most_points},
-                {sites, most_points},
-                {areas, most_points},
-                {ends, most_points},
-                {slots, cells},
-                {heads, cells},
-                {darts, 2 * most_darts},
-                {states, most_darts},
-                {next_states, most_darts},
-                {next, most_darts},
-                {numbers, most_darts},
-                {waiting, 1}};
+        return {{offsets, torus.offsets},  {points, 2 * most_points},
+                {sites, most_points},      {areas, most_points},
+                {ends, most_points},       {slots, cells},
+                {places, 2 * cells},       {heads, cells},
+                {darts, 2 * most_darts},   {chosen, most_darts},
+                {states, most_darts},      {next_states, most_darts},
+                {next, most_darts},        {numbers, most_darts},
+                {rows, most_darts},        {order, most_darts},
+                {counts, torus.grid_size}, {waiting, 1}};
     }
 };
 
@@ -128,6 +129,9 @@ public:
     {
         const KernelProgram program = kernel_program("voronoi_darts.cl", {});
         measure_ = device.kernel(program, "measure_cells");
+        count_sites_ = device.kernel(program, "count_sites");
+        choose_ = device.kernel(program, "choose_sites");
+        order_ = device.kernel(program, "order_items");
         throw_ = device.kernel(program, "throw_darts");
         resolve_ = device.kernel(program, "resolve_darts");
         insert_ = device.kernel(program, "insert_darts");
@@ -169,8 +173,12 @@ private:
         std::iota(sites.begin() + static_cast<std::ptrdiff_t>(old), sites.end(), static_cast<std::uint32_t>(measured_));
         measured_ = points_;
         b.sites.write(sites);
-        measure_.run(sites.size(), group_size_, torus_, b.offsets, b.points, b.slots, b.sites, u32(sites.size()),
-                     b.areas);
+        b.counts.write(std::vector<std::uint32_t>(torus_.grid_size));
+        count_sites_.run(sites.size(), group_size_, torus_.grid_size, b.points, b.sites, u32(sites.size()), b.rows,
+                         b.counts);
+        const std::uint32_t is_ordered = order(sites.size());
+        measure_.run(sites.size(), group_size_, torus_, b.offsets, b.points, b.slots, b.places, b.sites,
+                     u32(sites.size()), is_ordered, b.order, b.areas);
         const std::vector<std::uint64_t> areas = b.areas.read(0, sites.size());
         FreeArea free;
         std::uint64_t sum = 0;
@@ -195,18 +203,34 @@ private:
                                                    .key_x = request_.stream[0],
                                                    .key_y = request_.stream[1],
                                                    .unused = 0};
-        throw_.run(darts, group_size_, torus_, batch, b.offsets, b.points, b.slots, b.sites, b.ends, b.darts, b.states,
-                   b.next, b.heads);
+        b.counts.write(std::vector<std::uint32_t>(torus_.grid_size));
+        choose_.run(darts, group_size_, torus_, batch, b.points, b.sites, b.ends, b.chosen, b.rows, b.counts);
+        const std::uint32_t is_ordered = order(darts);
+        throw_.run(darts, group_size_, torus_, batch, b.offsets, b.points, b.slots, b.places, b.sites, b.ends, b.chosen,
+                   is_ordered, b.order, b.darts, b.states, b.next, b.heads);
         std::uint32_t waiting = 1;
         while (waiting != 0) {
             for (int round = 0; round < voronoi_rounds; ++round) {
                 if (round + 1 == voronoi_rounds) b.waiting.write({{0u}});
-                resolve_.run(darts, group_size_, torus_, darts, b.offsets, b.darts, b.next, b.heads, b.states,
-                             b.next_states, b.waiting);
+                resolve_.run(darts, group_size_, torus_, darts, b.offsets, is_ordered, b.order, b.darts, b.next,
+                             b.heads, b.states, b.next_states, b.waiting);
                 std::swap(b.states, b.next_states);
             }
             b.waiting.read({&waiting, 1});
         }
+    }
+
+    /// Lists sites or darts by the rows of the grid that they are in, as the last kernel has counted them, unless there
+    /// are few. Returns 1 if the list is there, else 0.
+    std::uint32_t order(std::size_t items)
+    {
+        if (items < least_ordered) return 0;
+        VoronoiDartBuffers& b = buffers_;
+        std::vector<std::uint32_t> next = b.counts.read(0, torus_.grid_size);
+        std::exclusive_scan(next.begin(), next.end(), next.begin(), 0u);
+        b.counts.write(next);
+        order_.run(items, group_size_, u32(items), b.rows, b.counts, b.order);
+        return 1;
     }
 
     /// Makes points of the accepted darts, in their order. Returns how many there are.
@@ -217,7 +241,7 @@ private:
         for (std::uint32_t& state : states) state = state == contract::voronoi_darts::ACCEPTED ? u32(++points_) : 0;
         buffers_.numbers.write(states);
         insert_.run(darts, group_size_, torus_.grid_size, darts, buffers_.darts, buffers_.numbers, buffers_.points,
-                    buffers_.slots, buffers_.heads);
+                    buffers_.slots, buffers_.places, buffers_.heads);
         return points_ - before;
     }
 
@@ -227,7 +251,7 @@ private:
     const DartThrowingRequest& request_;
     std::size_t group_size_;
     contract::voronoi_darts::Torus torus_;
-    Kernel measure_, throw_, resolve_, insert_;
+    Kernel measure_, count_sites_, choose_, order_, throw_, resolve_, insert_;
     std::size_t points_ = 0;
     std::size_t measured_ = 0; ///< points that were there when the free area was measured last
 };
