@@ -287,21 +287,54 @@ ALWAYS_INLINE VECTOR(ushort) farthest_units(uint coordinate, uint cell, uint gri
     return CONVERT(ushort)((length * length >> 17) + 1);
 }
 
-/// One work-item owns one row of grid cells along x, and all rows of the table in it. Enters the disks of
-/// points from FIRST_NEW on. Squared distances are rounded up axis by axis: a part may seem covered later
-/// than it is.
-kernel void cover_cells(global const ulong* state, global const uint* points, uint grid_bits,
-                        global ushort* table)
+/// Enters the disk of a point into the part of the table that is in one row of grid cells along x. Squared distances
+/// are rounded up axis by axis: a part may seem covered later than it is.
+ALWAYS_INLINE void cover_row(const Position* point, const Cell* cell, uint row, uint low, uint grid_bits,
+                             global ushort* table)
 {
     const uint last = (1u << grid_bits) - 1;
     const uint bits = grid_bits + COVER_BITS;
-    const uint id = get_global_id(0);
-    if (id >> (DIMENSION - 1) * grid_bits != 0) return;
-    const uint cell_y = id & last;
-#if DIMENSION == 3
-    const uint cell_z = id >> grid_bits;
-#endif
+    const uint cell_y = row & last;
     const uint near_cells = min(3u, last + 1); // along an axis
+    VECTOR(ushort) along_x[3];
+    for (uint x = 0; x < near_cells; ++x) {
+        along_x[x] = farthest_units(point->c[0], cell->c[0] + last + x & last, grid_bits);
+    }
+    ushort along_y[COVER_PARTS];
+    STORE(farthest_units(point->c[1], cell_y, grid_bits), 0, along_y);
+#if DIMENSION == 3
+    const uint cell_z = row >> grid_bits;
+    ushort along_z[COVER_PARTS];
+    STORE(farthest_units(point->c[2], cell_z, grid_bits), 0, along_z);
+    for (uint k = 0; k < COVER_PARTS; ++k) {
+        const uint slice = (cell_z << COVER_BITS | k) << bits;
+#else
+    const ushort along_z[1] = {0};
+    const uint k = 0;
+    const uint slice = 0;
+    {
+#endif
+        for (uint j = 0; j < COVER_PARTS; ++j) {
+            const ushort along_yz = add_sat(along_z[k], along_y[j]);
+            if (along_yz > low) continue;
+            global ushort* table_row = &table[(slice | cell_y << COVER_BITS | j) << bits];
+            for (uint x = 0; x < near_cells; ++x) {
+                const uint at = cell->c[0] + last + x & last;
+                STORE(min(LOAD(at, table_row), add_sat((VECTOR(ushort))along_yz, along_x[x])), at, table_row);
+            }
+        }
+    }
+}
+
+/// One work-item owns `rows_an_item` rows of grid cells along x, and all rows of the table in them. Enters the disks of
+/// points from FIRST_NEW on: each is in three rows of cells (3D: nine), whose owners are few where items own many.
+kernel void cover_cells(global const ulong* state, global const uint* points, uint grid_bits, uint rows_an_item,
+                        global ushort* table)
+{
+    const uint last = (1u << grid_bits) - 1;
+    const uint first_row = get_global_id(0) * rows_an_item;
+    if (first_row >> (DIMENSION - 1) * grid_bits != 0) return;
+    const uint near_cells = min(3u, last + 1);
     const uint low = (uint)((state[LOW_THRESHOLD] - 1) >> UNIT_BITS(grid_bits));
     const uint end = (uint)state[POINTS];
     for (uint p = (uint)state[FIRST_NEW]; p < end; ++p) {
@@ -309,35 +342,16 @@ kernel void cover_cells(global const ulong* state, global const uint* points, ui
         Cell cell;
         FOR_EACH_AXIS(k) point.c[k] = points[p * POINT_WORDS + k];
         FOR_EACH_AXIS(k) cell.c[k] = (uint)((ulong)point.c[k] >> (32 - grid_bits));
-        if ((cell_y - cell.c[1] + 1 & last) > 2) continue;
 #if DIMENSION == 3
-        if ((cell_z - cell.c[2] + 1 & last) > 2) continue;
-#endif
-        VECTOR(ushort) along_x[3];
-        for (uint x = 0; x < near_cells; ++x) {
-            along_x[x] = farthest_units(point.c[0], cell.c[0] + last + x & last, grid_bits);
-        }
-        ushort along_y[COVER_PARTS];
-        STORE(farthest_units(point.c[1], cell_y, grid_bits), 0, along_y);
-#if DIMENSION == 3
-        ushort along_z[COVER_PARTS];
-        STORE(farthest_units(point.c[2], cell_z, grid_bits), 0, along_z);
-        for (uint k = 0; k < COVER_PARTS; ++k) {
-            const uint slice = (cell_z << COVER_BITS | k) << bits;
+        for (uint z = 0; z < near_cells; ++z) {
+            const uint layer = (cell.c[2] + last + z & last) << grid_bits;
 #else
-        const ushort along_z[1] = {0};
-        const uint k = 0;
-        const uint slice = 0;
         {
+            const uint layer = 0;
 #endif
-            for (uint j = 0; j < COVER_PARTS; ++j) {
-                const ushort along_yz = add_sat(along_z[k], along_y[j]);
-                if (along_yz > low) continue;
-                global ushort* row = &table[(slice | cell_y << COVER_BITS | j) << bits];
-                for (uint x = 0; x < near_cells; ++x) {
-                    const uint at = cell.c[0] + last + x & last;
-                    STORE(min(LOAD(at, row), add_sat((VECTOR(ushort))along_yz, along_x[x])), at, row);
-                }
+            for (uint y = 0; y < near_cells; ++y) {
+                const uint row = layer | (cell.c[1] + last + y & last);
+                if (row - first_row < rows_an_item) cover_row(&point, &cell, row, low, grid_bits, table);
             }
         }
     }

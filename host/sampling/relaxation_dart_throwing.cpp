@@ -34,6 +34,10 @@ constexpr std::uint64_t darts_a_point_in_order = 40;
 constexpr std::uint64_t first_darts_in_order = 1024;
 constexpr std::uint64_t most_darts_in_order = std::uint64_t{1} << 14;
 
+/// Work-items of cover_cells on a CPU. Each looks at all new points, which are a few hundred a batch: an item for each
+/// row of cells would look at the points of a set as often as there are rows, which is not linear in its size.
+constexpr std::size_t cover_items_of_cpu = 64;
+
 /// A batch is looked at for a radius that is smaller by this factor at most, or by as many levels at least:
 /// the smaller, the more candidates fail.
 constexpr double least_radius_ahead = 0.98;
@@ -131,7 +135,7 @@ public:
     RelaxationThrowing(Device& device, RelaxationDartBuffers& buffers, const RelaxationDartThrowingRequest& request,
                        std::size_t group_size)
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
-          may_throw_in_order_(device.info().type == "CPU"), is_in_order_(may_throw_in_order_), window_(request)
+          is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
     {
         const KernelProgram program =
             kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}});
@@ -206,7 +210,7 @@ private:
         const std::uint64_t darts = state_[NEXT_DART] - before[NEXT_DART];
         const std::uint64_t points = state_[POINTS] - before[POINTS];
         const bool was_in_order = is_in_order_;
-        is_in_order_ = may_throw_in_order_ && points * darts_a_point_in_order >= darts;
+        is_in_order_ = is_cpu_ && points * darts_a_point_in_order >= darts;
         if (was_in_order && !is_in_order_) update_table();
     }
 
@@ -225,8 +229,10 @@ private:
     /// Enters the points that the table does not know.
     void update_table()
     {
-        cover_.run(std::size_t{1} << (D - 1) * grid_bits_, std::min<std::size_t>(group_size_, D == 2 ? 1 : 8),
-                   buffers_.state, buffers_.points, grid_bits_, buffers_.table);
+        const std::size_t rows = std::size_t{1} << (D - 1) * grid_bits_;
+        const std::size_t rows_an_item = is_cpu_ ? std::max<std::size_t>(1, rows / cover_items_of_cpu) : 1;
+        cover_.run(rows / rows_an_item, std::min<std::size_t>(group_size_, D == 2 || rows_an_item > 1 ? 1 : 8),
+                   buffers_.state, buffers_.points, grid_bits_, u32(rows_an_item), buffers_.table);
     }
 
     /// The widest cells below twice the minimum distance: 2^-bits >= distance, in squares of units of 2^-32.
@@ -294,7 +300,7 @@ private:
     const RelaxationDartThrowingRequest& request_;
     std::size_t group_size_;
     GridLimits limits_;
-    bool may_throw_in_order_, is_in_order_;
+    bool is_cpu_, is_in_order_;
     Kernel throw_, find_, settle_, cover_, clear_, link_, throw_in_order_;
     StateWords state_{}; ///< as the host saw it last
     std::uint64_t batch_ = first_batch, darts_in_order_ = first_darts_in_order;
