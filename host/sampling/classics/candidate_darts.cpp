@@ -29,28 +29,52 @@ public:
     PointSet sample(std::uint32_t realization) override
     {
         const StreamKey stream = stream_key(request_.seed, Purpose::best_candidate, realization);
-        TorusGrid grid(request_.points, request_.dimension);
-        for (std::uint32_t i = 0; i < request_.points; ++i) grid.add(best_candidate(grid, i, stream));
+        std::size_t room = 1;
+        TorusGrid grid(room, request_.dimension);
+        for (std::uint32_t i = 0; i < request_.points; ++i) {
+            if (i == 2 * room) grid = with_room_for(room = 2 * i, grid);
+            grid.add(best_candidate(grid, i, stream));
+        }
         return grid.point_set();
     }
 
 private:
+    /// Among few points in a grid for many, the nearest one is many cells away.
+    TorusGrid with_room_for(std::size_t points, const TorusGrid& grid) const
+    {
+        TorusGrid larger(points, request_.dimension);
+        for (std::size_t i = 0; i < grid.size(); ++i) larger.add(grid[i]);
+        return larger;
+    }
+
     TorusPosition best_candidate(const TorusGrid& grid, std::uint32_t number, const StreamKey& stream) const
     {
         const std::uint64_t count = grows_ ? candidates_ * std::max<std::uint32_t>(1, number) : candidates_;
         TorusPosition best{};
         std::uint64_t farthest = 0;
-        for (std::uint64_t k = 0; k < count; ++k) {
-            const auto words =
-                philox({number, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32), 0}, stream);
-            const TorusPosition candidate = random_position(words, request_.dimension);
-            const std::uint64_t squared = grid.squared_nearest(candidate, farthest);
-            if (k > 0 && squared <= farthest) continue;
-            best = candidate;
-            farthest = squared;
+        std::array<TorusPosition, at_once> candidates;
+        for (std::uint64_t first = 0; first < count; first += at_once) {
+            const std::size_t some = std::min<std::uint64_t>(at_once, count - first);
+            for (std::size_t i = 0; i < some; ++i) {
+                const std::uint64_t k = first + i;
+                candidates[i] = random_position(
+                    philox({number, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(k >> 32), 0}, stream),
+                    request_.dimension);
+                grid.ask_for_cells(candidates[i]);
+            }
+            for (std::size_t i = 0; i < some; ++i) grid.ask_for_points(candidates[i]);
+            for (std::size_t i = 0; i < some; ++i) {
+                const std::uint64_t squared = grid.squared_nearest(candidates[i], farthest);
+                if (first + i > 0 && squared <= farthest) continue;
+                best = candidates[i];
+                farthest = squared;
+            }
         }
         return best;
     }
+
+    /// Candidates whose surroundings memory is asked for together, as each would wait for its own.
+    static constexpr std::size_t at_once = 20;
 
     SampleRequest request_;
     std::uint64_t candidates_;

@@ -32,21 +32,41 @@ std::size_t TorusGrid::cell_number(const std::array<std::int64_t, 3>& cell) cons
     return number;
 }
 
-void TorusGrid::add(const TorusPosition& position)
+std::array<std::int64_t, 3> TorusGrid::cell_of(const TorusPosition& position) const
 {
     std::array<std::int64_t, 3> cell{};
     for (std::size_t k = 0; k < 3; ++k) cell[k] = static_cast<std::int64_t>(std::uint64_t{position[k]} >> (32 - bits_));
-    std::uint32_t& head = heads_[cell_number(cell)];
-    next_.push_back(head);
-    head = static_cast<std::uint32_t>(points_.size());
-    points_.push_back(position);
+    return cell;
+}
+
+void TorusGrid::add(const TorusPosition& position)
+{
+    std::uint32_t& head = heads_[cell_number(cell_of(position))];
+    points_.push_back({position, head});
+    head = static_cast<std::uint32_t>(points_.size() - 1);
+}
+
+void TorusGrid::ask_for_cells(const TorusPosition& position) const
+{
+    const auto home = cell_of(position);
+    for (std::int64_t y = -1; y <= 1; ++y) __builtin_prefetch(&heads_[cell_number({home[0], home[1] + y, home[2]})]);
+}
+
+void TorusGrid::ask_for_points(const TorusPosition& position) const
+{
+    const auto home = cell_of(position);
+    for (std::int64_t y = -1; y <= 1; ++y)
+        for (std::int64_t x = -1; x <= 1; ++x) {
+            const std::uint32_t head = heads_[cell_number({home[0] + x, home[1] + y, home[2]})];
+            if (head != none) __builtin_prefetch(&points_[head]);
+        }
 }
 
 void TorusGrid::visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position,
                       std::uint64_t& nearest) const
 {
-    for (std::uint32_t i = heads_[cell_number(cell)]; i != none; i = next_[i])
-        nearest = std::min(nearest, squared_torus_distance(points_[i], position));
+    for (std::uint32_t i = heads_[cell_number(cell)]; i != none; i = points_[i].next)
+        nearest = std::min(nearest, squared_torus_distance(points_[i].position, position));
 }
 
 /// Looks at rings of cells around that of the position until none farther out can have a nearer point.
@@ -91,8 +111,9 @@ std::vector<std::size_t> TorusGrid::within(const TorusPosition& position, double
         for (std::int64_t y = 0; y < count[1]; ++y)
             for (std::int64_t x = 0; x < count[0]; ++x)
                 for (std::uint32_t i = heads_[cell_number({first[0] + x, first[1] + y, first[2] + z})]; i != none;
-                     i = next_[i])
-                    if (static_cast<double>(squared_torus_distance(points_[i], position)) < distance * distance)
+                     i = points_[i].next)
+                    if (static_cast<double>(squared_torus_distance(points_[i].position, position)) <
+                        distance * distance)
                         found.push_back(i);
     return found;
 }
@@ -101,9 +122,9 @@ PointSet TorusGrid::point_set() const
 {
     PointSet set{dimension_, {}};
     set.coordinates.reserve(points_.size() * static_cast<std::size_t>(dimension_));
-    for (const TorusPosition& point : points_)
+    for (const Link& point : points_)
         for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k)
-            set.coordinates.push_back(static_cast<double>(point[k]) / 4294967296.0);
+            set.coordinates.push_back(static_cast<double>(point.position[k]) / 4294967296.0);
     return set;
 }
 

@@ -24,7 +24,12 @@ public:
     void add(const TorusPosition& position);
 
     std::size_t size() const { return points_.size(); }
-    const TorusPosition& operator[](std::size_t i) const { return points_[i]; }
+    const TorusPosition& operator[](std::size_t i) const { return points_[i].position; }
+
+    /// Asks memory for what squared_nearest() looks at first, in two turns: for the cells of the position, and, once
+    /// these are there, for the first points in them.
+    void ask_for_cells(const TorusPosition& position) const;
+    void ask_for_points(const TorusPosition& position) const;
 
     /// The squared distance of the nearest point, or any one that is at most `enough` of a point that is as near;
     /// UINT64_MAX without points.
@@ -41,11 +46,21 @@ private:
     void visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position, std::uint64_t& nearest) const;
     std::size_t cell_number(const std::array<std::int64_t, 3>& cell) const;
 
+    /// Cells beside each other along x are beside each other in memory.
+    std::array<std::int64_t, 3> cell_of(const TorusPosition& position) const;
+
+    /// A point, and the one before it in its cell: one look into memory.
+    struct Link
+    {
+        TorusPosition position;
+        std::uint32_t next;
+    };
+
     static constexpr std::uint32_t none = UINT32_MAX;
     int dimension_;
     int bits_ = 0; ///< cells along an axis: 2^bits
-    std::vector<TorusPosition> points_;
-    std::vector<std::uint32_t> heads_, next_;
+    std::vector<Link> points_;
+    std::vector<std::uint32_t> heads_;
 };
 
 }
