@@ -21,11 +21,12 @@ struct CellGrid
 
     CellGrid(const PointSet& points, int cells_along) : cells(cells_along) { sort(points); }
 
-    /// The number of cells along an axis that gives some two points a cell.
+    /// The number of cells along an axis that gives some two points a cell, for up to 2^31 points.
     static int cells_of(std::size_t points)
     {
         const double per_axis = std::pow(static_cast<double>(points) / 2, 1.0 / D);
-        return std::max(1, static_cast<int>(std::min(per_axis, 1024.0)));
+        constexpr double most = D == 2 ? 32768 : 1024;
+        return std::max(1, static_cast<int>(std::min(per_axis, most)));
     }
 
     std::size_t count() const { return starts.size() - 1; }

@@ -76,7 +76,7 @@ std::size_t padded_line(std::size_t size) { return ((size + block - 1) / block |
 class FastPeriodogram::Plan
 {
 public:
-    Plan(int dimension, int size, double tolerance);
+    Plan(int dimension, int size, double tolerance, std::size_t band_bytes);
 
     void compute(const PointSet& points, HalfSpectrum& half);
 
@@ -94,12 +94,14 @@ private:
 
     void transform(Complex* from, Complex* to) { fftw_execute_dft(plan_.get(), fftw(from), fftw(to)); }
     void transform_along_x();
+    void transform_band(std::size_t first, std::size_t end);
     void transform_pair(std::size_t y, std::size_t z, Workspace& work, Complex* result);
     void separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const;
     void transform_along_y(Complex* plane, Workspace& work);
     void store_power(const Complex* line, double factor, double* power) const;
 
     int dimension_;
+    std::size_t band_bytes_;
     std::size_t size_;
     std::size_t grid_;    ///< grid points along each axis
     std::size_t line_;    ///< from one line to the next
@@ -113,8 +115,8 @@ private:
     FftwPlan plan_;
 };
 
-FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance)
-    : dimension_(dimension), size_(static_cast<std::size_t>(size)),
+FastPeriodogram::Plan::Plan(int dimension, int size, double tolerance, std::size_t band_bytes)
+    : dimension_(dimension), band_bytes_(band_bytes), size_(static_cast<std::size_t>(size)),
       grid_(transform_size(std::max(oversampling(dimension) * size, 2.0 * SpreadingKernel::max_width))),
       line_(padded_line(grid_ + 1)), plane_(dimension == 2 ? line_ : line_ * grid_), columns_(size_ / 2 + 1),
       kernel_(kernel_width(tolerance, dimension), static_cast<double>(grid_) / size),
@@ -161,18 +163,31 @@ void FastPeriodogram::Plan::separate_pairs(const Complex* lines, std::size_t pai
     }
 }
 
+/// Lines y in 2D, and the lines of slices z in 3D.
+void FastPeriodogram::Plan::transform_band(std::size_t first, std::size_t end)
+{
+    spreading_.make_band(first, end);
+    const std::size_t blocks = (grid_ + block - 1) / block; // of lines y
+    const std::size_t begin = dimension_ == 2 ? first / block : first * blocks;
+    const std::size_t last = dimension_ == 2 ? (end + block - 1) / block : end * blocks;
+    tbb::parallel_for(begin, last, [&](std::size_t b) {
+        Workspace& work = workspaces_.local();
+        const std::size_t z = b / blocks, y = b % blocks * block;
+        const std::size_t pairs = std::min(block, grid_ - y) / 2;
+        for (std::size_t pair = 0; pair < pairs; ++pair) {
+            transform_pair(y + 2 * pair, z, work, work.lines.data() + pair * line_);
+        }
+        separate_pairs(work.lines.data(), pairs, transforms_.data() + z * line_ + y);
+    });
+}
+
 void FastPeriodogram::Plan::transform_along_x()
 {
-    const std::size_t blocks = (grid_ + block - 1) / block;
-    tbb::parallel_for(std::size_t{0}, blocks * (dimension_ == 2 ? 1 : grid_), [&](std::size_t b) {
-        Workspace& work = workspaces_.local();
-        const std::size_t z = b / blocks, begin = b % blocks * block;
-        const std::size_t pairs = std::min(block, grid_ - begin) / 2;
-        for (std::size_t pair = 0; pair < pairs; ++pair) {
-            transform_pair(begin + 2 * pair, z, work, work.lines.data() + pair * line_);
-        }
-        separate_pairs(work.lines.data(), pairs, transforms_.data() + z * line_ + begin);
-    });
+    for (std::size_t first = 0; first < grid_;) {
+        const std::size_t end = spreading_.band_end(first, dimension_ == 2 ? block : 1, band_bytes_);
+        transform_band(first, end);
+        first = end;
+    }
 }
 
 /// The lines along y of one u, in 3D; each cut to -M/2 .. M/2, they become lines along z in work.plane.
@@ -235,11 +250,11 @@ void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
     });
 }
 
-FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance)
+FastPeriodogram::FastPeriodogram(int dimension, int size, double tolerance, std::size_t band_bytes)
 {
     if (dimension != 2 && dimension != 3) throw std::invalid_argument("FastPeriodogram: dimension must be 2 or 3");
     if (size <= 0 || size % 2 != 0) throw std::invalid_argument("FastPeriodogram: size must be even and positive");
-    plan_ = std::make_unique<Plan>(dimension, size, tolerance);
+    plan_ = std::make_unique<Plan>(dimension, size, tolerance, band_bytes);
 }
 
 FastPeriodogram::~FastPeriodogram() = default;

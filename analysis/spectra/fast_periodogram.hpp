@@ -9,6 +9,7 @@
 #include "analysis/spectra/half_spectrum.hpp"
 #include "base/geometry/point_set.hpp"
 
+#include <cstddef>
 #include <memory>
 
 namespace poissonlab {
@@ -18,14 +19,17 @@ namespace poissonlab {
 /// Relative l2 error of the transform values: at most `tolerance`, which can be 1e-8 to 0.1. The same
 /// bytes on every run and for any number of threads: FFTW's plans are estimated, not measured, and work is
 /// divided by lines. Memory: 1.25 M * M / 2 complex doubles, in 3D (1.5 M)^2 M / 2, and 1.5 M * M for each
-/// thread.
+/// thread; 8 bytes a point; and `band_bytes` for the points' kernels, some 250 bytes each, which are made for a band of
+/// lines at a time where they take more. That changes no byte of the result.
 class FastPeriodogram
 {
 public:
     static constexpr double default_tolerance = 1e-8;
+    static constexpr std::size_t default_band_bytes = std::size_t{1} << 30;
 
     /// `size`: M, even and positive; else, or for a tolerance outside of its range, std::invalid_argument.
-    FastPeriodogram(int dimension, int size, double tolerance = default_tolerance);
+    FastPeriodogram(int dimension, int size, double tolerance = default_tolerance,
+                    std::size_t band_bytes = default_band_bytes);
     ~FastPeriodogram();
     FastPeriodogram(FastPeriodogram&&) noexcept;
     FastPeriodogram& operator=(FastPeriodogram&&) noexcept;

@@ -146,6 +146,26 @@ TEST(FastPeriodogram, GivesTheSameBytesForAnyNumberOfThreadsAndEveryTime)
     }
 }
 
+/// Kernels that take more memory than they may are made for a band of lines at a time. Half of the points are in one
+/// corner, around the border of the torus.
+TEST(FastPeriodogram, GivesTheSameBytesInLittleMemory)
+{
+    std::mt19937_64 random(8);
+    for (const int dimension : {2, 3}) {
+        const int size = dimension == 2 ? 130 : 26;
+        PointSet points = random_points(2'000, dimension, random);
+        for (std::size_t i = 0; i < points.coordinates.size() / 2; ++i) {
+            double& x = points.coordinates[i];
+            x = x < 0.5 ? 0.01 * x : 1 - 0.01 * x;
+        }
+        const auto expected = FastPeriodogram(dimension, size).compute(points).power;
+        for (const std::size_t bytes : {1, 20'000, 100'000, 300'000})
+            EXPECT_EQ(FastPeriodogram(dimension, size, FastPeriodogram::default_tolerance, bytes).compute(points).power,
+                      expected)
+                << dimension << "D, " << bytes;
+    }
+}
+
 TEST(FastPeriodogram, RefusesWhatHasNoMeaning)
 {
     EXPECT_THROW(FastPeriodogram(4, 16), std::invalid_argument);
