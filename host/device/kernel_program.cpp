@@ -37,7 +37,6 @@ const std::vector<KernelFile>& kernel_files()
         {"texture_map.cl",
          {{"LOOKUP", {"0", "1", "2", "3"}}, {"CHANNELS", {"1", "3"}}, {"WANG", {"0", "1"}}, {"COLORS", {"3"}, true}}},
         {"tile_darts.cl", {dimension}},
-        {"tile_finder.cl", {}},
         {"tile_points.cl",
          {{"KIND", {"0", "1", "2"}},
           dimension,

@@ -60,8 +60,7 @@ std::size_t smallest_rotation(const std::vector<Color>& word)
 class RowCollector
 {
 public:
-    RowCollector(const WangList& list, std::size_t width, bool is_closed)
-        : list_(list), width_(width), is_closed_(is_closed), word_(width)
+    RowCollector(const WangList& list, std::size_t width) : list_(list), width_(width), word_(width)
     {
         const double bits = std::log2(list.colors.horizontal + 1.0) * static_cast<double>(width);
         if (bits > 128)
@@ -84,7 +83,7 @@ private:
     {
         for (std::size_t i = 0; i < width_; ++i) word_[i] = list_.tiles[row[i]].*edge;
         const Color colors = list_.colors.horizontal;
-        const WordNumber number = number_of_word(word_, is_closed_ ? smallest_rotation(word_) : 0, colors);
+        const WordNumber number = number_of_word(word_, smallest_rotation(word_), colors);
         const auto [found, is_new] = places_.try_emplace(number, static_cast<std::uint32_t>(graph_.words.size()));
         if (is_new) graph_.words.push_back(number);
         return found->second;
@@ -92,24 +91,10 @@ private:
 
     const WangList& list_;
     std::size_t width_;
-    bool is_closed_;
     std::vector<Color> word_;
     std::unordered_map<WordNumber, std::uint32_t, WordHash> places_;
     RowGraph graph_;
 };
-
-void add_open_rows(RowCollector& rows, const WangList& list, const TilesByColor& find, std::size_t width,
-                   std::vector<ListPlace>& row)
-{
-    for (const ListPlace place : find.with_west(list.tiles[row.back()].east)) {
-        row.push_back(place);
-        if (row.size() == width)
-            rows.add(row);
-        else
-            add_open_rows(rows, list, find, width, row);
-        row.pop_back();
-    }
-}
 
 /// Finds each closed row once among its rotations, as the smallest one: a necklace. What can become one is made from
 /// west to east (Fredricksen, Kessler and Maiorana; Ruskey, Savage and Wang, Generating necklaces, 1992): no tile is
@@ -178,23 +163,9 @@ std::vector<Color> colors_of_word(WordNumber word, std::size_t width, Color colo
     return result;
 }
 
-RowGraph open_rows(const WangList& list, std::size_t width)
-{
-    RowCollector rows(list, width, false);
-    const TilesByColor find(list);
-    for (ListPlace first = 0; first < list.tiles.size(); ++first) {
-        std::vector<ListPlace> row{first};
-        if (width == 1)
-            rows.add(row);
-        else
-            add_open_rows(rows, list, find, width, row);
-    }
-    return rows.graph();
-}
-
 RowGraph closed_rows(const WangList& list, std::size_t width)
 {
-    RowCollector rows(list, width, true);
+    RowCollector rows(list, width);
     NecklaceFinder(list, width).find(rows);
     return rows.graph();
 }

@@ -31,13 +31,10 @@ struct RowGraph
     std::size_t rows() const { return north.size(); }
 };
 
-/// All rows of `width` >= 1 tiles that fit side by side. Throws InputError for more than max_graph_rows rows, and for
-/// words that have no number of 128 bits; and Interrupted.
-RowGraph open_rows(const WangList& list, std::size_t width);
-
 /// All rows that go around a cylinder: the last tile fits to the west of the first. Rows that are rotations of each
 /// other are one row, and so are words: each is there as its smallest rotation, because any row that fits below a word
-/// fits, rotated, below its rotations. Throws as open_rows().
+/// fits, rotated, below its rotations. Throws InputError for more than max_graph_rows rows, and for words that have no
+/// number of 128 bits; and Interrupted.
 RowGraph closed_rows(const WangList& list, std::size_t width);
 
 }

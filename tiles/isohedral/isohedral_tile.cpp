@@ -100,7 +100,6 @@ IsohedralTile::IsohedralTile(const IsohedralType& type, const IsohedralParameter
         const EdgeCurve& use = shape.edge_curves[edge];
         const PlaneCurve own = use.curve < parameters.curves.size() ? parameters.curves[use.curve] : straight_curve();
         const PlaneCurve curve = curve_along(shaped_curve(own, shape.curve_shapes[use.curve]), use);
-        corner_places_.push_back(outline_.size());
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const auto [x, y] = curve[i];
             outline_.push_back(

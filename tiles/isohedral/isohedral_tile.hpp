@@ -46,8 +46,6 @@ public:
     const std::vector<PlanePoint>& corners() const { return corners_; }
     /// The whole outline, counterclockwise, without its first point again.
     const std::vector<PlanePoint>& outline() const { return outline_; }
-    /// Where the corners are in the outline.
-    const std::vector<std::size_t>& corner_places() const { return corner_places_; }
     const std::vector<PlaneMotion>& hops() const { return hops_; }
     /// The motions from the tile to the aspects of the unit at (0, 0).
     const std::vector<PlaneMotion>& aspects() const { return aspects_; }
@@ -71,7 +69,6 @@ private:
     const IsohedralType* type_;
     std::vector<PlanePoint> corners_;
     std::vector<PlanePoint> outline_;
-    std::vector<std::size_t> corner_places_;
     std::vector<PlaneMotion> hops_;
     std::vector<PlaneMotion> aspects_;
     std::array<PlanePoint, 2> translations_;

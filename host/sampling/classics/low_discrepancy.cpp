@@ -159,11 +159,6 @@ std::uint32_t sobol_coordinate(std::uint32_t index, int axis)
     return result;
 }
 
-std::uint32_t radical_inverse(std::uint32_t index, std::uint32_t base)
-{
-    return number_of(inverse_digits(index, base), base);
-}
-
 SamplerSpec sobol_sampler() { return sequence_sampler(true); }
 SamplerSpec halton_sampler() { return sequence_sampler(false); }
 

@@ -18,7 +18,4 @@ SamplerSpec halton_sampler();
 /// Kuo, Constructing Sobol sequences with better two-dimensional projections, 2008.
 std::uint32_t sobol_coordinate(std::uint32_t index, int axis);
 
-/// The radical inverse of an index in a base of at most 5, rounded up to 2^-32.
-std::uint32_t radical_inverse(std::uint32_t index, std::uint32_t base);
-
 }

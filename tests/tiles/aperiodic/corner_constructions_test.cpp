@@ -1,10 +1,8 @@
 // Constructions of corner tile sets: the dissertation's tables, and what fits where.
 #include "tiles/aperiodic/corner_constructions.hpp"
 
-#include "tests/support/errors.hpp"
 #include "tests/tiles/aperiodic/brute_force_tilings.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
-#include "tiles/aperiodic/block_count.hpp"
 #include "tiles/aperiodic/printed_tables.hpp"
 
 #include <gmock/gmock.h>
@@ -144,36 +142,6 @@ TEST(CornerConstructions, CornersTakeTheColoursOfPairsOfTiles)
     ASSERT_EQ(turned.black, 1U);
     // East of the upper left tile, south of the upper right one, east of the lower left one, south of the upper left.
     EXPECT_EQ(turned.list.tiles.back(), (CornerTile{6 + 1, 3, 6 + 4, 1}));
-}
-
-TEST(BlockCount, AgreesWithTryingEverything)
-{
-    for (const WangList& wang : {culik_tiles(), kari_tiles(), ammann_tiles(), jeandel_rao_tiles()})
-        for (std::size_t width = 1; width <= 3; ++width)
-            for (std::size_t height = 1; height <= 3; ++height)
-                EXPECT_EQ(count_blocks(wang, width, height), TriedRectangles(wang, width, height).count())
-                    << width << " x " << height;
-}
-
-TEST(BlockCount, SquaresAreTheSetsOfRepeatedDiagonalConstructions)
-{
-    // Row k of table 8.3 is the number of squares of k + 1 tiles.
-    for (const PrintedColumn& column : printed_columns()) {
-        const WangList wang = set_of(column);
-        if (wang.tiles.empty() || column.table != "8.3") continue;
-        for (std::size_t k = 0; k < column.steps.size(); ++k)
-            EXPECT_EQ(count_blocks(wang, k + 2, k + 2), column.steps[k].tiles) << column.set;
-    }
-}
-
-TEST(BlockCount, RefusesWhatItCannotCount)
-{
-    const WangList colorful{{{0, 0, 69'999, 0}}, {70'000, 1}};
-    EXPECT_EQ(message_of([&] { count_blocks(colorful, 8, 1); }), "words of 70000 colours, 8 long, are too many");
-    // One tile of each pair of colours north and south: 2^(w (h + 1)) rectangles.
-    const WangList columns{{{0, 0, 0, 0}, {0, 0, 1, 0}, {1, 0, 0, 0}, {1, 0, 1, 0}}, {2, 1}};
-    EXPECT_EQ(count_blocks(columns, 3, 20), std::uint64_t{1} << 63);
-    EXPECT_EQ(message_of([&] { count_blocks(columns, 4, 15); }), "more than 2^64 rectangles of 4 x 15 tiles fit");
 }
 
 }

@@ -6,6 +6,7 @@
 #include "tests/tiles/aperiodic/sat_tiling.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/corner_constructions.hpp"
+#include "tiles/aperiodic/row_graph.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -241,6 +242,12 @@ TEST(CylinderSearchOfCornerSets, DiagonalTilesHaveCylindersOneRowLower)
             const std::size_t height = longest_cylinder(wang, width, axis).height;
             EXPECT_EQ(longest_cylinder(diagonal, width, axis).height, height > 0 ? height - 1 : 0) << width;
         }
+}
+
+TEST(ClosedRows, RefuseWordsWithoutANumber)
+{
+    const WangList colorful{{{0, 0, 69'999, 0}}, {70'000, 1}};
+    EXPECT_EQ(message_of([&] { closed_rows(colorful, 8); }), "words of 70000 colours, 8 long, are too many");
 }
 
 }

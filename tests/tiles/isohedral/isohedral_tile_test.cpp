@@ -67,11 +67,15 @@ TEST(IsohedralTiles, EdgesLieOnThoseOfNeighbours)
         for (const int seed : seeds) {
             const IsohedralTile tile = tried_tile(type, seed);
             const auto& outline = tile.outline();
+            const auto place_of = [&](std::size_t corner) {
+                return std::ranges::find(outline, tile.corners()[corner]) - outline.begin();
+            };
             for (std::size_t edge = 0; edge < tile.corners().size(); ++edge) {
-                const std::size_t end =
-                    edge + 1 < tile.corners().size() ? tile.corner_places()[edge + 1] : outline.size();
+                const std::size_t first = place_of(edge);
+                const std::size_t end = edge + 1 < tile.corners().size() ? place_of(edge + 1) : outline.size();
                 double farthest = 0;
-                for (std::size_t i = tile.corner_places()[edge]; i < end; ++i) {
+                ASSERT_LT(first, end);
+                for (std::size_t i = first; i < end; ++i) {
                     double nearest = std::numeric_limits<double>::infinity();
                     for (const PlanePoint& p : outline) {
                         const PlanePoint q = tile.hops()[edge](p);

@@ -82,9 +82,11 @@ TEST(Halton, HasOnePointInEachBoxOfItsBases)
         const PointSet space = create(halton_sampler(), {5400, 3, 5}, given)->sample(1);
         EXPECT_THAT(boxes_by_count(space, {8, 27, 25}), ElementsAre(Pair(1, 5400)));
     }
-    EXPECT_EQ(radical_inverse(1, 3), 0x55555556U);
-    EXPECT_EQ(radical_inverse(6, 2), 0x60000000U);
-    EXPECT_EQ(radical_inverse(7, 5), 0x70A3D70BU);
+    // Radical inverses in bases 2, 3 and 5, rounded up to 2^-32.
+    const PointSet first = create(halton_sampler(), {8, 3, 1}, {{"scrambling", std::string("none")}})->sample(0);
+    EXPECT_EQ(first[1][1], std::ldexp(0x55555556U, -32));
+    EXPECT_EQ(first[6][0], std::ldexp(0x60000000U, -32));
+    EXPECT_EQ(first[7][2], std::ldexp(0x70A3D70BU, -32));
 }
 
 TEST(LowDiscrepancy, ScramblingIsOneOfItsRealization)
