@@ -5,7 +5,7 @@
 #include "code_hashes.hpp"
 #include "host/tile_construction/chain_construction.hpp"
 #include "host/tile_construction/tile_ranking.hpp"
-#include "host/tile_sampling/building_lock.hpp"
+#include "host/tile_sampling/built_once.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tiles/poisson/counts/shared_points.hpp"
 #include "tiles/poisson/region_counts.hpp"
@@ -30,36 +30,26 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-std::optional<PoissonTileSet> stored_set(const std::filesystem::path& file, const PoissonTileParameters& parameters)
+using SetAndBuild = std::pair<PoissonTileSet, std::optional<TileSetBuild>>;
+
+std::optional<SetAndBuild> stored_set(const std::filesystem::path& file, const PoissonTileParameters& parameters)
 {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
-    try {
-        PoissonTileSet set = read_tile_set(file);
-        if (set.parameters == parameters && set.squared_min_distance >= asked_squared_distance(parameters)) return set;
-    } catch (const InputError&) {
-        // Built again below, which replaces it.
-    }
-    return std::nullopt;
+    PoissonTileSet set = read_tile_set(file);
+    if (set.parameters != parameters || set.squared_min_distance < asked_squared_distance(parameters))
+        return std::nullopt;
+    return SetAndBuild{std::move(set), read_build_record(file)};
 }
 
-void try_to_store(const std::filesystem::path& file, const PoissonTileSet& set, const TileSetBuild& build)
+void store_set(const std::filesystem::path& file, const SetAndBuild& built)
 {
-    try {
-        std::filesystem::create_directories(file.parent_path());
-        std::filesystem::remove(build_record_file(file)); // of an earlier set, which the new one must not be taken for
-        write_tile_set(file, set);
-        write_build_record(file, build);
-    } catch (const std::filesystem::filesystem_error&) {
-        // A cache that cannot be written is no reason to fail.
-    } catch (const StorageError&) {
-    }
+    std::filesystem::remove(build_record_file(file)); // of an earlier set, which the new one must not be taken for
+    write_tile_set(file, built.first);
+    write_build_record(file, *built.second);
 }
 
 /// Builds a set and takes the time.
-std::pair<PoissonTileSet, TileSetBuild> timed_build(const PoissonTileParameters& parameters, Engine engine,
-                                                    const DeviceProvider& device,
-                                                    const std::function<void(const std::string& what)>& on_step)
+SetAndBuild timed_build(const PoissonTileParameters& parameters, Engine engine, const DeviceProvider& device,
+                        const std::function<void(const std::string& what)>& on_step)
 {
     ConstructionOptions options;
     if (on_step)
@@ -172,22 +162,12 @@ CachedTileSet cached_tile_set(const PoissonTileParameters& parameters, Engine en
                               const std::function<void(const std::string& what)>& on_step)
 {
     const DeviceInfo* const info = engine == Engine::opencl ? &device().info() : nullptr;
-    const std::filesystem::path file = folder / tile_cache_name(parameters, info);
-    std::optional<FileLock> lock;
-    double waiting_seconds = 0;
-    if (!folder.empty()) {
-        auto stored = stored_set(file, parameters);
-        if (!stored) {
-            const auto begin = Clock::now();
-            lock = building_lock(file, on_step);
-            waiting_seconds = seconds_since(begin);
-            stored = stored_set(file, parameters); // another process may have built it meanwhile
-        }
-        if (stored) return recorded(*std::move(stored), true, read_build_record(file), waiting_seconds);
-    }
-    auto [set, build] = timed_build(parameters, engine, device, on_step);
-    if (!folder.empty()) try_to_store(file, set, build);
-    return recorded(std::move(set), false, std::move(build), waiting_seconds);
+    auto once = built_once(
+        folder.empty() ? folder : folder / tile_cache_name(parameters, info), on_step,
+        [&](const std::filesystem::path& file) { return stored_set(file, parameters); },
+        [&] { return timed_build(parameters, engine, device, on_step); }, store_set);
+    auto& [set, build] = once.built;
+    return recorded(std::move(set), once.cached, std::move(build), once.waiting_seconds);
 }
 
 }

@@ -45,8 +45,8 @@ public:
         : DeviceSampler(engine, device), seed_(request.seed), has_random_window_(given.flag(window_key))
     {
         const auto begin = std::chrono::steady_clock::now();
-        CachedPenroseTable cached = cached_penrose_table(tile_cache_folder(), request.on_step);
-        tiling_ = std::make_unique<PenroseTiling>(cached.table, density_bounds_of(given));
+        BuiltOnce<PenroseTable> cached = cached_penrose_table(tile_cache_folder(), request.on_step);
+        tiling_ = std::make_unique<PenroseTiling>(cached.built, density_bounds_of(given));
         importance_ = importance_for_points(*tiling_, points_of_square(given, request.points));
         if (device_) generator_.emplace(*device_, *tiling_);
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;

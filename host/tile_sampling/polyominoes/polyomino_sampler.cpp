@@ -51,8 +51,9 @@ public:
           side_(side_of(given, request.points)), density_(given_density(given))
     {
         const auto begin = std::chrono::steady_clock::now();
-        CachedPolyominoTable cached = cached_polyomino_table(shape_of(given), tile_cache_folder(), request.on_step);
-        table_ = std::move(cached.table);
+        BuiltOnce<PolyominoTable> cached =
+            cached_polyomino_table(shape_of(given), tile_cache_folder(), request.on_step);
+        table_ = std::move(cached.built);
         if (device_) generator_.emplace(*device_, shape_of(given));
         const std::chrono::duration<double> all = std::chrono::steady_clock::now() - begin;
         preparation_seconds_ = all.count() - build_seconds() - cached.waiting_seconds;

@@ -98,11 +98,11 @@ TEST(PenroseTableCache, ReadsWhatIsThereAndReplacesWhatIsDamaged)
     write_penrose_table(folder.path() / penrose_table_name(), table);
     const auto read = cached_penrose_table(folder.path());
     EXPECT_TRUE(read.cached);
-    EXPECT_EQ(read.table, table);
+    EXPECT_EQ(read.built, table);
     folder.write(penrose_table_name(), "damaged");
     const auto built = cached_penrose_table(folder.path());
     EXPECT_FALSE(built.cached);
-    EXPECT_EQ(read_penrose_table(folder.path() / penrose_table_name()), built.table);
+    EXPECT_EQ(read_penrose_table(folder.path() / penrose_table_name()), built.built);
 }
 
 }

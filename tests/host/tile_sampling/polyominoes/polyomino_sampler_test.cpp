@@ -61,7 +61,7 @@ TEST_F(PolyominoSampling, RealizationsAreDifferentSetsOfTheSameSize)
 /// The kernel against the plain twin: all levels, rows that are whole and others, any work-group size.
 TEST_F(PolyominoSampling, KernelsMakeTheSamePoints)
 {
-    const PolyominoTable table = cached_polyomino_table(Polyomino::P, folder()).table;
+    const PolyominoTable table = cached_polyomino_table(Polyomino::P, folder()).built;
     const Device device = Device::open();
     for (const std::size_t group : {std::size_t{0}, std::size_t{1}, std::size_t{48}}) {
         PolyominoGenerator generator(device, Polyomino::P, group);
@@ -77,7 +77,7 @@ TEST_F(PolyominoSampling, KernelsMakeTheSamePoints)
 /// Few enough for an interpreter of kernels.
 TEST_F(PolyominoSampling, KernelsMakeTheSameFewPoints)
 {
-    const PolyominoTable table = cached_polyomino_table(Polyomino::P, folder()).table;
+    const PolyominoTable table = cached_polyomino_table(Polyomino::P, folder()).built;
     PolyominoGenerator generator(Device::open(), Polyomino::P, 48);
     const PolyominoTorus torus(table, 5, 2, 1);
     for (const std::size_t points : {1U, 400U})
@@ -101,7 +101,7 @@ TEST_F(PolyominoSampling, TablesAreKept)
     EXPECT_THAT(steps, Contains(HasSubstr("table of polyominoes: corrections 16 of 16")));
     const auto read = cached_polyomino_table(Polyomino::P, cache.path());
     EXPECT_TRUE(read.cached);
-    EXPECT_EQ(read.table.rows, built.table.rows);
+    EXPECT_EQ(read.built.rows, built.built.rows);
     std::ofstream(cache.path() / polyomino_table_name(Polyomino::P)) << "damaged";
     EXPECT_FALSE(cached_polyomino_table(Polyomino::P, cache.path()).cached);
     EXPECT_TRUE(cached_polyomino_table(Polyomino::P, cache.path()).cached);

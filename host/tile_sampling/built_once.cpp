@@ -1,4 +1,4 @@
-#include "host/tile_sampling/building_lock.hpp"
+#include "host/tile_sampling/built_once.hpp"
 
 #include "base/errors/errors.hpp"
 
