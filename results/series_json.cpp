@@ -80,12 +80,12 @@ void regions(JsonMembers& m, std::vector<RegionPoints>& regions)
 
 /// The part of a value that is there, whose members stand among those of another one.
 template <class T>
-const T& made(const std::optional<T>& value)
+const T& present_value(const std::optional<T>& value)
 {
     return *value;
 }
 template <class T>
-T& made(std::optional<T>& value)
+T& present_value(std::optional<T>& value)
 {
     return value.emplace();
 }
@@ -136,8 +136,9 @@ void members(JsonMembers& m, Stored<TileSetRecord> auto& set)
     m.member("points_per_tile", set.points_per_tile, 1);
     m.or_none("cached", set.cached);
     m.group_if(!set.regions.empty(), "regions", [&](JsonMembers& group) { regions(group, set.regions); });
-    if (m.is_there("shared_points", set.shared_points.has_value())) m.member("shared_points", made(set.shared_points));
-    if (m.is_there("build_seconds", set.build.has_value())) members(m, made(set.build));
+    if (m.is_there("shared_points", set.shared_points.has_value()))
+        m.member("shared_points", present_value(set.shared_points));
+    if (m.is_there("build_seconds", set.build.has_value())) members(m, present_value(set.build));
 }
 
 namespace {
@@ -149,7 +150,7 @@ void describe(JsonMembers& m, Stored<Series> auto& series)
     m.member("sampler", series.sampler);
     m.json("parameters", series.parameters_json);
     m.json("defaults", series.defaults_json);
-    if (m.is_there("method", series.place.has_value())) members(m, made(series.place));
+    if (m.is_there("method", series.place.has_value())) members(m, present_value(series.place));
     m.member("deterministic", series.deterministic);
     if (m.is_there("window", series.is_window)) m.member("window", series.is_window);
     m.member("points", series.points, 1);

@@ -1,5 +1,5 @@
-// What tells two sets apart, of which one may be the other shifted on the torus: their spectra are the same then, and
-// so is every other measure that knows no place, so that they count as one set.
+// Marks that tell two sets apart, but not a set and the same one shifted on the torus: the spectra of these are the
+// same, and so is every other measure that knows no place, so that they count as one set.
 //
 // A set that is shifted keeps the distances between its points and the modulus of each sum over points
 // exp(-2 pi i f.x). Sets of which all of these numbers agree to eight digits are taken to be the same: by chance, sets

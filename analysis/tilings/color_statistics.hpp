@@ -38,10 +38,10 @@ std::vector<std::uint64_t> color_counts(const ColorField& field);
 
 /// The agreement of colours at each displacement, against the field's own colours in random order.
 ///
-/// What chance makes is the sum of the squared frequencies of colours, 1/C only where all are as frequent. With n pairs
-/// of places at a displacement, m of them of the same colour, z = (m - E m) / sqrt(Var m), where E and Var are those
-/// over all orders of the field's colours: mean 0 and variance 1 exactly. (Join counts without replacement: Cliff and
-/// Ord, Spatial Autocorrelation, 1973, chapter 1.) Independent colours have them as well, since given its counts of
+/// By chance the agreement is the sum of the squared frequencies of colours, 1/C where all are as frequent. With n
+/// pairs of places at a displacement, m of them of the same colour, z = (m - E m) / sqrt(Var m), where E and Var are
+/// those over all orders of the field's colours: mean 0 and variance 1 exactly. (Join counts without replacement: Cliff
+/// and Ord, Spatial Autocorrelation, 1973, chapter 1.) Independent colours have them as well, since given its counts of
 /// colours each order of an independent field is as probable as any other.
 struct ColorAutocorrelation
 {

@@ -9,7 +9,7 @@ namespace poissonlab {
 class DeviceSampler : public Sampler
 {
 public:
-    /// With those of its start, which uses the same device.
+    /// Seconds of compiling kernels since it was made; a sampler that it starts from uses the same device, and counts.
     double build_seconds() const final { return device_ ? device_->build_seconds() - built_before_ : 0; }
 
 protected:

@@ -65,7 +65,7 @@ std::map<std::string, std::string> SeriesWork::image_metadata() const
 }
 
 /// Somebody has removed or damaged what this run had stored or found.
-StorageError SeriesWork::is_gone(const std::string& what) const
+StorageError SeriesWork::missing_unit(const std::string& what) const
 {
     return StorageError(
         fmt::format("{}: {} is gone or damaged; the same command makes it again", store_.folder().string(), what));
@@ -110,7 +110,7 @@ void SeriesWork::sample(const RealizationRange& range, const WorkListener& liste
 SampleRecord SeriesWork::record(std::uint32_t realization) const
 {
     auto record = stored_sample(store_, units_.sample_key(realization));
-    if (!record) throw is_gone(fmt::format("realization {} of {}", realization, task_.label));
+    if (!record) throw missing_unit(fmt::format("realization {} of {}", realization, task_.label));
     return *std::move(record);
 }
 
@@ -290,7 +290,7 @@ void SeriesWork::finish(const WorkListener& listener)
 StoredAnalysis SeriesWork::finished_analysis() const
 {
     auto analysis = stored_analysis(store_, units_.analysis_key());
-    if (!analysis) throw is_gone("the analysis of " + task_.label);
+    if (!analysis) throw missing_unit("the analysis of " + task_.label);
     return *std::move(analysis);
 }
 
@@ -323,7 +323,7 @@ std::map<std::string, std::filesystem::path> SeriesWork::files() const
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
         if (!has_points_to_keep(k) || analysis.result.is_repeated(k)) continue;
         const auto points = stored_points(store_, units_.sample_key(k));
-        if (!points) throw is_gone(fmt::format("realization {} of {}", k, task_.label));
+        if (!points) throw missing_unit(fmt::format("realization {} of {}", k, task_.label));
         files[file_names::realization(k)] = *points;
     }
     if (const auto set = stored_tile_set(store_, units_.sample_key(0))) files[file_names::tile_set] = *set;

@@ -84,7 +84,7 @@ private:
     void analyse_all(const WorkListener& listener);
     std::vector<double> seconds_so_far() const;
     StoredAnalysis finished_analysis() const;
-    StorageError is_gone(const std::string& what) const;
+    StorageError missing_unit(const std::string& what) const;
     std::string comment(std::uint32_t realization) const;
     std::map<std::string, std::string> image_metadata() const;
 

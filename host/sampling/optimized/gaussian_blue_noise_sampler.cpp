@@ -76,7 +76,7 @@ public:
         const std::size_t least = least_gaussian_points(request_.sigma, points.dimension);
         if (points.size() < least) throw too_few(parameters_, points.size(), least);
         iterations_.clear();
-        if (density_) points = followed(points);
+        if (density_) points = follow_density(points);
         points = descended(points);
         for (const std::size_t count : finer_levels()) points = descended(split_points(points, count));
         return points;
@@ -94,7 +94,7 @@ public:
 
 private:
     /// The start in places that the density chooses; from now on the density has a field for as many points.
-    PointSet followed(const PointSet& points)
+    PointSet follow_density(const PointSet& points)
     {
         if (!table_) table_.emplace(*density_);
         if (!request_.field || points.size() != field_points_)
