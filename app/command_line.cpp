@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
+#include "app/completion.hpp"
 #include "app/man_page.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
@@ -110,6 +111,29 @@ void add_command(CLI::App& parent, const Command& command, std::vector<Action>& 
         app.require_subcommand(1);
 }
 
+std::vector<Command> all_commands(const std::string& typed);
+
+constexpr auto completion_notes =
+    R"(bash: source the script, or put it into ~/.local/share/bash-completion/completions/poissonlab.
+zsh: put it into a folder of $fpath, as _poissonlab. `make install` has done both.
+  source <(poissonlab completion bash))";
+
+/// The command that prints what a shell needs, of all commands.
+Command completion_command()
+{
+    const auto shell = std::make_shared<std::string>();
+    return {"completion",
+            "Print what a shell needs to complete commands and options",
+            {{.name = "SHELL", .target = shell.get(), .help = "bash or zsh", .words = completed_shells()}},
+            completion_notes,
+            [shell] {
+                if (std::ranges::find(completed_shells(), *shell) == completed_shells().end())
+                    throw unknown_word("completion", "SHELL", *shell, completed_shells());
+                fmt::print("{}", completion_script(*shell, all_commands("")));
+                return 0;
+            }};
+}
+
 std::vector<Command> all_commands(const std::string& typed)
 {
     std::vector<Command> of_tiles{tiles_build_command(), tiles_points_command(), tiles_page_command(),
@@ -136,7 +160,8 @@ std::vector<Command> all_commands(const std::string& typed)
             {"texture", "Texture tile sets", {}, "", {}, std::move(of_textures)},
             devices_command(),
             samplers_command(),
-            kinds_command()};
+            kinds_command(),
+            completion_command()};
 }
 
 /// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the

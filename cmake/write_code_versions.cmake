@@ -26,9 +26,10 @@ set(construction kernels/* runtime/*.h base/* tiles/* host/device/* host/samplin
 hash_of(construction_version ${construction})
 hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/series/*)
 hash_of(analysis_version base/* analysis/* results/* host/measuring/* host/series/*)
-hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/scenes/* host/series/*)
+hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/tile_points/* host/tile_sampling/*
+        host/kinds/* host/scenes/* host/series/*)
 hash_of(distribution_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/* host/schemes/*
-        host/texture/* host/config/aperiodic/* analysis/tilings/* results/pictures/* host/series/*)
+        host/texture/* host/kinds/* host/config/aperiodic/* analysis/tilings/* results/pictures/* host/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"
 #define POISSONLAB_SAMPLING_VERSION \"${sampling_version}\"

@@ -35,6 +35,7 @@ struct Option
     int most_values = 1;    ///< of a list of numbers
     std::string excludes{}; ///< the option that does not go together with this one
     std::string allowed{};  ///< "an integer from 1 to 64", for messages about other words; empty: any of its type
+    std::vector<std::string> words{}; ///< that shells complete; empty: names of files
 };
 
 /// The option with the words for what its command takes. Only the command itself refuses other values of the type.

@@ -2,16 +2,12 @@
 
 #include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
-#include "base/programs/interrupt.hpp"
 #include "host/config/toml_reader.hpp"
-#include "host/device/device.hpp"
-#include "host/run/progress.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace poissonlab {
 namespace {
@@ -23,6 +19,9 @@ bool is_plain_text(const KeySpec& spec)
 {
     return spec.value.kind == ValueKind::text || spec.value.kind == ValueKind::choice;
 }
+
+/// Booleans that are false unless they are given; those that follow from other keys are typed as "on" or "off".
+bool is_flag(const KeySpec& spec) { return spec.value.kind == ValueKind::boolean && spec.value.otherwise.has_value(); }
 
 /// ".svg, .png or .csv"
 std::string either(const std::vector<std::string>& words)
@@ -49,6 +48,8 @@ std::string value_name_of(const KeySpec& spec)
         return "NUMBER";
     case ValueKind::integer:
         return "N";
+    case ValueKind::boolean:
+        return "on|off";
     case ValueKind::sampler:
         return "NAME|TABLE";
     default:
@@ -62,7 +63,7 @@ KindOptions::KindOptions(const Kind& kind, std::string placed) : kind_(kind), pl
 {
     for (KeySpec& spec : kind.keys()) {
         const std::string& key = spec.value.key;
-        typed_.push_back({spec, key == placed_ ? in_capitals(key) : option_name(key), {}});
+        typed_.push_back({spec, key == placed_ ? in_capitals(key) : option_name(spec), {}});
     }
 }
 
@@ -70,21 +71,18 @@ std::vector<Option> KindOptions::options()
 {
     std::vector<Option> all;
     for (Typed& typed : typed_) all.push_back(option_of(typed));
-    const std::vector<Option> shared{
-        {"--seed", &seed_, "Which of all results; default: 1", "S"},
-        {"--engine", &engine_, "opencl (the default) or reference", "NAME"},
-        {"--device", &device_, "The OpenCL device: part of its name, or its number", "NAME"},
-        {"--quiet", &quiet_, "Do not show steps"}};
-    return joined({all, shared});
+    return joined({all, work_.options()});
 }
 
 Option KindOptions::option_of(Typed& typed) const
 {
     const KeySpec& spec = typed.spec;
     const std::string help = key_help(spec);
-    if (spec.value.kind == ValueKind::boolean) return {typed.name, &typed.is_set, help};
+    if (is_flag(spec)) return {typed.name, &typed.is_set, help};
     Option option{typed.name, &typed.words, help, value_name_of(spec)}; // what is needed is said by whoever reads it
     option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.count);
+    if (spec.value.kind == ValueKind::choice) option.words = spec.value.choices;
+    if (spec.value.kind == ValueKind::boolean) option.words = {"on", "off"};
     if (!spec.excludes.empty()) option.excludes = option_name(spec.excludes);
     return option;
 }
@@ -94,6 +92,10 @@ ConfigNode KindOptions::node_of(const Typed& typed) const
     const SourceLocation where{fmt::format("{}: {}", kind_.command, typed.name), 0, true};
     if (typed.is_set) return {true, where, "true"};
     const auto node = [&](const std::string& word) {
+        if (typed.spec.value.kind == ValueKind::boolean) {
+            if (word != "on" && word != "off") throw unknown_word(kind_.command, typed.name, word, {"on", "off"});
+            return ConfigNode{word == "on", where, word};
+        }
         ConfigNode parsed = is_plain_text(typed.spec) ? ConfigNode{word, where, word} : read_toml_value(word, where);
         parsed.text = shortened(printable(word)); // without the quotes that a file would have
         return parsed;
@@ -108,37 +110,23 @@ ConfigNode KindOptions::node_of(const Typed& typed) const
 
 KindSettings KindOptions::settings() const
 {
-    if (!engines.find(engine_))
-        throw InputError(fmt::format("{}: --engine {}: must be one of {}", kind_.command, printable(engine_),
-                                     fmt::join(engines.all(), ", ")));
+    work_.engine(kind_.command); // throws for one that there is not
     ConfigTable table;
     for (const Typed& typed : typed_) {
         if (!typed.is_set && typed.words.empty()) continue;
         if (typed.words.size() > std::max<std::size_t>(typed.spec.count, typed.spec.is_spread ? 2 : 1))
-            throw InputError(fmt::format("{}: {}: is given twice", kind_.command, typed.name));
+            throw typed.spec.value.key == placed_
+                ? InputError(fmt::format("{}: {} {}: must be one word", kind_.command, typed.name,
+                                         shortened(printable(fmt::format("{}", fmt::join(typed.words, " "))))))
+                : InputError(fmt::format("{}: {}: is given twice", kind_.command, typed.name));
         table.push_back({typed.spec.value.key, node_of(typed)});
     }
     return read_kind(kind_, table, {kind_.command, 0, true}, kind_.command);
 }
 
-DistributionPlace KindOptions::place(bool is_silent) const
-{
-    const auto device = std::make_shared<std::optional<Device>>();
-    const auto progress = std::make_shared<Progress>(Progress::detect(quiet_ || is_silent));
-    return {*engines.find(engine_),
-            [device, name = device_]() -> Device& {
-                if (!*device) *device = Device::open(name);
-                return **device;
-            },
-            [progress](const std::string& what) {
-                stop_if_interrupted();
-                progress->step(what);
-            }};
-}
-
 void KindOptions::say_note(const std::string& note) const
 {
-    if (!note.empty() && !quiet_) fmt::print(stderr, "poissonlab: note: {}\n", note);
+    if (!note.empty() && !is_quiet()) fmt::print(stderr, "poissonlab: note: {}\n", note);
 }
 
 Option OutputFiles::option()
@@ -170,17 +158,12 @@ Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::strin
     return allowing({"--pixels", &pixels, "The width of a .png; default: " + otherwise, "W"}, integers(1, most));
 }
 
-std::vector<Option> joined(std::vector<std::vector<Option>> lists)
-{
-    std::vector<Option> all;
-    for (auto& list : lists) std::ranges::move(list, std::back_inserter(all));
-    return all;
-}
-
 InputError KindOptions::of_command(const InputError& error) const
 {
     const std::string message = error.what();
-    return message.starts_with(kind_.command) ? error : InputError(fmt::format("{}: {}", kind_.command, message));
+    const bool has_place = !error.place().file.empty() && !error.place().is_argument;
+    return has_place || message.starts_with(kind_.command) ? error
+                                                           : InputError(fmt::format("{}: {}", kind_.command, message));
 }
 
 }

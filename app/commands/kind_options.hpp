@@ -1,8 +1,8 @@
 // The options of commands that do the work of a kind: its keys, and what all such commands have.
 #pragma once
 
-#include "app/commands/command.hpp"
-#include "host/distribution/kind.hpp"
+#include "app/commands/work_options.hpp"
+#include "host/kinds/kind.hpp"
 
 #include <deque>
 #include <memory>
@@ -26,11 +26,11 @@ public:
 
     const Kind& kind() const { return kind_; }
     const std::string& command() const { return kind_.command; }
-    std::uint64_t seed() const { return seed_; }
-    bool is_quiet() const { return quiet_; }
+    std::uint64_t seed() const { return work_.seed(); }
+    bool is_quiet() const { return work_.is_quiet(); }
 
     /// The engine, a device that is opened when it is needed, and a listener that shows steps.
-    DistributionPlace place(bool is_silent = false) const;
+    DistributionPlace place(bool is_silent = false) const { return work_.place(command(), is_silent); }
 
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
@@ -54,10 +54,7 @@ private:
     const Kind& kind_;
     std::string placed_;
     std::deque<Typed> typed_;
-    std::uint64_t seed_ = 1;
-    std::string engine_ = "opencl";
-    std::string device_;
-    bool quiet_ = false;
+    WorkOptions work_;
 };
 
 /// The files that a command writes: --out, as often as one likes.
@@ -75,9 +72,6 @@ struct OutputFiles
 
 /// --pixels, the width of a .png.
 Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise);
-
-/// One list of several.
-std::vector<Option> joined(std::vector<std::vector<Option>> lists);
 
 /// The command of a kind. `others` are its options beside those of the kind, `work` does what it does.
 template <class Options>

@@ -1,6 +1,6 @@
 // poissonlab kinds: what tables of configs can say, from the kinds' own descriptions.
 #include "app/commands/command.hpp"
-#include "host/distribution/tables/kind_help.hpp"
+#include "host/kinds/kind_help.hpp"
 
 #include <fmt/format.h>
 

@@ -11,6 +11,18 @@ if(POISSONLAB_PYTHON)
   install(FILES python/examples/poisson_disk_sets.ipynb DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 
+# Shells complete commands and options by what the program itself says.
+foreach(shell bash zsh)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/completion.${shell}
+    COMMAND poissonlab completion ${shell} > ${PROJECT_BINARY_DIR}/completion.${shell}
+    DEPENDS poissonlab VERBATIM)
+endforeach()
+add_custom_target(completion_scripts ALL
+  DEPENDS ${PROJECT_BINARY_DIR}/completion.bash ${PROJECT_BINARY_DIR}/completion.zsh)
+install(FILES ${PROJECT_BINARY_DIR}/completion.bash
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME poissonlab)
+install(FILES ${PROJECT_BINARY_DIR}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
+  RENAME _poissonlab)
 install(FILES ${PROJECT_BINARY_DIR}/poissonlab.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 
 # cpack -G DEB. The libraries that the program is linked with are found by dpkg-shlibdeps; the rest is named here.

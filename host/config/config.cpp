@@ -48,8 +48,7 @@ MethodConfig read_method(const ConfigNode& node, const SamplerRegistry& registry
 void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Config& config)
 {
     const ConfigNode* node = find(top, "method");
-    if (!node && config.tilings.empty() && config.constructions.empty() && config.distributions.empty() &&
-        config.schemes.empty() && config.textures.empty() && config.packings.empty())
+    if (!node && config.tables.empty())
         throw InputError::at({config.file}, "no [[method]] table: a config needs at least one");
     const auto* list = node ? node->get_if<ConfigList>() : nullptr;
     if (list && list->empty()) throw invalid_node("method", *node, "must have at least one [[method]] table");
@@ -59,13 +58,22 @@ void read_methods(const ConfigTable& top, const SamplerRegistry& registry, Confi
 
 }
 
+const std::vector<std::string>& kind_tables()
+{
+    static const std::vector<std::string> names{"tile_set", "tiling",  "construction", "distribution",
+                                                "scheme",   "texture", "packing"};
+    return names;
+}
+
 Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides,
                     const SamplerRegistry& registry)
 {
     ConfigTable top = read_toml(text, file);
     apply_overrides(top, overrides, registry);
-    check_keys(top, {"title", "seed", "engine", "device", "analysis", "method", "tile_set", "tiling", "construction",
-                     "distribution", "scheme", "texture", "packing", "include"});
+    std::vector<std::string> known{"title", "seed", "engine", "device", "analysis", "method"};
+    known.insert(known.end(), kind_tables().begin(), kind_tables().end());
+    known.emplace_back("include");
+    check_keys(top, known);
     if (const ConfigNode* include = find(top, "include"))
         throw invalid_node("include", *include, "makes a config a collection, which has no experiment of its own");
 
@@ -78,12 +86,8 @@ Config parse_config(const std::string& text, const std::string& file, const std:
     config.engine = read_word(top, "engine", engines, config.engine);
     config.device = read_text(top, "device", "");
     read_analysis(top, config);
-    config.tilings = read_tilings(top, config.seed);
-    config.constructions = read_constructions(top, config.seed);
-    for (const ConfigNode* table : read_tables(top, "distribution")) config.distributions.push_back(*table);
-    for (const ConfigNode* table : read_tables(top, "scheme")) config.schemes.push_back(*table);
-    for (const ConfigNode* table : read_tables(top, "texture")) config.textures.push_back(*table);
-    for (const ConfigNode* table : read_tables(top, "packing")) config.packings.push_back(*table);
+    for (const std::string& name : kind_tables())
+        for (const ConfigNode* table : read_tables(top, name)) config.tables.push_back({name, *table});
     read_methods(top, registry, config);
     return config;
 }

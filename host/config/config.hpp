@@ -2,10 +2,8 @@
 #pragma once
 
 #include "host/config/analysis_options.hpp"
-#include "host/config/construction_table.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/config/sampler_table.hpp"
-#include "host/config/tiling_table.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -29,6 +27,16 @@ struct MethodConfig
         settings; ///< `points` first, then as the sampler declares its parameters, then `order`
 };
 
+/// A table of a kind of work, which host/kinds reads.
+struct KindTable
+{
+    std::string name; ///< one of kind_tables()
+    ConfigNode node;
+};
+
+/// The names of such tables, in the order in which results are listed.
+const std::vector<std::string>& kind_tables();
+
 struct Config
 {
     std::string file;                   ///< as the user named it
@@ -45,13 +53,7 @@ struct Config
     int dimension = 2;
     AnalysisOptions analysis;
     std::vector<MethodConfig> methods;
-    std::vector<TilingConfig> tilings; ///< and tile sets; at least one of these, or one method, construction,
-                                       ///< distribution, texture or packing
-    std::vector<ConstructionConfig> constructions;
-    std::vector<ConfigNode> distributions; ///< tables, which read_distributions() checks
-    std::vector<ConfigNode> schemes;       ///< the same for read_schemes()
-    std::vector<ConfigNode> textures;      ///< read_textures()
-    std::vector<ConfigNode> packings;      ///< and read_packings()
+    std::vector<KindTable> tables; ///< at least one, or one method
 };
 
 /// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.

@@ -1,7 +1,5 @@
 #include "host/config/plan_memory.hpp"
 
-#include "host/tile_construction/tile_construction.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,14 +38,6 @@ void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& 
                                                        most > 0 ? fmt::format("; up to {} points would fit", most)
                                                                 : "; fewer points would not fit either"));
     }
-}
-
-void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device)
-{
-    for (const ConstructionConfig& config : constructions)
-        if (!config.is_set()) // which the host makes
-            check_fits(to_string(config.where) + ": " + config.label, construction_memory(config.parameters, device),
-                       device);
 }
 
 DeviceInfo share_of(DeviceInfo device, int processes)

@@ -1,7 +1,6 @@
 // The check, before work starts, that the device has memory for a plan.
 #pragma once
 
-#include "host/config/construction_table.hpp"
 #include "host/config/plan.hpp"
 #include "host/device/device.hpp"
 
@@ -13,9 +12,6 @@ namespace poissonlab {
 /// has, and how many points would fit. Point sets that come from files and programs may turn out larger than was asked
 /// for: their size is checked when they are there.
 void check_device_memory(const std::vector<SeriesPlan>& plan, const DeviceInfo& device);
-
-/// The same for constructions, which are made one batch of the same tiles after another.
-void check_device_memory(const std::vector<ConstructionConfig>& constructions, const DeviceInfo& device);
 
 /// The share of a device's memory that each of several processes on a machine may take, if all take the same.
 DeviceInfo share_of(DeviceInfo device, int processes);

@@ -16,18 +16,16 @@ struct Job
 {
     enum class Kind : std::uint32_t
     {
-        series,        ///< whatever a series still needs
-        part,          ///< analysis of part `first` of a series
-        sample,        ///< realizations `first` ... of a series
-        tiling,        ///< a tile set or tiling
-        constructions, ///< all constructions of an experiment
-        distribution,  ///< one that follows a density
-        points,        ///< piece `first` of the points of a window
+        series,  ///< whatever a series still needs
+        part,    ///< analysis of part `first` of a series
+        sample,  ///< realizations `first` ... of a series
+        exhibit, ///< one of a config's tables beside its methods
+        points,  ///< piece `first` of the points of a window
     };
 
     Kind kind = Kind::series;
     std::uint32_t run = 0;  ///< of the runs at hand
-    std::uint32_t item = 0; ///< series or tiling of the run
+    std::uint32_t item = 0; ///< series or exhibit of the run
     std::uint32_t first = 0;
     std::uint32_t count = 0; ///< of realizations that it makes, as far as that is known
 };

@@ -4,7 +4,7 @@
 // side as its length asks for.
 #pragma once
 
-#include "host/distribution/distribution_place.hpp"
+#include "host/kinds/distribution_place.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/sampling/warp/warp.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"

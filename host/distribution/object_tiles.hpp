@@ -1,7 +1,7 @@
 // The tile sets that objects and instances are placed by.
 #pragma once
 
-#include "host/distribution/distribution_place.hpp"
+#include "host/kinds/distribution_place.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <filesystem>

@@ -7,7 +7,7 @@
 // there.
 #pragma once
 
-#include "host/distribution/distribution_place.hpp"
+#include "host/kinds/distribution_place.hpp"
 #include "host/sampling/warp/warp.hpp"
 
 #include <cstddef>

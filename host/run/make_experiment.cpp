@@ -130,12 +130,14 @@ SeriesTask make_task(const SeriesPlan& series, Engine engine, const std::shared_
 
 /// The device that a plan will work on, if it needs one. A missing device is no error here, as everything may be stored
 /// already.
-std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, const Config& config,
-                                         const std::string& selector)
+std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, const std::vector<Exhibit>& exhibits,
+                                         Engine engine, const std::string& selector)
 {
     const bool needs_device = std::ranges::any_of(
         plan, [](const SeriesPlan& series) { return static_cast<bool>(series.sampler->device_memory); });
-    if (config.engine != Engine::opencl || (!needs_device && config.constructions.empty())) return std::nullopt;
+    const bool shows_device = std::ranges::any_of(
+        exhibits, [](const Exhibit& exhibit) { return static_cast<bool>(exhibit.kind->device_memory); });
+    if (engine != Engine::opencl || (!needs_device && !shows_device)) return std::nullopt;
     const std::vector<DeviceInfo> devices = list_devices();
     if (devices.empty()) return std::nullopt;
     const DeviceInfo& device = devices[choose_device(devices, selector)];
@@ -143,11 +145,12 @@ std::optional<DeviceInfo> device_of_plan(const std::vector<SeriesPlan>& plan, co
 }
 
 /// Checks that the device has memory for the plan.
-void check_memory_of_device(const DeviceInfo& device, const std::vector<SeriesPlan>& plan, const Config& config)
+void check_memory_of_device(const DeviceInfo& device, const std::vector<SeriesPlan>& plan,
+                            const std::vector<Exhibit>& exhibits)
 {
     const DeviceInfo share = share_of(device, crew_processes_here());
     check_device_memory(plan, share);
-    check_device_memory(config.constructions, share);
+    check_device_memory(exhibits, share);
 }
 
 /// Takes the series out of a plan that cannot be made on this machine; says which, and why. Throws InputError where
@@ -160,8 +163,7 @@ std::vector<std::string> leave_out(std::vector<SeriesPlan>& plan, const Config& 
         if (why) left_out.push_back(fmt::format("{}: left out: {}", series.label, *why));
         return why.has_value();
     });
-    if (plan.empty() && !left_out.empty() && config.tilings.empty() && config.constructions.empty() &&
-        config.distributions.empty())
+    if (plan.empty() && !left_out.empty() && config.tables.empty())
         throw InputError::at({config.file}, "no series is left. " + left_out.front());
     return left_out;
 }
@@ -174,45 +176,12 @@ std::string unused_name(const std::string& base, std::set<std::string>& names)
     return name;
 }
 
-std::vector<TilingTask> tiling_tasks(const Config& config, std::set<std::string>& names)
+/// What the tables ask for, each in a folder of its own.
+std::vector<Exhibit> exhibits_of(const Config& config, std::set<std::string>& names)
 {
-    std::vector<TilingTask> tasks;
-    for (const TilingConfig& tiling : config.tilings) {
-        const std::string base =
-            fmt::format("{}-{}-{}-C-{}", tiling.is_set() ? "tile-set" : "tiling", tile_kinds[tiling.request.kind],
-                        tiling.is_set() ? tiling.set : tiling.request.algorithm, tiling.request.colors);
-        tasks.push_back({unused_name(base, names), tiling});
-    }
-    return tasks;
-}
-
-std::vector<ConstructionTask> construction_tasks(const Config& config, std::set<std::string>& names)
-{
-    std::vector<ConstructionTask> tasks;
-    for (const ConstructionConfig& construction : config.constructions) {
-        const std::string base = fmt::format("construction-{}-{}", construction.kind(), construction.show);
-        tasks.push_back({unused_name(base, names), construction});
-    }
-    return tasks;
-}
-
-std::vector<DistributionTask> distribution_tasks(const Config& config, std::set<std::string>& names)
-{
-    std::vector<DistributionTask> tasks;
-    std::vector<DistributionConfig> all = read_distributions(config.distributions, config.seed);
-    std::ranges::move(read_schemes(config.schemes, config.seed), std::back_inserter(all));
-    for (DistributionConfig& distribution : all) {
-        const std::string name =
-            unused_name((distribution.is_scheme() ? "scheme-" : "distribution-") + distribution.kind, names);
-        tasks.push_back({name, std::move(distribution)});
-    }
-    for (auto* const read : {read_textures, read_packings})
-        for (DistributionConfig& pictures :
-             read(read == read_textures ? config.textures : config.packings, config.seed)) {
-            const std::string name = unused_name(safe_name(pictures.kind + "-" + pictures.label), names);
-            tasks.push_back({name, std::move(pictures)});
-        }
-    return tasks;
+    std::vector<Exhibit> exhibits = read_exhibits(config);
+    for (Exhibit& exhibit : exhibits) exhibit.name = unused_name(exhibit.name, names);
+    return exhibits;
 }
 
 }
@@ -234,24 +203,18 @@ Experiment make_experiment(const Config& config, const std::string& device, unsi
     experiment.methods = method_grids(config);
     std::vector<SeriesPlan> plan = make_plan(config);
     experiment.left_out = leave_out(plan, config);
-    const std::optional<DeviceInfo> info = device_of_plan(plan, config, device);
-    if (info) check_memory_of_device(*info, plan, config);
+    std::set<std::string> names; // folders of the series come first
+    for (const SeriesPlan& series : plan) names.insert(series.name);
+    experiment.exhibits = exhibits_of(config, names);
+    const std::optional<DeviceInfo> info = device_of_plan(plan, experiment.exhibits, config.engine, device);
+    if (info) check_memory_of_device(*info, plan, experiment.exhibits);
     for (const SeriesPlan& series : plan) {
         experiment.series.push_back(make_task(series, config.engine, lazy, experiment.workplace));
         if (info && series.sampler->device_memory)
             experiment.series.back().device_bytes =
                 series.sampler->device_memory(series.parameters, series.request, *info).total;
     }
-    std::set<std::string> names; // folders of the series come first
-    for (const SeriesTask& task : experiment.series) names.insert(task.name);
-    experiment.tilings = tiling_tasks(config, names);
-    experiment.constructions = construction_tasks(config, names);
-    experiment.distributions = distribution_tasks(config, names);
-    experiment.distribution_place = {config.engine, [lazy]() -> Device& { return lazy->get(); }};
-    experiment.make_filler = [lazy, engine = config.engine](const FillSettings& settings) {
-        return engine == Engine::opencl ? make_tile_filler(settings, lazy->get())
-                                        : reference::make_tile_filler(settings);
-    };
+    experiment.place = {config.engine, [lazy]() -> Device& { return lazy->get(); }};
     Workplace& workplace = *experiment.workplace;
     workplace.identity = [lazy] { return lazy->identity(); };
     workplace.machine_conditions = [lazy] {

@@ -87,71 +87,46 @@ Series series_of(const SeriesTask& task, const AnalysisOptions& options, Series 
     return series;
 }
 
-TilingResult tiling_of(const TilingTask& task, const std::optional<TilingStatistics>& statistics)
+/// Adds a result to the list of its kind, with its name and its files' folder.
+class AddExhibit
 {
-    const TilingConfig& config = task.config;
-    const TilingRequest& request = config.request;
-    const TileSet set = tile_set_of(config);
-    TilingResult result;
-    result.name = task.name;
-    result.label = config.label;
-    result.kind = request.kind;
-    result.colors = set.colors().horizontal;
-    if (set.colors().vertical != result.colors) result.vertical_colors = set.colors().vertical;
-    result.tiles = set.size();
-    result.file = task.name + "/" + file_names::tiles;
-    result.regions = config.regions;
-    result.set = config.set;
-    if (config.is_set()) return result;
-    const CubeWindow& w = config.window;
-    result.algorithm = request.algorithm;
-    result.origin = {w.x, w.y, w.z};
-    result.size = {w.width, w.height, w.depth};
-    if (request.is_direct()) {
-        const HashPeriod period = hash_period_of(request);
-        result.hash = hash_names().at(static_cast<std::size_t>(request.hash));
-        result.hash_period = {period.x, period.y};
-        for (const std::int64_t along : {request.period.x, request.period.y, request.period.z})
-            result.period.push_back(static_cast<std::size_t>(along));
+public:
+    AddExhibit(const Exhibit& made, Run& into) : exhibit_(made), run_(into) {}
+
+    void operator()(TilingResult result) const
+    {
+        place(result);
+        in_folder(result.file);
+        if (result.statistics)
+            for (ColorStatistics& colors : result.statistics->colors) in_folder(colors.autocorrelation_file);
+        run_.tilings.push_back(std::move(result));
     }
-    result.statistics = statistics;
-    if (statistics)
-        for (ColorStatistics& colors : result.statistics->colors)
-            colors.autocorrelation_file = task.name + "/" + autocorrelation_file(colors);
-    return result;
-}
+    void operator()(ConstructionResult result) const
+    {
+        place(result);
+        in_folder(result.file);
+        run_.constructions.push_back(std::move(result));
+    }
+    void operator()(DistributionResult result) const
+    {
+        place(result);
+        result.kind = exhibit_.kind->name();
+        for (DistributionPicture& picture : result.pictures) in_folder(picture.file);
+        for (std::string& file : result.files) in_folder(file);
+        (exhibit_.kind->table == "scheme" ? run_.schemes : run_.distributions).push_back(std::move(result));
+    }
 
-ConstructionResult construction_of(const ConstructionTask& task, const SceneSummary& scene)
-{
-    const PoissonTileParameters& p = task.config.parameters;
-    ConstructionResult result;
-    result.name = task.name;
-    result.label = task.config.label;
-    result.kind = task.config.kind();
-    result.show = task.config.show;
-    result.colors = p.colors;
-    result.tiles = p.tiles;
-    result.points_per_tile = p.points_per_tile;
-    result.relative_radius = p.relative_radius;
-    result.filling = p.filling == TileFilling::dart_throwing ? "dart-throwing" : "relaxation-dart-throwing";
-    result.lloyd_iterations = static_cast<int>(p.lloyd_iterations);
-    result.repulsion = p.repulsion;
-    result.seed = std::to_string(p.seed);
-    result.file = task.name + "/" + file_names::construction;
-    result.scene = scene;
-    return result;
-}
+private:
+    const Exhibit& exhibit_;
+    Run& run_;
 
-DistributionResult distribution_of(const DistributionTask& task, DistributionResult result)
-{
-    const std::string folder = task.name + "/";
-    result.name = task.name;
-    result.label = task.config.label;
-    result.kind = task.config.kind;
-    for (DistributionPicture& picture : result.pictures) picture.file = folder + picture.file;
-    for (std::string& file : result.files) file = folder + file;
-    return result;
-}
+    void place(auto& result) const
+    {
+        result.name = exhibit_.name;
+        result.label = exhibit_.label;
+    }
+    void in_folder(std::string& file) const { file = exhibit_.name + "/" + file; }
+};
 
 }
 
@@ -171,13 +146,8 @@ Run make_run(const Experiment& experiment, const ExperimentResults& results)
     run.methods = experiment.methods;
     for (std::size_t i = 0; i < results.series.size(); ++i)
         run.series.push_back(series_of(experiment.series[i], experiment.analysis, results.series[i]));
-    for (std::size_t i = 0; i < experiment.tilings.size(); ++i)
-        run.tilings.push_back(tiling_of(experiment.tilings[i], results.statistics.at(i)));
-    for (std::size_t i = 0; i < experiment.constructions.size(); ++i)
-        run.constructions.push_back(construction_of(experiment.constructions[i], results.scenes.at(i)));
-    for (std::size_t i = 0; i < experiment.distributions.size(); ++i)
-        (experiment.distributions[i].config.is_scheme() ? run.schemes : run.distributions)
-            .push_back(distribution_of(experiment.distributions[i], results.distributions.at(i)));
+    for (std::size_t i = 0; i < experiment.exhibits.size(); ++i)
+        std::visit(AddExhibit(experiment.exhibits[i], run), results.exhibits.at(i));
     return run;
 }
 

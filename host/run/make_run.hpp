@@ -4,7 +4,6 @@
 #include "host/series/experiment.hpp"
 #include "results/run.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace poissonlab {
@@ -12,10 +11,8 @@ namespace poissonlab {
 /// The results of the tasks of an experiment, one item for each.
 struct ExperimentResults
 {
-    std::vector<Series> series;                              ///< as SeriesWork::result() has them
-    std::vector<std::optional<TilingStatistics>> statistics; ///< nothing for tile sets and tilings with a period
-    std::vector<SceneSummary> scenes;
-    std::vector<DistributionResult> distributions; ///< files without the folder
+    std::vector<Series> series;      ///< as SeriesWork::result() has them
+    std::vector<Exhibited> exhibits; ///< files without the folder
     Machine machine;
 };
 

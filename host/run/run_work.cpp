@@ -39,8 +39,7 @@ T there(std::optional<T> stored, const std::string& label)
 
 RunWork::RunWork(const Experiment& experiment, std::uint32_t number, const CodeVersions& versions, UnitStore& store,
                  SamplerSlot& slot)
-    : experiment_(experiment), number_(number), pictures_(experiment, versions, store),
-      distributions_(experiment, versions, store)
+    : experiment_(experiment), number_(number), exhibits_(experiment, versions, store)
 {
     for (const SeriesTask& task : experiment.series) series_.emplace_back(experiment, task, versions, store, slot);
 }
@@ -49,7 +48,7 @@ std::string RunWork::identity() const
 {
     std::string text;
     for (const SeriesWork& series : series_) text += series.units().analysis_key().text();
-    return text + pictures_.identity() + distributions_.identity();
+    return text + exhibits_.identity();
 }
 
 Job RunWork::job(Job::Kind kind, std::uint32_t item, const RealizationRange& range) const
@@ -118,16 +117,13 @@ void RunWork::add_jobs(Schedule& schedule, std::uint32_t split_from, std::uint32
         if (const auto other = jobs_by_sets.find(sets); other != jobs_by_sets.end()) after.push_back(other->second);
         jobs_by_sets[sets] = add_series(schedule, item, split, after);
     }
-    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item, ++next)
-        if (!pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
-    if (!pictures_.are_constructions_there()) schedule.add(job(Job::Kind::constructions, 0));
-    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item, ++next)
-        if (!distributions_.find(item)) schedule.add(job(Job::Kind::distribution, item));
+    for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item, ++next)
+        if (!exhibits_.find(item)) schedule.add(job(Job::Kind::exhibit, item));
 }
 
 std::uint32_t RunWork::independent_jobs() const
 {
-    auto jobs = static_cast<std::uint32_t>(experiment_.tilings.size() + experiment_.distributions.size());
+    auto jobs = static_cast<std::uint32_t>(experiment_.exhibits.size());
     for (const SeriesWork& series : series_) jobs += series.units().parts();
     return jobs;
 }
@@ -149,12 +145,8 @@ void RunWork::add_share(Schedule& schedule, const Shard& shard, bool split, std:
                     schedule.add(job(Job::Kind::part, item, {part, units.part(part).count}));
         }
     }
-    for (std::uint32_t item = 0; item < experiment_.tilings.size(); ++item)
-        if (is_mine() && !pictures_.tiling(experiment_.tilings[item])) schedule.add(job(Job::Kind::tiling, item));
-    if (!experiment_.constructions.empty() && is_mine() && !pictures_.are_constructions_there())
-        schedule.add(job(Job::Kind::constructions, 0));
-    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item)
-        if (is_mine() && !distributions_.find(item)) schedule.add(job(Job::Kind::distribution, item));
+    for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item)
+        if (is_mine() && !exhibits_.find(item)) schedule.add(job(Job::Kind::exhibit, item));
 }
 
 bool RunWork::all_shares_are_done(bool split) const
@@ -167,26 +159,15 @@ bool RunWork::all_shares_are_done(bool split) const
         for (std::uint32_t part = 0; !split && !whole && part < series.units().parts(); ++part)
             if (!series.is_analysed(part)) return false;
     }
-    for (const TilingTask& task : experiment_.tilings)
-        if (!pictures_.tiling(task)) return false;
-    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item)
-        if (!distributions_.find(item)) return false;
-    return pictures_.are_constructions_there();
+    for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item)
+        if (!exhibits_.find(item)) return false;
+    return true;
 }
 
-/// The label of the series or tiling that a job belongs to.
+/// The label of the series or exhibit that a job belongs to.
 std::string RunWork::label(const Job& job) const
 {
-    switch (job.kind) {
-    case Job::Kind::tiling:
-        return experiment_.tilings.at(job.item).config.label;
-    case Job::Kind::constructions:
-        return "constructions";
-    case Job::Kind::distribution:
-        return experiment_.distributions.at(job.item).config.label;
-    default:
-        return series_.at(job.item).task().label;
-    }
+    return job.kind == Job::Kind::exhibit ? experiment_.exhibits.at(job.item).label : series_.at(job.item).task().label;
 }
 
 void RunWork::execute(const Job& job, const WorkListener& listener)
@@ -207,12 +188,8 @@ void RunWork::execute_in_memory(const Job& job, const WorkListener& listener)
         return series_.at(job.item).analyse(job.first, listener);
     case Job::Kind::sample:
         return series_.at(job.item).sample({job.first, job.count}, listener);
-    case Job::Kind::tiling:
-        return pictures_.make_tiling(experiment_.tilings.at(job.item));
-    case Job::Kind::constructions:
-        return pictures_.make_constructions();
-    case Job::Kind::distribution:
-        return distributions_.make(job.item);
+    case Job::Kind::exhibit:
+        return exhibits_.make(job.item);
     case Job::Kind::points:
         throw std::logic_error("pieces of windows are no work of runs");
     }
@@ -261,22 +238,11 @@ void RunWork::publish(const std::filesystem::path& out, int processes)
         results.series.push_back(series.result());
         used_device = used_device || series.used_device();
     }
-    for (const TilingTask& task : experiment_.tilings) {
-        const TilingUnit stored = there(pictures_.tiling(task), task.config.label);
-        folder.add(task.name, stored.files);
-        results.statistics.push_back(stored.statistics);
-    }
-    for (const ConstructionTask& task : experiment_.constructions) {
-        const ConstructionUnit stored = there(pictures_.construction(task), task.config.label);
-        folder.add(task.name, stored.files);
-        results.scenes.push_back(stored.summary);
-        used_device = used_device || stored.on_device;
-    }
-    for (std::uint32_t item = 0; item < experiment_.distributions.size(); ++item) {
-        const DistributionTask& task = experiment_.distributions[item];
-        const DistributionUnit stored = there(distributions_.find(item), task.config.label);
-        folder.add(task.name, stored.files);
-        results.distributions.push_back(stored.result);
+    for (std::uint32_t item = 0; item < experiment_.exhibits.size(); ++item) {
+        const Exhibit& exhibit = experiment_.exhibits[item];
+        ExhibitUnit stored = there(exhibits_.find(item), exhibit.label);
+        folder.add(exhibit.name, stored.files);
+        results.exhibits.push_back(std::move(stored.result));
         used_device = used_device || stored.on_device;
     }
     const auto& machine_of = experiment_.workplace->machine;

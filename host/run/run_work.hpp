@@ -2,8 +2,7 @@
 #pragma once
 
 #include "host/crew/schedule.hpp"
-#include "host/series/distribution_units.hpp"
-#include "host/series/picture_units.hpp"
+#include "host/series/exhibit_units.hpp"
 #include "host/series/series_work.hpp"
 
 #include <cstdint>
@@ -79,8 +78,7 @@ private:
     const Experiment& experiment_;
     std::uint32_t number_;
     std::deque<SeriesWork> series_;
-    PictureWork pictures_;
-    DistributionUnits distributions_;
+    ExhibitUnits exhibits_;
 };
 
 }

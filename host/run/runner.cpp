@@ -138,8 +138,8 @@ private:
             schedule,
             [&](const Job& job) {
                 announce(job.run);
-                // Constructions and distributions need the device memory that the last series' sampler holds.
-                if (job.kind == Job::Kind::constructions || job.kind == Job::Kind::distribution) slot_.clear();
+                // Exhibits need the device memory that the last series' sampler holds.
+                if (job.kind == Job::Kind::exhibit) slot_.clear();
                 works_.at(job.run).execute(job, listener());
             },
             [&](const Job& job, bool here) { note_done(job, here); });
@@ -247,9 +247,7 @@ std::vector<std::string> folder_names(const Experiment& experiment)
 {
     std::vector<std::string> names;
     for (const SeriesTask& task : experiment.series) names.push_back(task.name);
-    for (const TilingTask& task : experiment.tilings) names.push_back(task.name);
-    for (const ConstructionTask& task : experiment.constructions) names.push_back(task.name);
-    for (const DistributionTask& task : experiment.distributions) names.push_back(task.name);
+    for (const Exhibit& exhibit : experiment.exhibits) names.push_back(exhibit.name);
     return names;
 }
 

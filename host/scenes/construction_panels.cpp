@@ -133,7 +133,7 @@ private:
 
 }
 
-std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config)
+std::vector<PieceKey> wanted_pieces(const ShownConstruction& config)
 {
     if (config.show == "master" || config.show == "template") return {{config.axes, 0}};
     if (config.is_stage()) return {{config.axes, config.variant}};
@@ -146,7 +146,7 @@ std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config)
     return keys;
 }
 
-Scene make_scene(const ConstructionConfig& config, const MadeTiles& made)
+Scene make_scene(const ShownConstruction& config, const MadeTiles& made)
 {
     if (config.is_set()) return set_scene(config);
     if (config.show == "regions" || config.show == "kinds") return region_scene(config, made);

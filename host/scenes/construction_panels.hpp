@@ -3,7 +3,7 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.3 to 4.37.
 #pragma once
 
-#include "host/config/construction_table.hpp"
+#include "host/scenes/shown_construction.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 #include "results/pictures/construction_scene.hpp"
 
@@ -34,8 +34,8 @@ struct MadeTiles
 };
 
 /// The pieces and tiles that a picture shows. Tilings need the whole set instead.
-std::vector<PieceKey> wanted_pieces(const ConstructionConfig& config);
+std::vector<PieceKey> wanted_pieces(const ShownConstruction& config);
 
-Scene make_scene(const ConstructionConfig& config, const MadeTiles& made);
+Scene make_scene(const ShownConstruction& config, const MadeTiles& made);
 
 }

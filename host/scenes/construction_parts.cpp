@@ -37,7 +37,7 @@ SceneBox box_around(const TileRegions& regions, std::uint8_t axes, std::int32_t 
     return box;
 }
 
-PanelParts::PanelParts(const ConstructionConfig& config, const MadeTiles& made)
+PanelParts::PanelParts(const ShownConstruction& config, const MadeTiles& made)
     : config_(config), made_(made), p_(config.parameters), d_(p_.dimension), regions_(regions_of(p_))
 {
     scene_.dimension = d_;

@@ -17,7 +17,7 @@ SceneBox box_around(const TileRegions& regions, std::uint8_t axes, std::int32_t 
 class PanelParts
 {
 public:
-    PanelParts(const ConstructionConfig& config, const MadeTiles& made);
+    PanelParts(const ShownConstruction& config, const MadeTiles& made);
 
 protected:
     ScenePanel new_panel() const;
@@ -39,7 +39,7 @@ protected:
     /// The cell whose region a position is in, of the unbounded lattice.
     ScenePiece cell_of(const TilePosition& position) const;
 
-    const ConstructionConfig& config_;
+    const ShownConstruction& config_;
     const MadeTiles& made_;
     const PoissonTileParameters& p_;
     int d_;
@@ -48,7 +48,7 @@ protected:
 };
 
 /// The pictures by what they show.
-Scene region_scene(const ConstructionConfig& config, const MadeTiles& made);
-Scene stage_scene(const ConstructionConfig& config, const MadeTiles& made);
+Scene region_scene(const ShownConstruction& config, const MadeTiles& made);
+Scene stage_scene(const ShownConstruction& config, const MadeTiles& made);
 
 }

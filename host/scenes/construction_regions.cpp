@@ -111,6 +111,6 @@ private:
 
 }
 
-Scene region_scene(const ConstructionConfig& config, const MadeTiles& made) { return RegionScene(config, made).make(); }
+Scene region_scene(const ShownConstruction& config, const MadeTiles& made) { return RegionScene(config, made).make(); }
 
 }

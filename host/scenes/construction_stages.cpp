@@ -233,6 +233,6 @@ private:
 
 }
 
-Scene stage_scene(const ConstructionConfig& config, const MadeTiles& made) { return StageScene(config, made).make(); }
+Scene stage_scene(const ShownConstruction& config, const MadeTiles& made) { return StageScene(config, made).make(); }
 
 }

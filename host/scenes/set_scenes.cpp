@@ -154,7 +154,7 @@ std::vector<ScenePanel> lloyd_steps(std::size_t count, std::uint32_t iterations,
     }
 }
 
-std::vector<ScenePanel> steps_of(const ConstructionConfig& config)
+std::vector<ScenePanel> steps_of(const ShownConstruction& config)
 {
     const PoissonTileParameters& p = config.parameters;
     if (config.show == "lloyd") return lloyd_steps(p.points_per_tile, p.lloyd_iterations, p.seed);
@@ -170,7 +170,7 @@ std::vector<ScenePanel> steps_of(const ConstructionConfig& config)
 
 }
 
-Scene set_scene(const ConstructionConfig& config)
+Scene set_scene(const ShownConstruction& config)
 {
     Scene scene;
     scene.panels = steps_of(config);

@@ -4,7 +4,7 @@
 // Lloyd's method.
 #pragma once
 
-#include "host/config/construction_table.hpp"
+#include "host/scenes/shown_construction.hpp"
 #include "results/pictures/construction_scene.hpp"
 
 namespace poissonlab {
@@ -15,6 +15,6 @@ namespace poissonlab {
 /// Dart throwing throws the darts that relaxation dart throwing throws, at a radius that stays, until it has its points
 /// or 10,000 darts fail in a row: plain, one after the other. Of the darts that fail between two points, the first two
 /// have a panel. Positions are rounded down to units of a tile.
-Scene set_scene(const ConstructionConfig& config);
+Scene set_scene(const ShownConstruction& config);
 
 }

@@ -43,7 +43,7 @@ std::vector<Color> colors_of(TileKind kind, TileIndex index, WangColors colors)
     return {corner_tile(index, colors.horizontal).south_west};
 }
 
-Survey survey_of(const TilingConfig& config)
+Survey survey_of(const ShownTiling& config)
 {
     const TilingRequest& request = config.request;
     const TileSet set = tile_set_of(request);
@@ -74,7 +74,7 @@ Survey survey_of(const TilingConfig& config)
 
 }
 
-std::string tiles_text(const TilingConfig& config)
+std::string tiles_text(const ShownTiling& config)
 {
     std::string text;
     if (config.is_set()) {
@@ -93,7 +93,7 @@ std::string tiles_text(const TilingConfig& config)
     return text;
 }
 
-TilingStatistics tiling_statistics(const TilingConfig& config)
+TilingStatistics tiling_statistics(const ShownTiling& config)
 {
     const Survey survey = survey_of(config);
     TilingStatistics statistics;

@@ -1,7 +1,7 @@
 // Tile sets and tilings of an experiment: their tiles as text, and how random the colours of a tiling are.
 #pragma once
 
-#include "host/config/tiling_table.hpp"
+#include "host/scenes/shown_tiling.hpp"
 #include "results/pictures/tiling_result.hpp"
 
 #include <optional>
@@ -14,9 +14,9 @@ inline constexpr int statistics_lags = 320; ///< beyond the 256 after which the 
 
 /// The text of tiles.txt: indices separated by blanks, a row a line, north first; of cubes, layers from the
 /// bottom, an empty line between them; of a set, all tiles in one line.
-std::string tiles_text(const TilingConfig& config);
+std::string tiles_text(const ShownTiling& config);
 
 /// The statistics of the tiling as it would be without its period, after which it repeats because the config says so.
-TilingStatistics tiling_statistics(const TilingConfig& config);
+TilingStatistics tiling_statistics(const ShownTiling& config);
 
 }

@@ -1,7 +1,6 @@
 // kind = "isohedral": a tiling of a type with its parameters, its curves and a colouring.
 //
 // Kaplan, Introductory Tiling Theory for Computer Graphics, 2009 (SIGGRAPH 2008 class notes, II, section 7).
-#include "host/config/schemes/aperiodic_scheme_table.hpp"
 #include "host/schemes/mark_canvas.hpp"
 #include "host/schemes/scheme_run.hpp"
 

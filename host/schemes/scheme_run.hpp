@@ -3,18 +3,18 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 2, 3 and 8.
 #pragma once
 
-#include "host/config/schemes/scheme_settings.hpp"
+#include "host/schemes/scheme_settings.hpp"
 #include "results/pictures/distribution_files.hpp"
 
 #include <cstdint>
 
 namespace poissonlab {
 
-/// Makes one scheme and writes its files. The result has no name and no label; names of files are without folder.
-/// Throws InputError where it cannot be made, StorageError, and Interrupted.
-DistributionResult make_scheme(const SchemeSettings& settings, std::uint64_t seed, DistributionFiles& files);
+/// The tile that the settings say. Throws InputError for parameters that it cannot have.
+IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed);
 
-// One function a kind, each in a file of its own.
+// One function a kind, each in a file of its own, which makes it and writes its files. Each throws InputError where
+// that cannot be done, StorageError, and Interrupted.
 DistributionResult make_corner_problem(const CornerProblemSettings& settings, std::uint64_t seed,
                                        DistributionFiles& files);
 DistributionResult make_scanline_steps(const ScanlineStepsSettings& settings, std::uint64_t seed,

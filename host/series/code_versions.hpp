@@ -13,6 +13,13 @@ struct CodeVersions
     std::string pictures; ///< of tilings and constructions
     std::string distributions;
 
+    /// That of the kinds of a table.
+    std::string of_table(const std::string& table) const
+    {
+        if (table == "construction") return pictures;
+        return table == "tiling" || table == "tile_set" ? pictures + analysis : distributions;
+    }
+
     /// The versions of this program.
     static CodeVersions current();
 };

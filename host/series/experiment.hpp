@@ -3,13 +3,8 @@
 #pragma once
 
 #include "host/config/analysis_options.hpp"
-#include "host/config/distributions/packing_table.hpp"
-#include "host/config/distributions/texture_table.hpp"
-#include "host/config/tiling_table.hpp"
-#include "host/distribution/distribution_place.hpp"
-#include "host/distribution/tables/distribution_table.hpp"
+#include "host/kinds/exhibit.hpp"
 #include "host/sampling/sampler.hpp"
-#include "host/scenes/construction_run.hpp"
 #include "host/store/unit_key.hpp"
 #include "results/machine.hpp"
 #include "results/method_grid.hpp"
@@ -40,27 +35,6 @@ struct SeriesTask
     /// begins; empty: name and sampler say enough.
     std::function<UnitKey()> identity;
     std::function<std::unique_ptr<Sampler>()> create;
-};
-
-/// One tile set or tiling to be drawn and tested.
-struct TilingTask
-{
-    std::string name; ///< folder
-    TilingConfig config;
-};
-
-/// One picture of the construction of Poisson tiles.
-struct ConstructionTask
-{
-    std::string name; ///< folder
-    ConstructionConfig config;
-};
-
-/// One distribution of points or objects.
-struct DistributionTask
-{
-    std::string name; ///< folder
-    DistributionConfig config;
 };
 
 /// Told what is being done, in a few words, by work that takes long.
@@ -101,11 +75,8 @@ struct Experiment
     std::vector<MethodGrid> methods; ///< of the config; none for imported sets
     std::vector<SeriesTask> series;
     std::vector<std::string> left_out; ///< series that cannot be made on this machine, each with why: a sentence
-    std::vector<TilingTask> tilings;
-    std::vector<ConstructionTask> constructions;
-    std::vector<DistributionTask> distributions;
-    DistributionPlace distribution_place;
-    FillerFactory make_filler;                                            ///< of constructions
+    std::vector<Exhibit> exhibits;
+    DistributionPlace place;                                              ///< of exhibits
     std::shared_ptr<Workplace> workplace = std::make_shared<Workplace>(); ///< shared with the samplers
 };
 

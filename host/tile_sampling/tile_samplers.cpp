@@ -316,6 +316,19 @@ SamplerSpec tile_sampler(const PoissonTileFamily& family, std::string title, std
 
 }
 
+std::vector<ParameterSpec> tile_set_parameters(const PoissonTileFamily& family)
+{
+    std::vector<ParameterSpec> specs = parameter_specs(family);
+    std::erase_if(specs, [](const ParameterSpec& spec) { return spec.key == "density" || spec.key == "sets"; });
+    return specs;
+}
+
+PoissonTileParameters tile_set_parameters_of(const PoissonTileFamily& family, const Parameters& given,
+                                             std::uint64_t seed)
+{
+    return tile_parameters(family, given, seed);
+}
+
 std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,
                                                     std::uint64_t seed)
 {

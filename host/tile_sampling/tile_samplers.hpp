@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace poissonlab {
 
@@ -19,6 +20,13 @@ SamplerSpec corner_tile_sampler();
 SamplerSpec edge_tile_sampler();
 SamplerSpec template_tile_sampler();
 SamplerSpec sphere_tile_sampler();
+
+/// What tile sets of a family are made from, in the words of their sampler.
+std::vector<ParameterSpec> tile_set_parameters(const PoissonTileFamily& family);
+
+/// The tile set that such parameters ask for.
+PoissonTileParameters tile_set_parameters_of(const PoissonTileFamily& family, const Parameters& given,
+                                             std::uint64_t seed);
 
 /// The tile set that one of these samplers builds, for tiles in the plane; nothing for any other sampler.
 std::optional<PoissonTileParameters> plane_tile_set(const std::string& sampler, const Parameters& parameters,

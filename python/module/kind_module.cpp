@@ -3,21 +3,26 @@
 #include "base/errors/errors.hpp"
 #include "base/images/png_file.hpp"
 #include "base/points/point_file.hpp"
+#include "host/config/nearest_key.hpp"
 #include "host/config/toml_reader.hpp"
 #include "host/device/device.hpp"
-#include "host/distribution/kinds.hpp"
+#include "host/kinds/kinds.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "python/module/work.hpp"
+#include "reports/drawings/construction_image.hpp"
 #include "reports/drawings/mark_image.hpp"
+#include "results/file_names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <variant>
 
 namespace py = pybind11;
 
@@ -28,6 +33,7 @@ py::dict description_of_key(const KeySpec& spec)
 {
     py::dict description;
     description["key"] = spec.value.key;
+    description["name"] = spec.alias.empty() ? spec.value.key : spec.alias;
     description["help"] = key_help(spec);
     return description;
 }
@@ -41,6 +47,7 @@ py::list kind_descriptions()
         py::dict description;
         description["table"] = kind.table;
         description["word"] = kind.word;
+        description["command"] = kind.command;
         description["title"] = kind.title;
         description["summary"] = kind.summary;
         description["keys"] = keys;
@@ -53,8 +60,8 @@ DistributionPlace place_of(const std::string& name, const std::string& engine, c
 {
     const auto found = engines.find(engine);
     if (!found)
-        throw InputError(
-            fmt::format("{}: engine = {}: must be one of {}", name, engine, fmt::join(engines.all(), ", ")));
+        throw InputError(fmt::format("{}: engine = {}: must be one of \"{}\"{}", name, engine,
+                                     fmt::join(engines.all(), "\", \""), did_you_mean(engine, engines.all())));
     const auto opened = std::make_shared<std::optional<Device>>();
     return {*found,
             [opened, device]() -> Device& {
@@ -62,6 +69,18 @@ DistributionPlace place_of(const std::string& name, const std::string& engine, c
                 return **opened;
             },
             [](const std::string&) { stop_if_interrupted(); }};
+}
+
+/// Panels become a picture beside their file.
+void draw_scene(const std::filesystem::path& folder, DistributionResult& result)
+{
+    for (const std::string& file : result.files) {
+        if (file != file_names::construction) continue;
+        const Drawing drawing = draw_construction(read_scene(folder / file));
+        write_drawing_png(folder / "construction.png", drawing, static_cast<int>(drawing.width));
+        result.pictures.push_back({"construction.png", "The construction."});
+        return;
+    }
 }
 
 /// Pictures of marks become pixels beside them.
@@ -76,6 +95,34 @@ void draw_pictures(const std::filesystem::path& folder, DistributionResult& resu
     }
 }
 
+DistributionResult as_distribution(DistributionResult result) { return result; }
+
+/// Tile indices in a file, and how random colours are.
+DistributionResult as_distribution(const TilingResult& tiling)
+{
+    DistributionResult result;
+    result.facts = {fmt::format("{} tiles over {} colours in the set", tiling.tiles, tiling.colors)};
+    result.files = {tiling.file};
+    if (!tiling.statistics) return result;
+    for (const ColorStatistics& colors : tiling.statistics->colors) {
+        std::string key = colors.name;
+        std::ranges::replace(key, ' ', '_');
+        result.numbers.push_back({key + "_p_value", "Frequencies of colours of " + colors.name,
+                                  colors.frequencies.p_value, "p-value of a chi-square test"});
+        result.files.push_back(colors.autocorrelation_file);
+    }
+    return result;
+}
+
+/// Panels of regions and points in a file.
+DistributionResult as_distribution(const ConstructionResult& construction)
+{
+    DistributionResult result;
+    result.facts = {fmt::format("{} panels", construction.scene.panels)};
+    result.files = {construction.file};
+    return result;
+}
+
 /// Makes what the values ask for in the folder. `name` begins messages.
 DistributionResult made(const std::string& name, const Kind& kind, const std::string& values, std::uint64_t seed,
                         const DistributionPlace& place, const std::filesystem::path& folder)
@@ -83,9 +130,11 @@ DistributionResult made(const std::string& name, const Kind& kind, const std::st
     try {
         const KindSettings settings = read_kind(kind, read_toml(values, name), {name}, name);
         DistributionFiles files([&](const std::string& file) { return folder / file; });
-        DistributionResult result = kind.make(settings, seed, place, files);
+        DistributionResult result = std::visit([](auto own) { return as_distribution(std::move(own)); },
+                                               kind.make(settings, seed, place, files));
         result.label = settings.label;
         draw_pictures(folder, result);
+        draw_scene(folder, result);
         return result;
     } catch (const InputError& error) {
         throw error.place().file == name ? error.moved_to({name}) : error;

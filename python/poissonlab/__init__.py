@@ -15,7 +15,7 @@ interpreter's lock, one call at a time, and ends on Ctrl-C. Other processes can 
 not forked: multiprocessing.get_context("spawn").
 """
 
-from . import distribute
+from . import distribute, texture, tilings
 from . import samplers as _samplers
 from ._poissonlab import DeviceError, InputError, StorageError
 from ._poissonlab import version as __version__
@@ -29,6 +29,6 @@ from .tiles import Certificate, NearestPoints, TilePoints, TileSet
 __all__ = [
     "Analysis", "Certificate", "DeviceError", "InputError", "Measure", "NearestPoints", "NumberVariance",
     "PairCorrelation", "Radial", "Results", "StorageError", "TilePoints", "TileSet", "analyze", "distribute",
-    "read_points", "run", "write_points",
+    "read_points", "run", "texture", "tiles", "tilings", "write_points",
     *_samplers.__all__,
 ]

@@ -19,6 +19,7 @@ class Made:
     numbers: what was measured, by key; titles says what each is.
     pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
     points: the places that were made, shape (n, 2), in units of the longest side, y upwards; None where there are none.
+    tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south; else None.
     files: the paths of all files, which are there as long as this object is; save() keeps them.
     """
 
@@ -31,6 +32,8 @@ class Made:
         self.pictures = made["pictures"]
         self.captions = made["captions"]
         self.files = [folder / name for name in made["files"]]
+        tiles = folder / "tiles.txt"
+        self.tiles = numpy.loadtxt(tiles, dtype=numpy.int64, ndmin=2) if tiles.exists() else None
         points = folder / "points.npy"
         self.points = numpy.load(points) if points.exists() else None
         weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
@@ -50,7 +53,8 @@ def function_of(description, name):
         unknown = values.keys() - keys.keys()
         if unknown:
             raise TypeError(f"{name}() has no parameter {sorted(unknown)[0]!r}")
-        text = "".join(f"{key} = {toml.value_of(value)}\n" for key, value in values.items() if value is not None)
+        text = "".join(f"{keys[key]['key']} = {toml.value_of(value)}\n"
+                       for key, value in values.items() if value is not None)
         folder = pathlib.Path(tempfile.mkdtemp(prefix="poissonlab-"))
         try:
             made = _poissonlab.make(name, description["table"], description["word"], text, seed_of(rng), engine,
@@ -60,7 +64,7 @@ def function_of(description, name):
             shutil.rmtree(folder, ignore_errors=True)
             raise
 
-    keys = {key["key"]: key for key in description["keys"]}
+    keys = {key["name"]: key for key in description["keys"]}
     make.__name__ = make.__qualname__ = name
     make.__doc__ = documentation_of(description)
     make.__signature__ = inspect.Signature(
@@ -73,15 +77,21 @@ def function_of(description, name):
 def documentation_of(description):
     """The text of a kind's function."""
     lines = [f"{description['summary']}.", "", "Returns Made. rng, engine and device: see Sampler."]
-    lines += [f"{key['key']}: {key['help']}." for key in description["keys"]]
+    lines += [f"{key['name']}: {key['help']}." for key in description["keys"]]
     return "\n".join(lines)
 
 
 def functions_of(table, names):
-    """The functions of the kinds of a table. `names` has those that are not the kind's word."""
+    """The functions of the kinds of a table. `names` has those that are not the kind's word, or the table's."""
     functions = {}
     for description in _poissonlab.kinds():
         if description["table"] == table:
-            name = names.get(description["word"], description["word"].replace("-", "_"))
+            word = description["word"] or table
+            name = names.get(word, word.replace("-", "_"))
             functions[name] = function_of(description, name)
     return functions
+
+
+def function_of_command(command, name):
+    """The function of the kind that only a command makes."""
+    return function_of(next(each for each in _poissonlab.kinds() if each["command"] == command), name)

@@ -9,6 +9,7 @@ import numpy
 import numpy.typing
 
 from . import _poissonlab
+from . import kinds as _kinds
 from ._poissonlab import InputError
 
 
@@ -122,3 +123,19 @@ class TileSet:
     def __repr__(self):
         return (f"<poissonlab.TileSet {self.kind}: {self.colors} colours, {self.tiles} tiles of {self.points_per_tile} "
                 f"points{', ranked' if self.ranked else ''}>")
+
+
+_build = _kinds.function_of_command("tiles build", "build")
+
+
+def build(kind="corner", /, **keys):
+    """Build a tile set, and prove its minimum distance: poissonlab.tiles.build("corner", colors=3, points=64).
+
+    kind: "corner", "edge", "template" or "sphere". Other parameters are those of `poissonlab tiles build`: help(tiles.keys)
+    has them all. Returns a TileSet; rng, engine and device: see Sampler.
+    """
+    return TileSet(_build(kind=kind, **keys).files[0])
+
+
+#: The function that build() calls, with all keys: help(tiles.keys).
+keys = _build

@@ -1,10 +1,12 @@
 // Archives by cereal of the units of tilings, constructions and distributions.
 #pragma once
 
-#include "results/pictures/construction_scene.hpp"
+#include "results/pictures/construction_result.hpp"
 #include "results/pictures/distribution_result.hpp"
 #include "results/pictures/tiling_result.hpp"
 #include "results/records/archive.hpp"
+
+#include <cereal/types/variant.hpp>
 
 namespace poissonlab {
 
@@ -25,7 +27,7 @@ void serialize(Archive& archive, ColorAutocorrelation& autocorrelation)
 template <class Archive>
 void serialize(Archive& archive, ColorStatistics& colors)
 {
-    archive(colors.name, colors.counts, colors.frequencies, colors.autocorrelation);
+    archive(colors.name, colors.counts, colors.frequencies, colors.autocorrelation_file, colors.autocorrelation);
 }
 
 template <class Archive>
@@ -69,6 +71,22 @@ void serialize(Archive& archive, DistributionResult& distribution)
 {
     archive(distribution.facts, distribution.parameters, distribution.numbers, distribution.pictures,
             distribution.files, distribution.tables);
+}
+
+template <class Archive>
+void serialize(Archive& archive, TilingResult& tiling)
+{
+    archive(tiling.kind, tiling.colors, tiling.vertical_colors, tiling.tiles, tiling.file, tiling.regions, tiling.set,
+            tiling.algorithm, tiling.origin, tiling.size, tiling.hash, tiling.hash_period, tiling.period,
+            tiling.statistics);
+}
+
+template <class Archive>
+void serialize(Archive& archive, ConstructionResult& construction)
+{
+    archive(construction.kind, construction.show, construction.colors, construction.tiles, construction.points_per_tile,
+            construction.relative_radius, construction.filling, construction.lloyd_iterations, construction.repulsion,
+            construction.seed, construction.file, construction.scene);
 }
 
 }

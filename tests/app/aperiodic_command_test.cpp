@@ -142,7 +142,7 @@ TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
     expect_error("tile kari --window 0 2000000 2 2",
                  "rows of a tiling by Beatty sequences are from -1048576 to 1048575");
     expect_error("tile ammann --window 0 0 8 8 --engine gpu",
-                 "aperiodic tile: --engine \"gpu\": unknown (known: opencl, reference)");
+                 "aperiodic tile: --engine gpu: must be one of \"opencl\", \"reference\"");
     folder_.write("two.txt", "0 1 0 0\n0 2 0 1\n");
     const Outcome none = run("tile two.txt --window 0 0 3 1");
     EXPECT_EQ(none.status, 2);
@@ -155,8 +155,8 @@ TEST_F(AperiodicCommand, WrongArguments)
                                           "(known: culik, kari, ammann, jeandel-rao)");
     expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64");
     expect_error("verify kari --width 3 --construction diagnal",
-                 "aperiodic verify: --construction \"diagnal\": unknown; did you mean \"diagonal\"? (known: diagonal, "
-                 "horizontal, vertical, rotation, subdivision)");
+                 "aperiodic verify: --construction diagnal: must be one of \"diagonal\", \"horizontal\", \"vertical\", "
+                 "\"rotation\", \"subdivision\"; did you mean \"diagonal\"?");
     expect_error("verify kari --width 3 --construction horizontal --repeat 2",
                  "aperiodic verify: repetition 1 is ambiguous: there is none after it");
     expect_error("verify kari --width 3 --out a.gif", "aperiodic verify: --out a.gif: must end in .svg or .png");

@@ -108,14 +108,15 @@ TEST_F(PackingCommand, DrawsTilesAndPuzzles)
 
 TEST_F(PackingCommand, WrongArguments)
 {
-    expect_error("cube --colors 2", "packing: kind \"cube\": unknown (known: corner, wang)");
+    expect_error("cube --colors 2", "packing: KIND cube: must be one of \"corner\", \"wang\"");
     expect_error("corner --colors 1", "packing: --colors 1: must be an integer from 2 to 256");
     expect_error("corner --colors 2 --method serach",
-                 "packing: --method \"serach\": unknown; did you mean \"search\"? (known: closed, printed, eulerian, "
-                 "search, grown)");
+                 "packing: --method serach: must be one of \"closed\", \"printed\", \"product\", \"eulerian\", "
+                 "\"search\", \"grown\"; did you mean \"search\"?");
+    expect_error("wang --colors 2 --method product", "packing: --method product: is for wang tiles of 3 colours");
     expect_error("corner --colors 3 --all", "packing: --all with --colors 3: must be 2, nobody has seen all others");
     expect_error("corner --colors 2 --method eulerian", "packing: --method eulerian: is for wang tiles");
-    expect_error("wang --colors 3 --method grown", "packing: --method grown: is for corner tiles over 3 colours");
+    expect_error("wang --colors 3 --method grown", "packing: --method grown: is for corner tiles of 3 colours");
     expect_error("corner --colors 17 --out a.png", "packing: --colors 17: must be at most 16 for a picture");
     expect_error("corner --colors 3 --out a.jpg", "packing: --out a.jpg: must be a .png or .svg");
     expect_error("corner --colors 3 --puzzle a.png", "packing: --puzzle a.png: must be an .svg");
@@ -123,7 +124,7 @@ TEST_F(PackingCommand, WrongArguments)
                  "packing: --kerf 1: must be a number from 0 to 0.6, in millimetres");
     expect_error("corner --colors 3 --puzzle a.svg --piece nan",
                  "packing: --piece nan: must be a number from 5 to 500, in millimetres");
-    expect_error("corner --colors 5 --method printed", "colors = 5: must be an integer from 2 to 4");
+    expect_error("corner --colors 5 --method printed", "packing: --method printed: has at most 4 colours");
 }
 
 }

@@ -61,9 +61,10 @@ TEST_F(TextureCommand, MapsThePlane)
     expect_error(small + "--pitch 91 --out a.png", "texture map: --pitch 91: must be a number from 0 to 90");
     expect_error("map tiles --size 0 2 --out a.png", "texture map: --size 0: must be an integer from 1 to 16384");
     expect_error("map tiles --size 9 --out a.png", "texture map: --size 9: must be W H");
-    expect_error(small + "--filter trilinear --out a.png",
-                 "texture map: --filter \"trilinear\": unknown; did you mean \"bilinear\"? (known: nearest, bilinear, "
-                 "mipmap, anisotropic)");
+    expect_error(
+        small + "--filter trilinear --out a.png",
+        "texture map: --filter trilinear: must be one of \"nearest\", \"bilinear\", \"mipmap\", \"anisotropic\"; "
+        "did you mean \"bilinear\"?");
     printed("build wang --colors 2 --exemplar noise.png --size 16 --attempts 3 --quiet --out wang");
     printed("map wang --size 40 30 --out c.png");
     printed("map wang --size 40 30 --out d.png --engine reference");
@@ -88,7 +89,7 @@ TEST_F(TextureCommand, MakesTilesWithMarkedCorners)
     expect_error("tile random --window 0 0 5 3 --marks noise.png --out c.png",
                  "texture tile: a map of marks leaves no choice of these tiles, which are for marks at random");
     expect_error("build wang --colors 2 --exemplar noise.png --size 16 --tiles random-marks --out o",
-                 "texture build: tiles = random-marks: needs an exemplar for marked corners");
+                 "texture build: --tiles random-marks: needs an exemplar for marked corners");
 }
 
 TEST_F(TextureCommand, MakesTheSameFilesAgain)
@@ -102,26 +103,27 @@ TEST_F(TextureCommand, WrongArguments)
 {
     const std::string corner = "build corner --exemplar noise.png --out o ";
     expect_error("build triangle --colors 2 --exemplar noise.png --size 16 --out o",
-                 "texture build: kind \"triangle\": unknown (known: corner, wang, omega)");
-    expect_error(corner + "--colors 2 --size 17", "texture build: size = 17: must be even");
-    expect_error(corner + "--colors 9 --size 16", "texture build: colors = 9: must be an integer from 2 to 8");
+                 "texture build: KIND triangle: must be one of \"corner\", \"wang\", \"omega\"");
+    expect_error(corner + "--colors 2 --size 17", "texture build: --size 17: must be even");
+    expect_error(corner + "--colors 9 --size 16", "texture build: --colors 9: must be an integer from 2 to 8");
     expect_error(corner + "--colors 2 --size 112",
                  "noise.png: size = 112: must be at most the exemplar's, 120 x 110 pixels");
-    expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: ring = 9: must be an integer from 1 to 2");
-    expect_error(corner + "--colors 2 --size 16 --weight gradeint",
-                 "texture build: --weight \"gradeint\": unknown; did you mean \"gradient\"? (known: gradient, plain)");
+    expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: --ring 9: must be an integer from 1 to 2");
+    expect_error(
+        corner + "--colors 2 --size 16 --weight gradeint",
+        "texture build: --weight gradeint: must be one of \"gradient\", \"plain\"; did you mean \"gradient\"?");
     expect_error("build corner --colors 2 --size 16 --exemplar none.png --out o",
-                 "none.png: cannot read the picture: no such file");
+                 "texture build: --exemplar none.png: no such file: must be a picture's file");
     expect_error("build corner --colors 2 --size 16 --exemplar noise.png --out noise.png",
                  "texture build: --out noise.png: is no folder");
     expect_error("build corner --colors 2 --size 16 --exemplar /dev/null --out o",
-                 "/dev/null: cannot read the picture: is a device, no file");
+                 "texture build: --exemplar /dev/null: is a device, no file: must be a picture's file");
     const std::string whole = content_of(folder_.path() / "noise.png");
     folder_.write("cut.png", whole.substr(0, whole.size() / 2));
     expect_error("build corner --colors 2 --size 16 --exemplar cut.png --out o",
                  "cut.png: cannot read the picture: the file is cut off"); // and no line of libpng's
     expect_error("build corner --colors 2 --size large --exemplar noise.png --out o",
-                 "--size: large: must be an integer from 16 to 512 (see poissonlab --help)");
+                 "texture build: --size large: must be an integer from 16 to 512");
     folder_.write("text.png", "no picture");
     EXPECT_EQ(run("build corner --colors 2 --size 16 --exemplar text.png --out o").status, 2);
     EXPECT_EQ(run("verify .").status, 2);

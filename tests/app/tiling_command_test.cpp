@@ -130,44 +130,46 @@ TEST_F(TilingCommand, TilesAreTheSameForEver)
 TEST_F(TilingCommand, WrongArguments)
 {
     expect_error("hexagon --colors 2 --window 0 0 1 1",
-                 "tiling: kind \"hexagon\": unknown (known: corner, wang, cube, wang-cube, domino)");
-    expect_error("corner --window 0 0 1 1", "--colors is required (see poissonlab --help)");
-    expect_error("corner --colors 2", "--window is required (see poissonlab --help)");
-    expect_error("corner --colors 1 --window 0 0 1 1", "colors = 1: must be an integer from 2 to 256");
-    expect_error("cube --colors 17 --window 0 0 0 1 1 1", "colors = 17: must be an integer from 2 to 16");
-    expect_error("corner --colors 2.5 --window 0 0 1 1",
-                 "--colors: 2.5: must be an integer from 2 to 256 (see poissonlab --help)");
+                 "tiling: KIND hexagon: must be one of \"corner\", \"wang\", \"cube\", \"wang-cube\", \"domino\"");
+    expect_error("corner --window 0 0 1 1", "tiling: needs --colors");
+    expect_error("corner --colors 2", "tiling: needs --window");
+    expect_error("corner --colors 1 --window 0 0 1 1", "tiling: --colors 1: must be an integer from 2 to 256");
+    expect_error("cube --colors 17 --window 0 0 0 1 1 1", "tiling: --colors 17: must be an integer from 2 to 16");
+    expect_error("corner --colors 2.5 --window 0 0 1 1", "tiling: --colors 2.5: must be an integer from 2 to 256");
     expect_error("corner --colors 2 --seed -1 --window 0 0 1 1",
                  "--seed: -1: must be an integer from 0 to 18446744073709551615 (see poissonlab --help)");
     expect_error("corner --colors 2 --window 9223372036854775808 0 1 1",
-                 "--window: 9223372036854775808: must be an integer from -9223372036854775808 to "
-                 "9223372036854775807 (see poissonlab --help)");
-    expect_error("corner --colors 2 --window 0 0 1", "tiling: --window 0 0 1: must be X Y W H");
-    expect_error("cube --colors 2 --window 0 0 1 1", "tiling: --window 0 0 1 1: must be X Y Z W H D");
+                 "tiling: --window 9223372036854775808 0 1 1: must be [X, Y, width, height]");
+    expect_error("corner --colors 2 --window 0 0 1", "tiling: --window 0 0 1: must be [X, Y, width, height]");
+    expect_error("cube --colors 2 --window 0 0 1 1",
+                 "tiling: --window 0 0 1 1: must be [X, Y, Z, width, height, depth]");
     expect_error("corner --colors 2 --window 0 0 0 1", "tiling: --window 0 0 0 1: sizes must be at least 1");
-    expect_error("wang --colors 2 --algorithm one-hsah --window 0 0 1 1",
-                 "tiling: --algorithm \"one-hsah\": unknown; did you mean \"one-hash\"? "
-                 "(known: edge-hash, two-hashes, one-hash, scanline, scanline-compact, culik, kari, ammann)");
+    expect_error(
+        "wang --colors 2 --algorithm one-hsah --window 0 0 1 1",
+        "tiling: --algorithm one-hsah: must be one of \"edge-hash\", \"two-hashes\", \"one-hash\", \"scanline\", "
+        "\"scanline-compact\", \"culik\", \"kari\", \"ammann\"; did you mean \"one-hash\"?");
     expect_error("wang --colors 2 --hash md5 --window 0 0 1 1",
-                 "tiling: --hash \"md5\": unknown (known: permutation, long-period, xxh64)");
+                 "tiling: --hash md5: must be one of \"permutation\", \"long-period\", \"xxh64\"");
     expect_error("corner --colors 2 --window 0 0 1 1 --period -1",
-                 "period = -1: must be an integer from 1 to 2^62 - 1, or 0 for none");
-    expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3", "tiling: --period 1 2 3: there are 2 axes");
+                 "tiling: --period -1: must be [MX, MY], or the first of these, integers of at least 0");
+    expect_error("corner --colors 2 --window 0 0 1 1 --period 1 2 3",
+                 "tiling: --period 1 2 3: must be [MX, MY], or the first of these, integers of at least 0");
     expect_error("corner --colors 2 --vertical-colors 3 --window 0 0 1 1",
-                 "tiling: --vertical-colors: is for wang tiles only");
+                 "tiling: --vertical-colors 3: is for Wang tiles only");
     expect_error("wang --colors 2 --vertical-colors 3 --algorithm one-hash --window 0 0 1 1",
-                 "colors = 2 x 3: this algorithm has one number of colours");
+                 "tiling: colors = 2 x 3: this algorithm has one number of colours");
     expect_error("wang --colors 2 --vertical-colors 1 --window 0 0 1 1",
-                 "colors = 1: must be an integer from 2 to 256");
-    expect_error("wang-cube --colors 41 --window 0 0 0 1 1 1", "colors = 41: must be an integer from 2 to 40");
-    expect_error("domino --colors 2 --window 0 0 1 1", "tiling: --window 0 0 1 1: must be X W");
-    expect_error("domino --colors 2 --window 0 1 --period 1 2", "tiling: --period 1 2: there is 1 axis");
+                 "tiling: --vertical-colors 1: must be an integer from 2 to 256");
+    expect_error("wang-cube --colors 41 --window 0 0 0 1 1 1", "tiling: --colors 41: must be an integer from 2 to 40");
+    expect_error("domino --colors 2 --window 0 0 1 1", "tiling: --window 0 0 1 1: must be [X, width]");
+    expect_error("domino --colors 2 --window 0 1 --period 1 2",
+                 "tiling: --period 1 2: must be [MX], integers of at least 0");
     expect_error("corner --colors 2 --algorithm scanline --window 3 0 1 1",
                  "tiling: --window 3 0 1 1: with --algorithm scanline, X and Y must be 0");
     expect_error("corner --colors 2 --algorithm scanline --hash xxh64 --window 0 0 1 1",
-                 "tiling: --algorithm scanline: has no --hash and no --period");
+                 "tiling: --hash xxh64: has no place beside --algorithm scanline");
     expect_error("wang --colors 33 --algorithm scanline --window 0 0 1 1",
-                 "colors = 33: must be at most 32 for a tiling by scanlines");
+                 "tiling: colors = 33: must be at most 32 for a tiling by scanlines");
     expect_error("corner --colors 2 --algorithm scanline --window 0 0 9223372036854775807 1",
                  "tiling by scanlines: width = 9223372036854775807: must be at most 4294967296");
 }

@@ -1,5 +1,6 @@
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
 
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "host/config/nearest_key.hpp"
 #include "reports/drawings/tile_image.hpp"
@@ -46,11 +47,7 @@ ChosenTiles chosen_set(const std::string& name)
 
 CornerConstruction chosen_construction(const std::string& command, const std::string& word)
 {
-    const auto construction = corner_constructions.find(word);
-    if (construction) return *construction;
-    const auto names = corner_constructions.all();
-    throw InputError(fmt::format("{}: --construction \"{}\": unknown{} (known: {})", command, word,
-                                 did_you_mean(word, names), fmt::join(names, ", ")));
+    return value_of_word(command, "--construction", word, corner_constructions);
 }
 
 void check_repetitions(const std::string& command, std::uint32_t repetitions)

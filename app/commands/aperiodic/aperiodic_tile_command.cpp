@@ -1,11 +1,9 @@
 // poissonlab aperiodic tile: tilings with aperiodic sets, printed or drawn.
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/aperiodic_tiling/beatty_generator.hpp"
-#include "host/config/nearest_key.hpp"
-#include "host/config/parameter_values.hpp"
 #include "tiles/aperiodic/ammann_tiling.hpp"
 #include "tiles/aperiodic/corner_tiling.hpp"
 #include "tiles/aperiodic/tiling_search.hpp"
@@ -48,10 +46,8 @@ struct AperiodicTileOptions
     std::uint32_t repeat = 1;
     std::vector<std::int64_t> window; ///< X Y W H
     std::string method;               ///< empty: the set's own
-    std::uint64_t seed = 1;
-    std::string engine = "opencl";
-    std::string device;
     std::filesystem::path out;
+    WorkOptions work;
 };
 
 /// The method that a set has of its own.
@@ -64,14 +60,10 @@ TilingMethod own_method(const std::string& set)
 TilingMethod checked_method(const AperiodicTileOptions& o)
 {
     if (o.method.empty()) return own_method(o.set);
-    const auto method = tiling_methods.find(o.method);
-    if (!method)
-        throw InputError(fmt::format("aperiodic tile: --method \"{}\": unknown{} (known: {})", o.method,
-                                     did_you_mean(o.method, tiling_methods.all()),
-                                     fmt::join(tiling_methods.all(), ", ")));
-    if (*method != TilingMethod::search && *method != own_method(o.set))
+    const TilingMethod method = value_of_word("aperiodic tile", "--method", o.method, tiling_methods);
+    if (method != TilingMethod::search && method != own_method(o.set))
         throw InputError(fmt::format("aperiodic tile: --method {}: there is none for {}", o.method, o.set));
-    return *method;
+    return method;
 }
 
 TileWindow checked_tile_window(const AperiodicTileOptions& o, TilingMethod method)
@@ -91,14 +83,15 @@ TileWindow checked_tile_window(const AperiodicTileOptions& o, TilingMethod metho
 
 std::vector<ListPlace> beatty_window(const AperiodicTileOptions& o, const TileWindow& window)
 {
-    const BeattyTiling tiling(o.set == "kari" ? BeattySet::kari : BeattySet::culik, o.seed);
+    const BeattyTiling tiling(o.set == "kari" ? BeattySet::kari : BeattySet::culik, o.work.seed());
     std::vector<ListPlace> places;
-    if (*engines.find(o.engine) == Engine::reference) {
+    const DistributionPlace place = o.work.place("aperiodic tile", true);
+    if (place.engine == Engine::reference) {
         const auto tiles = reference::beatty_tiles(tiling, window);
         places.assign(tiles.begin(), tiles.end());
     } else {
         check_beatty_window(window);
-        const Device device = Device::open(o.device);
+        const Device& device = place.device();
         check_fits("aperiodic tile", BeattyGenerator::memory(window), device.info());
         BeattyGenerator(device, tiling).stream(window, [&](std::span<const std::uint8_t> tiles) {
             places.insert(places.end(), tiles.begin(), tiles.end());
@@ -111,7 +104,8 @@ std::vector<ListPlace> searched_window(const AperiodicTileOptions& o, const Wang
 {
     bool is_proven = false;
     auto tiles = search_tiling(
-        wang, {static_cast<std::size_t>(window.width), static_cast<std::size_t>(window.height), o.seed}, &is_proven);
+        wang, {static_cast<std::size_t>(window.width), static_cast<std::size_t>(window.height), o.work.seed()},
+        &is_proven);
     if (tiles) return std::move(*tiles);
     if (is_proven)
         throw InputError(
@@ -134,7 +128,7 @@ MadeTiling made_tiling(const AperiodicTileOptions& o, TilingMethod method, const
     const WangList base = made.chosen.wang;
     WindowMaker maker = [&o, method, base](const TileWindow& w) {
         return method == TilingMethod::beatty         ? beatty_window(o, w)
-               : method == TilingMethod::substitution ? ammann_tiles_of(w, o.seed)
+               : method == TilingMethod::substitution ? ammann_tiles_of(w, o.work.seed())
                                                       : searched_window(o, base, w);
     };
     if (!o.construction.empty()) {
@@ -160,9 +154,7 @@ void tile(const AperiodicTileOptions& options)
     const TilingMethod method = checked_method(options);
     check_repetitions("aperiodic tile", options.repeat);
     const TileWindow window = checked_tile_window(options, method);
-    if (!engines.find(options.engine))
-        throw InputError(fmt::format("aperiodic tile: --engine \"{}\": unknown{} (known: {})", options.engine,
-                                     did_you_mean(options.engine, engines.all()), fmt::join(engines.all(), ", ")));
+    options.work.engine("aperiodic tile"); // throws for one that there is not
     if (!options.out.empty()) check_picture_file("aperiodic tile", options.out);
     const MadeTiling made = made_tiling(options, method, window);
     const auto width = static_cast<std::size_t>(window.width);
@@ -184,20 +176,17 @@ void tile(const AperiodicTileOptions& options)
 Command aperiodic_tile_command()
 {
     const auto o = std::make_shared<AperiodicTileOptions>();
-    return {"tile",
-            "Print or draw a window of a tiling with an aperiodic set",
-            {{"SET", &o->set, aperiodic_set_help},
-             {"--window", &o->window, "The tiles: lower left one, width and height", "X Y W H", required, 4},
-             {"--construction", &o->construction, "Corner tiles of aperiodic convert instead", "NAME"},
-             allowing({"--repeat", &o->repeat, "How often that construction; default: 1", "K"},
-                      integers(1, most_repetitions)),
-             {"--method", &o->method, "beatty, substitution or search; default: the set's own, else search", "NAME"},
-             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
-             {"--engine", &o->engine, "Of beatty: opencl (the default), or reference", "NAME"},
-             {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
-             {"--out", &o->out, "Draw the tiling instead (.svg, .png)", "FILE"}},
-            aperiodic_tile_notes,
-            action_on(o, tile)};
+    return {"tile", "Print or draw a window of a tiling with an aperiodic set",
+            joined({{{"SET", &o->set, aperiodic_set_help},
+                     {"--window", &o->window, "The tiles: lower left one, width and height", "X Y W H", required, 4},
+                     {"--construction", &o->construction, "Corner tiles of aperiodic convert instead", "NAME"},
+                     allowing({"--repeat", &o->repeat, "How often that construction; default: 1", "K"},
+                              integers(1, most_repetitions)),
+                     {"--method", &o->method, "beatty, substitution or search; default: the set's own, else search",
+                      "NAME"},
+                     {"--out", &o->out, "Draw the tiling instead (.svg, .png)", "FILE"}},
+                    o->work.options()}),
+            aperiodic_tile_notes, action_on(o, tile)};
 }
 
 }

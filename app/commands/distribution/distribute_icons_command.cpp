@@ -4,7 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/icons.hpp"
-#include "host/distribution/kinds.hpp"
+#include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>

@@ -5,8 +5,8 @@
 #include "base/random/random.hpp"
 #include "host/distribution/instances/instance_files.hpp"
 #include "host/distribution/instances/instance_view.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // poissonlab distribute rank: the points of a ranked, self-similar tile that a picture or a formula asks for.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_tile.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/stipple.hpp"
+#include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>

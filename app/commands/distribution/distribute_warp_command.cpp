@@ -3,9 +3,9 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/sky_lights.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,7 @@
 // poissonlab texture map: an endless plane with texture tiles in perspective.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/config/nearest_key.hpp"
 #include "host/device/device.hpp"
-#include "host/run/progress.hpp"
 #include "host/sampling/sampler.hpp"
 #include "host/texture/mapping/texture_map.hpp"
 
@@ -12,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace poissonlab {
 namespace {
@@ -46,24 +43,11 @@ struct TextureMapOptions
     std::string lookup = "exact";
     std::uint32_t frames = 1;
     double advance = 0;
-    std::uint64_t seed = 1;
-    std::string engine = "opencl";
-    std::string device;
-    bool quiet = false;
+    WorkOptions work;
 };
 
 constexpr std::int64_t most_map_pixels = 16'384;
 constexpr std::uint32_t most_map_samples = 16, most_map_frames = 100'000;
-
-template <class Table>
-auto map_word(const Table& table, const std::string& option, const std::string& word)
-{
-    const auto value = table.find(word);
-    if (!value)
-        throw InputError(fmt::format("texture map: {} \"{}\": unknown{} (known: {})", option, word,
-                                     did_you_mean(word, table.all()), fmt::join(table.all(), ", ")));
-    return *value;
-}
 
 void check_map_number(const char* option, double value, double lowest, double highest)
 {
@@ -102,7 +86,7 @@ TextureCamera checked_camera(const TextureMapOptions& o)
     camera.yaw = o.yaw;
     camera.field = o.field;
     camera.samples = static_cast<int>(o.samples);
-    camera.filter = map_word(texture_filters, "--filter", o.filter);
+    camera.filter = value_of_word("texture map", "--filter", o.filter, texture_filters);
     return camera;
 }
 
@@ -117,36 +101,33 @@ std::filesystem::path frame_file(const TextureMapOptions& o, std::uint32_t frame
 void map_texture_plane(const TextureMapOptions& o)
 {
     TextureCamera camera = checked_camera(o);
-    const TextureLookup lookup = map_word(texture_lookups, "--lookup", o.lookup);
-    const Engine engine = map_word(engines, "--engine", o.engine);
+    const TextureLookup lookup = value_of_word("texture map", "--lookup", o.lookup, texture_lookups);
+    const DistributionPlace place = o.work.place("texture map");
     if (o.out.extension() != ".png")
         throw InputError(fmt::format("texture map: --out {}: must be a .png", o.out.string()));
     const TexturePyramid pyramid = [&] {
         try {
-            return texture_pyramid(read_texture_set(o.folder), o.seed);
+            return texture_pyramid(read_texture_set(o.folder), o.work.seed());
         } catch (const InputError& error) {
             if (!error.place().file.empty()) throw;
             throw error.moved_to({o.folder.string()});
         }
     }();
-    std::optional<Device> device;
-    if (engine == Engine::opencl) {
-        device = Device::open(o.device);
+    const bool is_on_device = place.engine == Engine::opencl;
+    if (is_on_device)
         check_fits(fmt::format("texture map: {}", o.folder.string()), texture_map_memory(pyramid, view_of(camera)),
-                   device->info());
-    }
-    Progress progress(Progress::detect(o.quiet));
+                   place.device().info());
     for (std::uint32_t frame = 0; frame < o.frames; ++frame) {
         camera.forward = o.advance * frame / o.frames;
         const TextureView view = view_of(camera);
-        const std::vector<float> light = device ? map_texture(*device, pyramid, lookup, view, default_work_group_size)
-                                                : reference_map_texture(pyramid, lookup, view);
+        const std::vector<float> light =
+            is_on_device ? map_texture(place.device(), pyramid, lookup, view, default_work_group_size)
+                         : reference_map_texture(pyramid, lookup, view);
         const PngPixels pixels = encoded_pixels(light, camera.width, camera.height, pyramid.channels);
         write_png(frame_file(o, frame), {pixels.width, pixels.height, pixels.channels},
                   [&](int row, int) { return &pixels.values[pixels.at(0, row, 0)]; });
-        progress.step(fmt::format("frame {} of {}", frame + 1, o.frames));
+        place.on_step(fmt::format("frame {} of {}", frame + 1, o.frames));
     }
-    progress.finish();
 }
 
 }
@@ -155,29 +136,25 @@ Command texture_map_command()
 {
     const auto o = std::make_shared<TextureMapOptions>();
     return {
-        "map",
-        "Draw the endless plane that texture tiles cover, in perspective",
-        {{"DIR", &o->folder, "What texture build made: a complete set of corner or Wang tiles"},
-         allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
-                  integers(1, most_map_pixels)),
-         {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
-         {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
-         {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
-         {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
-         {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
-         {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
-         {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
-         allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
-                  integers(1, most_map_samples)),
-         allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"}, integers(1, most_map_frames)),
-         {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
-         {"--seed", &o->seed, "Which tiling; default: 1", "S"},
-         {"--engine", &o->engine, "opencl (the default), or reference", "NAME"},
-         {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"},
-         {"--out", &o->out, "The picture (.png)", "PICTURE", required},
-         {"--quiet", &o->quiet, "Print nothing but errors"}},
-        texture_map_notes,
-        action_on(o, map_texture_plane)};
+        "map", "Draw the endless plane that texture tiles cover, in perspective",
+        joined({{{"DIR", &o->folder, "What texture build made: a complete set of corner or Wang tiles"},
+                 allowing({"--size", &o->size, "Pixels of the picture; default: 1024 576", "W H", optional, 2},
+                          integers(1, most_map_pixels)),
+                 {"--tile", &o->tile, "The tile below the camera; default: 0 0", "X Y", optional, 2},
+                 {"--above", &o->above, "The camera's height over the plane, in tiles; default: 2", "H"},
+                 {"--pitch", &o->pitch, "Degrees below the horizon; default: 15", "DEG"},
+                 {"--yaw", &o->yaw, "Degrees to the right of north; default: 0", "DEG"},
+                 {"--field", &o->field, "Degrees from the picture's top to its bottom; default: 60", "DEG"},
+                 {"--filter", &o->filter, "nearest, bilinear, mipmap or anisotropic", "NAME"},
+                 {"--lookup", &o->lookup, "exact, packed, clamped or repeated", "NAME"},
+                 allowing({"--samples", &o->samples, "Of a pixel, along each axis; default: 1", "N"},
+                          integers(1, most_map_samples)),
+                 allowing({"--frames", &o->frames, "Pictures of a fly-through; default: 1", "N"},
+                          integers(1, most_map_frames)),
+                 {"--advance", &o->advance, "Tiles that the camera flies ahead in all of them; default: 0", "TILES"},
+                 {"--out", &o->out, "The picture (.png)", "PICTURE", required}},
+                o->work.options()}),
+        texture_map_notes, action_on(o, map_texture_plane)};
 }
 
 }

@@ -1,16 +1,14 @@
 // poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
-#include "app/commands/command.hpp"
+#include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
-#include "base/word_table.hpp"
-#include "host/config/nearest_key.hpp"
+#include "host/distribution/textures/chosen_packing.hpp"
+#include "host/kinds/kinds.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "reports/drawings/tilings/puzzle_image.hpp"
 #include "tiles/packing/closed_packing.hpp"
-#include "tiles/packing/euler_packing.hpp"
 #include "tiles/packing/packing_search.hpp"
-#include "tiles/packing/printed_packings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,6 +24,7 @@ constexpr auto packing_notes =
 Prints tile indices, a row of tiles a line, north first, as `tiling` does.
   closed     any C, place and tile follow from each other in constant time (the default)
   printed    C = 2, 3, 4: the dissertation's, found by search
+  product    wang, C = 3: the dissertation's, by the product of two circuits of dominoes
   eulerian   wang: the product of two random Eulerian circuits of dominoes, all of them equally likely
   search     C = 2, 3, 4 (4 takes years): the first one with tiles tried in random order; good for puzzles
   grown      corner, C = 3: a random one around the printed one of two colours; seconds
@@ -35,26 +34,9 @@ Prints tile indices, a row of tiles a line, north first, as `tiling` does.
   poissonlab packing corner --colors 3
   poissonlab packing corner --colors 2 --method search --seed 3 --puzzle puzzle.svg --kerf 0.2)";
 
-enum class PackingMethod
+struct PackingOptions : KindOptions
 {
-    closed,
-    printed,
-    eulerian,
-    search,
-    grown,
-};
-constexpr WordTable<PackingMethod, 5> packing_methods{{{{PackingMethod::closed, "closed"},
-                                                        {PackingMethod::printed, "printed"},
-                                                        {PackingMethod::eulerian, "eulerian"},
-                                                        {PackingMethod::search, "search"},
-                                                        {PackingMethod::grown, "grown"}}}};
-
-struct PackingOptions
-{
-    std::string kind; ///< "corner" or "wang"
-    std::uint32_t colors = 0;
-    std::string method = "closed";
-    std::uint64_t seed = 1;
+    using KindOptions::KindOptions;
     bool all = false;
     std::filesystem::path verified; ///< empty: none
     std::filesystem::path out;      ///< the same for pictures
@@ -64,44 +46,6 @@ struct PackingOptions
 
 /// The largest number of colours whose tiles are drawn: 65,536 of them.
 constexpr Color most_drawn_colors = 16;
-
-TileKind packed_kind(const PackingOptions& options)
-{
-    if (options.kind == "corner") return TileKind::corner;
-    if (options.kind == "wang") return TileKind::wang;
-    throw InputError(fmt::format("packing: kind \"{}\": unknown (known: corner, wang)", options.kind));
-}
-
-PackingMethod method_of(const PackingOptions& options)
-{
-    const auto method = packing_methods.find(options.method);
-    if (!method)
-        throw InputError(fmt::format("packing: --method \"{}\": unknown{} (known: {})", options.method,
-                                     did_you_mean(options.method, packing_methods.all()),
-                                     fmt::join(packing_methods.all(), ", ")));
-    return *method;
-}
-
-TilePacking made_packing(const PackingOptions& options)
-{
-    const TileKind kind = packed_kind(options);
-    switch (method_of(options)) {
-    case PackingMethod::closed:
-        return closed_packing(kind, options.colors);
-    case PackingMethod::printed:
-        return printed_packing(kind, options.colors);
-    case PackingMethod::search:
-        return random_packing(kind, options.colors, options.seed);
-    case PackingMethod::eulerian:
-        if (kind != TileKind::wang) throw InputError("packing: --method eulerian: is for wang tiles");
-        return euler_packing(options.colors, options.seed);
-    case PackingMethod::grown:
-        break;
-    }
-    if (kind != TileKind::corner || options.colors != 3)
-        throw InputError("packing: --method grown: is for corner tiles over 3 colours");
-    return grown_packing(printed_packing(kind, 2), options.seed);
-}
 
 /// Prints the tiles of rows from north to south.
 template <class TileAt>
@@ -122,13 +66,13 @@ void print_packing(const TilePacking& packing)
     print_rows(packing.side(), [&](PackingPlace place) { return packing.at(place); });
 }
 
-void print_all_packings(const PackingOptions& options)
+void print_all_packings(const PackingSettings& asked)
 {
-    if (options.colors != 2)
+    if (asked.colors != 2)
         throw InputError(
-            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", options.colors));
+            fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", asked.colors));
     bool is_first = true;
-    search_packings(packed_kind(options), options.colors, {}, [&](const TilePacking& packing) {
+    search_packings(asked.kind, asked.colors, {}, [&](const TilePacking& packing) {
         if (!is_first) fmt::print("\n");
         is_first = false;
         print_packing(packing);
@@ -166,14 +110,10 @@ void check_cut(const PackingOptions& options)
             fmt::format("packing: --kerf {}: must be a number from 0 to {:.4g}, in millimetres", kerf, piece / 50));
 }
 
-void check_packing_options(const PackingOptions& options)
+void check_packing_options(const PackingOptions& options, const PackingSettings& asked)
 {
-    packed_kind(options);
-    if (options.colors < 2 || options.colors > max_colors)
-        throw InputError(
-            fmt::format("packing: --colors {}: must be an integer from 2 to {}", options.colors, max_colors));
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
-    if (is_drawn) check_drawn_colors(options.colors);
+    if (is_drawn) check_drawn_colors(asked.colors);
     if (!options.out.empty() && options.out.extension() != ".png" && options.out.extension() != ".svg")
         throw InputError(fmt::format("packing: --out {}: must be a .png or .svg", options.out.string()));
     if (!options.puzzle.empty() && options.puzzle.extension() != ".svg")
@@ -184,14 +124,14 @@ void check_packing_options(const PackingOptions& options)
 }
 
 /// A table of a file, which is a packing.
-TilePacking verified_packing(const PackingOptions& options)
+TilePacking verified_packing(const PackingOptions& options, const PackingSettings& asked)
 {
     // A table of 64^2 rows is 120 MB of text.
     constexpr Color most_verified_colors = 64;
-    if (options.colors > most_verified_colors)
+    if (asked.colors > most_verified_colors)
         throw InputError(
-            fmt::format("packing: --colors {}: must be at most {} to verify", options.colors, most_verified_colors));
-    const TilePacking packing = read_packing(options.verified, packed_kind(options), options.colors);
+            fmt::format("packing: --colors {}: must be at most {} to verify", asked.colors, most_verified_colors));
+    const TilePacking packing = read_packing(options.verified, asked.kind, asked.colors);
     if (const auto fault = packing_fault(packing)) throw InputError::at({options.verified.string()}, *fault);
     return packing;
 }
@@ -204,24 +144,25 @@ void draw_packing(const PackingOptions& options, const TilePacking& packing)
 
 void pack(const PackingOptions& options)
 {
-    check_packing_options(options);
-    if (options.all) return print_all_packings(options);
+    const KindSettings read = options.settings();
+    const auto& asked = read.as<PackingSettings>();
+    check_packing_options(options, asked);
+    if (options.all) return print_all_packings(asked);
     if (!options.verified.empty()) {
-        draw_packing(options, verified_packing(options));
+        draw_packing(options, verified_packing(options, asked));
         fmt::print("{}: a packing of the complete {} tile set over {} colours: {} tiles, each once, all neighbours "
                    "fit\n",
-                   printable(options.verified.string()), options.kind, options.colors,
-                   std::uint64_t{options.colors} * options.colors * options.colors * options.colors);
+                   printable(options.verified.string()), tile_kinds[asked.kind], asked.colors,
+                   std::uint64_t{asked.colors} * asked.colors * asked.colors * asked.colors);
         return;
     }
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
-    if (method_of(options) == PackingMethod::closed && !is_drawn) {
-        const TileKind kind = packed_kind(options);
-        print_rows(options.colors * options.colors,
-                   [&](PackingPlace place) { return packed_tile(kind, place, options.colors); });
+    if (asked.method == "closed" && !is_drawn) {
+        print_rows(asked.colors * asked.colors,
+                   [&](PackingPlace place) { return packed_tile(asked.kind, place, asked.colors); });
         return;
     }
-    const TilePacking packing = made_packing(options);
+    const TilePacking packing = chosen_packing(asked, options.seed());
     draw_packing(options, packing);
     print_packing(packing);
 }
@@ -230,22 +171,17 @@ void pack(const PackingOptions& options)
 
 Command packing_command()
 {
-    const auto o = std::make_shared<PackingOptions>();
-    return {"packing",
-            "Print, draw or verify a tile packing, or make a puzzle of it",
-            {{"KIND", &o->kind, "corner or wang"},
-             allowing({"--colors", &o->colors, "Number of colours", "C", required}, integers(2, max_colors)),
-             {"--verify", &o->verified, "Check this table instead of making one", "FILE"},
-             {"--method", &o->method, "How the packing is made, see below; default: closed", "NAME"},
-             {"--seed", &o->seed, "Everything random follows from it; default: 1", "S"},
-             {"--all", &o->all, "Print every packing of two colours"},
-             {"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
-             {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
-             {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
-             {"--kerf", &o->cut.kerf,
-              "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}},
-            packing_notes,
-            action_on(o, pack)};
+    const auto o = std::make_shared<PackingOptions>(*find_kind("", "packing"), "kind");
+    return kind_command(
+        o,
+        {{"--verify", &o->verified, "Check this table instead of making one", "FILE"},
+         {"--all", &o->all, "Print every packing of two colours"},
+         {"--out", &o->out, "Draw the tiles as well (.png, .svg)", "PICTURE"},
+         {"--puzzle", &o->puzzle, "Write a jigsaw puzzle as well (.svg)", "FILE"},
+         {"--piece", &o->cut.piece, "The side of the puzzle's tiles in millimetres; default: 30", "MM"},
+         {"--kerf", &o->cut.kerf,
+          "The width of the cut, for which pieces are made larger; default: 0, one cut for two pieces", "MM"}},
+        packing_notes, pack);
 }
 
 }

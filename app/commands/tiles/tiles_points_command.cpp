@@ -1,7 +1,7 @@
 // poissonlab tiles points: the points of a window of a Poisson disk tiling as a point file, streamed.
-#include "app/commands/command.hpp"
 #include "app/commands/point_target.hpp"
 #include "app/commands/tiles/window_file.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/points/hdf5_points.hpp"
 #include "base/programs/interrupt.hpp"
@@ -44,7 +44,7 @@ struct TilesPointsOptions
     std::string density = "1"; ///< a number, the name of a picture, or a formula
     std::string density_from = "light";
     std::filesystem::path out;
-    std::string device;
+    WorkOptions work;
 };
 
 TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension)
@@ -107,6 +107,7 @@ std::string comment_of(const TilesPointsOptions& options)
 
 void write_tile_points(const TilesPointsOptions& options)
 {
+    options.work.engine("tiles points"); // throws for one that there is not
     const auto crew = make_crew();
     const ThreadLimit limit(threads_of_process(0, *crew));
     if (!crew->leads()) say_nothing_when_interrupted();
@@ -121,10 +122,14 @@ void write_tile_points(const TilesPointsOptions& options)
         head.dimension = p.dimension;
         head.side = std::ranges::max(block.size); // of the square (cube) that the points are in
         check_particles(options, block, head);
-        density.emplace(options.density, options.density_from, block, p.dimension);
-        const Device device = Device::open(options.device);
-        check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), device.info()), device.info());
-        points.emplace(device, *tiles, WindowOfTiling{block, options.torus, options.seed}, *density);
+        density.emplace(options.density, options.density_from, block, p.dimension, options.work.is_quiet());
+        const DistributionPlace place = options.work.place("tiles points", true);
+        if (place.engine == Engine::opencl)
+            check_fits(options.file.string(), TilePointGenerator::memory(p, block.tiles(), place.device().info()),
+                       place.device().info());
+        points.emplace(place.engine == Engine::opencl ? device_stream(place.device(), *tiles)
+                                                      : reference_stream(*tiles),
+                       *tiles, WindowOfTiling{block, options.torus, options.seed}, *density);
     });
     if (is_ready) write_window(options.out, head, *points, *crew);
 }
@@ -134,23 +139,22 @@ void write_tile_points(const TilesPointsOptions& options)
 Command tiles_points_command()
 {
     const auto o = std::make_shared<TilesPointsOptions>();
-    return {
-        "points",
-        "Write the points of a window of a tiling, or of a torus, to a file",
-        {{"FILE", &o->file, "The tile set (.ptiles, .json)"},
-         {"--window", &o->window, "The tiles: lowest one, and how many along each axis", "X Y W H (3D: X Y Z W H D)",
-          optional, 6},
-         allowing({"--torus", &o->torus, "Instead of a window: so many tiles along each axis, whose opposite edges fit",
-                   "N"},
-                  integers(1, 65'535)),
-         {"--out", &o->out, "The point file", "FILE", required},
-         {"--density", &o->density,
-          "The part of the points that is left, everywhere or from place to place; default: 1", "NUMBER|IMAGE|FORMULA"},
-         {"--density-from", &o->density_from, "Of a picture: light (the default), ink, or one of its channels", "NAME"},
-         {"--seed", &o->seed, "Which tiling; default: 1", "S"},
-         {"--device", &o->device, "The OpenCL device: part of its name, or its number", "NAME"}},
-        tiles_points_notes,
-        action_on(o, write_tile_points)};
+    return {"points", "Write the points of a window of a tiling, or of a torus, to a file",
+            joined({{{"FILE", &o->file, "The tile set (.ptiles, .json)"},
+                     {"--window", &o->window, "The tiles: lowest one, and how many along each axis",
+                      "X Y W H (3D: X Y Z W H D)", optional, 6},
+                     allowing({"--torus", &o->torus,
+                               "Instead of a window: so many tiles along each axis, whose opposite edges fit", "N"},
+                              integers(1, 65'535)),
+                     {"--out", &o->out, "The point file", "FILE", required},
+                     {"--density", &o->density,
+                      "The part of the points that is left, everywhere or from place to place; default: 1",
+                      "NUMBER|IMAGE|FORMULA"},
+                     {"--density-from", &o->density_from,
+                      "Of a picture: light (the default), ink, or one of its channels", "NAME"},
+                     seed_option(o->seed)},
+                    o->work.options_without_seed()}),
+            tiles_points_notes, action_on(o, write_tile_points)};
 }
 
 }

@@ -16,7 +16,8 @@ public:
     /// `from` says what of a picture: see density_of_picture(). Throws InputError, a line that starts with the option,
     /// where the text is none of the three, the number is not above 0 and at most 1, or tiles in space are given a
     /// picture or a formula.
-    WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension);
+    WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension,
+                  bool is_quiet = false);
 
     bool is_full() const { return !density_ && number_ >= 1; }
 

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -46,13 +49,41 @@ std::uint32_t pieces_of(std::uint64_t tiles, std::uint64_t tiles_per_piece)
 
 }
 
-WindowPoints::WindowPoints(const Device& device, const PoissonTileSet& tiles, const WindowOfTiling& window,
+UnitStream device_stream(const Device& device, const PoissonTileSet& tiles)
+{
+    return [generator = std::make_shared<TilePointGenerator>(device, tiles)](
+               const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
+               const auto& sink) { generator->stream(tiling, block, first, end, sink); };
+}
+
+UnitStream reference_stream(const PoissonTileSet& tiles)
+{
+    return [&tiles](const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
+                    const auto& sink) {
+        const auto dimension = static_cast<std::size_t>(tiles.parameters.dimension);
+        for (std::uint64_t index = first; index < end; ++index) {
+            const std::uint64_t row = index / block.size[0];
+            const std::array<std::uint32_t, 3> place{static_cast<std::uint32_t>(index % block.size[0]),
+                                                     static_cast<std::uint32_t>(row % block.size[1]),
+                                                     static_cast<std::uint32_t>(row / block.size[1])};
+            TileBlock tile = block;
+            tile.size = {1, 1, 1};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                tile.lowest[axis] = static_cast<std::int32_t>(block.lowest[axis] + std::int64_t{place[axis]});
+            std::vector<std::uint32_t> units = reference::exact_tile_points(tiles, tiling, tile);
+            for (std::size_t i = 0; i < units.size(); ++i) units[i] += place[i % dimension] * units_per_tile;
+            sink(units);
+        }
+    };
+}
+
+WindowPoints::WindowPoints(UnitStream units, const PoissonTileSet& tiles, const WindowOfTiling& window,
                            const WindowDensity& density)
     : tiles_(tiles), window_(window), density_(density),
       dimension_(static_cast<std::size_t>(tiles.parameters.dimension)),
       has_overhang_(tiles.parameters.border == TileBorder::chain), block_(searched_block(window, tiles.parameters)),
       tiles_per_piece_(std::max<std::uint64_t>(1, points_per_piece / tiles.parameters.points_per_tile)),
-      pieces_(pieces_of(block_.tiles(), tiles_per_piece_)), generator_(device, tiles)
+      pieces_(pieces_of(block_.tiles(), tiles_per_piece_)), units_(std::move(units))
 {}
 
 std::uint64_t WindowPoints::least_points() const
@@ -78,12 +109,12 @@ void WindowPoints::make(std::uint32_t piece, std::vector<double>& coordinates)
     const std::uint64_t first = piece * tiles_per_piece_, end = std::min(first + tiles_per_piece_, block_.tiles());
     PointLevels levels(tiles_, tiling, block_, first);
     coordinates.clear();
-    coordinates.reserve((end - first) * generator_.values_per_tile());
-    generator_.stream(tiling, block_, first, end, [&](std::span<const std::uint32_t> units) {
+    coordinates.reserve((end - first) * values_per_tile());
+    units_(tiling, block_, first, end, [&](std::span<const std::uint32_t> units) {
         stop_if_interrupted();
         if (has_known_counts()) return append(units, coordinates);
         std::span<const double> level;
-        if (!density_.is_full()) level = levels.next(units.size() / generator_.values_per_tile());
+        if (!density_.is_full()) level = levels.next(units.size() / values_per_tile());
         for (std::size_t i = 0; i < units.size() / dimension_; ++i) {
             const std::size_t before = coordinates.size();
             if (append_if_inside(units.subspan(i * dimension_, dimension_), coordinates) && !level.empty() &&

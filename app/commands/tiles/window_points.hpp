@@ -5,6 +5,7 @@
 #include "host/tile_points/tile_points.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace poissonlab {
@@ -17,13 +18,25 @@ struct WindowOfTiling
     std::uint32_t seed = 1;
 };
 
+/// Hands on the integer positions of the points of the tiles `first` ... `end` - 1 of a block, in pieces of whole
+/// tiles.
+using UnitStream =
+    std::function<void(const PoissonTiling& tiling, const TileBlock& block, std::uint64_t first, std::uint64_t end,
+                       const std::function<void(std::span<const std::uint32_t>)>& sink)>;
+
+/// By a kernel. The device and the tiles must outlive what is returned.
+UnitStream device_stream(const Device& device, const PoissonTileSet& tiles);
+
+/// One tile after the other, by the plain twin. The tiles must outlive what is returned.
+UnitStream reference_stream(const PoissonTileSet& tiles);
+
 /// Makes the coordinates, in tiles from the window's lowest corner. Pieces do not depend on the device: together, one
 /// after another, they have the points in their order.
 class WindowPoints
 {
 public:
     /// `tiles` and `density` must outlive this. Throws InputError for windows that are too large.
-    WindowPoints(const Device& device, const PoissonTileSet& tiles, const WindowOfTiling& window,
+    WindowPoints(UnitStream units, const PoissonTileSet& tiles, const WindowOfTiling& window,
                  const WindowDensity& density);
 
     std::uint32_t pieces() const { return pieces_; }
@@ -41,6 +54,7 @@ public:
     void make(std::uint32_t piece, std::vector<double>& coordinates);
 
 private:
+    std::size_t values_per_tile() const { return tiles_.parameters.points_per_tile * dimension_; }
     void append(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;
     bool append_if_inside(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const;
 
@@ -52,7 +66,7 @@ private:
     TileBlock block_;   ///< the tiles whose points are looked at
     std::uint64_t tiles_per_piece_;
     std::uint32_t pieces_;
-    TilePointGenerator generator_;
+    UnitStream units_;
     std::vector<double> counted_;
 };
 

@@ -1,22 +1,14 @@
-// The tables [[distribution]], [[scheme]], [[texture]] and [[packing]] of a config become these checked settings.
+// The settings of the kinds of [[distribution]].
 #pragma once
 
-#include "base/errors/errors.hpp"
 #include "base/word_table.hpp"
-#include "host/config/config_tree.hpp"
-#include "host/config/distributions/texture_config.hpp"
 #include "host/config/keys/choices.hpp"
-#include "host/config/keys/kind_settings.hpp"
-#include "host/config/schemes/scheme_settings.hpp"
-#include "host/sampling/parameters.hpp"
 
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <variant>
-#include <vector>
 
 namespace poissonlab {
 
@@ -129,19 +121,6 @@ struct InstanceSettings
     std::array<double, 4> terrain_area{}; ///< the rectangle that it covers
     double height = 1;                    ///< units that 1 of the terrain is high
     std::uint32_t pixels = 1024;          ///< of the view from above, along its width
-};
-
-struct DistributionConfig
-{
-    std::string kind;  ///< one of distribution_kinds() or scheme_kinds(), "texture" or "packing"
-    std::string label; ///< never empty
-    SourceLocation where;
-    std::uint64_t seed = 1;
-    std::string text;                          ///< the table, in one line: all that decides the result but for `inputs`
-    std::vector<std::filesystem::path> inputs; ///< files that decide it as well
-    std::variant<SchemeSettings, TextureSettings, PackingSettings, KindSettings> settings;
-
-    bool is_scheme() const { return std::holds_alternative<SchemeSettings>(settings); }
 };
 
 }

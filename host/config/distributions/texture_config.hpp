@@ -14,7 +14,7 @@ namespace poissonlab {
 /// A table [[texture]]: tiles from a picture, how well they fit, and a tiling with them.
 struct TextureSettings
 {
-    TextureRequest request;                ///< its seed is that of the first set
+    TextureRequest request;                ///< without seed
     std::filesystem::path exemplar;        ///< empty: a pattern
     std::filesystem::path marked_exemplar; ///< of marked corners; empty: none are marked
     std::filesystem::path marks;           ///< a picture whose lighter part is marked; empty: corners are at random
@@ -32,9 +32,10 @@ struct PackingSettings
 {
     TileKind kind = TileKind::corner; ///< or wang
     Color colors = 2;
-    std::string method; ///< one of packing_methods()
-    std::string show;   ///< one of packing_shows()
-    std::uint64_t seed = 1;
+    std::string method = "closed";
+    std::string show = "tiles";
+    bool is_printed = false; ///< by the command, which has any number of colours
+    Color most_searched = 3; ///< of four, a search takes years, which a run must not
 };
 
 }

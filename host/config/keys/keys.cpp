@@ -59,12 +59,17 @@ std::string option_name(const std::string& key)
     return name;
 }
 
+std::string option_name(const KeySpec& spec) { return option_name(spec.alias.empty() ? spec.value.key : spec.alias); }
+
 std::string KeySpec::allowed() const
 {
+    if (!own.empty()) return own;
     if (is_spread) {
         const std::string range = allowed_values(value);
         return range + ", { uniform = [a, b] } or { normal = [mean, deviation] } of such";
     }
+    if (!parts.empty() && fewest > 0 && fewest < parts.size())
+        return fmt::format("[{}], or the first of these", fmt::join(parts, ", "));
     if (!parts.empty()) return fmt::format("[{}]", fmt::join(parts, ", "));
     if (is_formula) return "a picture's file or a formula, in quotes";
     if (is_file) return "a file's path in quotes";
@@ -75,7 +80,7 @@ std::string key_help(const KeySpec& spec)
 {
     const ParameterSpec& value = spec.value;
     std::string text;
-    if (spec.parts.empty() && !spec.is_spread && !spec.is_file) {
+    if (spec.parts.empty() && spec.own.empty() && !spec.is_spread && !spec.is_file) {
         text = option_help(value);
     } else {
         text = value.unit.empty() ? value.help : fmt::format("{}, in {}", value.help, value.unit);
@@ -116,6 +121,26 @@ Keys::Said Keys::Said::excludes(const std::string& other)
     spec.excludes = other;
     if (keys_.is_given(spec.value.key) && keys_.is_given(other))
         throw keys_.invalid(spec.value.key, "does not go with " + keys_.name_of(other));
+    return *this;
+}
+
+Keys::Said Keys::Said::called(std::string words)
+{
+    keys_.specs_[index_].alias = std::move(words);
+    return *this;
+}
+
+Keys::Said Keys::Said::at_most(std::size_t count)
+{
+    keys_.specs_[index_].count = count;
+    return *this;
+}
+
+Keys::Said Keys::Said::only_if(bool applies, const std::string& when)
+{
+    ParameterSpec& value = keys_.specs_[index_].value;
+    value.help += ", for " + when;
+    if (!applies && keys_.is_given(value.key)) throw keys_.invalid(value.key, "is for " + when);
     return *this;
 }
 
@@ -199,6 +224,70 @@ Keys::Said Keys::list(std::vector<double>& values, KeySpec spec, const std::vect
     return describe(std::move(spec));
 }
 
+Keys::Said Keys::whole_numbers(const std::string& key, std::vector<std::int64_t>& values, std::int64_t low,
+                               std::vector<std::string> parts, std::string help, std::size_t fewest)
+{
+    KeySpec spec{.value = {.key = key, .kind = ValueKind::integer, .help = std::move(help)},
+                 .count = parts.size(),
+                 .parts = std::move(parts),
+                 .fewest = fewest};
+    if (const ConfigNode* node = given(key)) {
+        const auto* items = node->get_if<ConfigList>();
+        values.clear();
+        if (items)
+            for (const ConfigNode& item : *items)
+                if (const auto* number = item.get_if<std::int64_t>(); number && *number >= low)
+                    values.push_back(*number);
+        if (!items || values.size() != items->size() || values.size() > spec.count ||
+            values.size() < (fewest > 0 ? fewest : spec.count))
+            throw invalid(key, fmt::format("must be {}{}", spec.allowed(),
+                                           low == 0   ? ", integers of at least 0"
+                                           : low == 1 ? ", integers of at least 1"
+                                                      : ""));
+    }
+    resolve(key, fmt::format("{}", values));
+    return describe(std::move(spec));
+}
+
+Keys::Said Keys::words(const std::string& key, std::vector<std::string>& values, std::vector<std::string> known,
+                       std::string help)
+{
+    KeySpec spec{.value = {.key = key, .kind = ValueKind::choice, .help = std::move(help)},
+                 .count = known.size(),
+                 .own = fmt::format("a list of {}", fmt::join(known, ", "))};
+    if (const ConfigNode* node = given(key)) {
+        const auto* items = node->get_if<ConfigList>();
+        values.clear();
+        for (const ConfigNode& item : items ? *items : ConfigList{})
+            if (const auto* word = item.get_if<std::string>(); word && std::ranges::find(known, *word) != known.end())
+                values.push_back(*word);
+        if (!items || items->empty() || values.size() != items->size()) throw invalid(key, "must be " + spec.own);
+    }
+    const std::string all = fmt::format("{}", fmt::join(values, ", "));
+    resolve(key, all);
+    spec.value.unless_given = all;
+    return describe(std::move(spec));
+}
+
+Keys::Said Keys::parameter(ParameterSpec spec, Parameters& values)
+{
+    const std::string key = spec.key;
+    if (const auto value = read(spec)) values.set(key, *value, given(key)->location);
+    resolve(key, values.is_given(key) ? to_string(values.given().at(key).value)
+                 : spec.otherwise     ? to_string(*spec.otherwise)
+                                      : "none");
+    return describe({.value = std::move(spec)});
+}
+
+Keys::Said Keys::value(const std::string& key, std::string allowed, std::string help,
+                       const std::function<void(const ConfigNode& node)>& read)
+{
+    const ConfigNode* node = given(key);
+    if (node) read(*node);
+    resolve(key, node ? text_of({{key, *node}}) : "none");
+    return describe({.value = {.key = key, .help = std::move(help)}, .own = std::move(allowed)});
+}
+
 Keys::Said Keys::spread(const std::string& key, SpreadChoice& value, Interval range, std::string help)
 {
     KeySpec spec{.value = {.key = key, .help = std::move(help), .minimum = range.low, .maximum = range.high},
@@ -215,14 +304,16 @@ Keys::Said Keys::spread(const std::string& key, SpreadChoice& value, Interval ra
     return describe(std::move(spec));
 }
 
-Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std::string help)
+Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std::string help, const std::string& what)
 {
     std::string text = value.string();
     const Said said = this->text(key, text, std::move(help));
     specs_.back().is_file = true;
     if (!is_given(key)) return said;
     value = named_file(text);
-    if (const std::string lack = lack_of_file(value); !lack.empty()) throw invalid(key, lack + ": must be a file");
+    if (const std::string lack = lack_of_file(value); !lack.empty())
+        throw invalid(key, fmt::format("{}: must be {}{}", lack, what,
+                                       where_.is_argument ? "" : ", by its path from the config's folder"));
     return said;
 }
 
@@ -275,7 +366,17 @@ void Keys::even_points(EvenMethodChoice& value)
 
 bool Keys::is_given(const std::string& key) const { return given(key) != nullptr; }
 
-std::string Keys::name_of(const std::string& key) const { return where_.is_argument ? option_name(key) : key; }
+std::string Keys::name_of(const std::string& key) const
+{
+    if (!where_.is_argument) return key;
+    const auto described = std::ranges::find(specs_, key, [](const KeySpec& spec) { return spec.value.key; });
+    return described == specs_.end() ? option_name(key) : option_name(*described);
+}
+
+std::string Keys::shown(const std::string& key, const std::string& word) const
+{
+    return where_.is_argument ? name_of(key) + " " + word : fmt::format("{} = \"{}\"", key, word);
+}
 
 InputError Keys::invalid(const std::string& key, const std::string& allowed) const
 {
@@ -300,6 +401,16 @@ void Keys::check(const std::string& key, const std::function<void()>& work) cons
         const std::string message = fmt::format("{}: {}", name_of(key), error.what());
         throw where_.is_argument ? InputError(fmt::format("{}: {}", name_, message))
                                  : InputError::at(given(key)->location, message);
+    }
+}
+
+void Keys::check(const std::function<void()>& work) const
+{
+    try {
+        work();
+    } catch (const InputError& error) {
+        if (error.key().empty() || !is_given(error.key())) throw problem(error.what());
+        throw invalid(error.key(), error.allowed());
     }
 }
 

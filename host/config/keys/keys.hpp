@@ -37,6 +37,9 @@ struct KeySpec
     bool is_formula = false;          ///< or be a formula
     bool is_required = false;
     std::string excludes{}; ///< the key that does not go together with this one
+    std::string alias{};    ///< what commands and Python call it; empty: as configs do
+    std::string own{};      ///< of a value of its own: what is allowed
+    std::size_t fewest = 0; ///< numbers that a list may have; 0: as many as `count`
 
     /// The values that the key may have, in the words of messages and documentation.
     std::string allowed() const;
@@ -44,6 +47,9 @@ struct KeySpec
 
 /// The option of commands that gives a key: --image-from for image_from.
 std::string option_name(const std::string& key);
+
+/// The same, by the name that the key has there.
+std::string option_name(const KeySpec& spec);
 
 /// The help of a key: what it means, what is allowed, and the default.
 std::string key_help(const KeySpec& spec);
@@ -67,6 +73,12 @@ public:
         Said excludes(const std::string& other); ///< throws InputError where a table has both
         Said required();                         ///< throws InputError where a table lacks it
         Said otherwise(std::string words);       ///< what holds without it, where no value can say it
+        Said called(std::string words);          ///< by commands and Python
+        Said at_most(std::size_t count);         ///< numbers of a list, whose number depends on other keys
+
+        /// Throws InputError where a table has it although it does not apply; `when` says when it would: "show =
+        /// tiling".
+        Said only_if(bool applies, const std::string& when);
 
     private:
         Keys& keys_;
@@ -85,6 +97,9 @@ public:
     Said number(const std::string& key, std::optional<double>& value, Interval range, std::string help);
     template <class Integer>
     Said integer(const std::string& key, Integer& value, std::int64_t low, std::int64_t high, std::string help);
+    template <class Integer>
+    Said integer(const std::string& key, std::optional<Integer>& value, std::int64_t low, std::int64_t high,
+                 std::string help);
     Said flag(const std::string& key, bool& value, std::string help);
     Said text(const std::string& key, std::string& value, std::string help);
 
@@ -102,11 +117,31 @@ public:
     Said integers(const std::string& key, std::array<std::uint32_t, N>& values, Interval range,
                   std::vector<std::string> parts, std::string help);
 
+    /// As many integers of any size as there are `parts`, or at least `fewest`: a value that is not given stays empty.
+    Said whole_numbers(const std::string& key, std::vector<std::int64_t>& values, std::int64_t low,
+                       std::vector<std::string> parts, std::string help, std::size_t fewest = 0);
+
+    /// Some of these words, in a list.
+    Said words(const std::string& key, std::vector<std::string>& values, std::vector<std::string> known,
+               std::string help);
+
+    /// A parameter as a sampler describes it.
+    Said parameter(ParameterSpec spec, Parameters& values);
+
+    /// A value that `read` takes apart, which throws what refused() makes; `allowed` says what it may be.
+    Said value(const std::string& key, std::string allowed, std::string help,
+               const std::function<void(const ConfigNode& node)>& read);
+
     /// A number of each thing: a number, { uniform = [a, b] } or { normal = [mean, deviation] }.
     Said spread(const std::string& key, SpreadChoice& value, Interval range, std::string help);
 
-    /// A file that has to be there.
-    Said file(const std::string& key, std::filesystem::path& value, std::string help);
+    /// A file that has to be there: `what` it must be.
+    Said file(const std::string& key, std::filesystem::path& value, std::string help,
+              const std::string& what = "a file");
+    Said picture(const std::string& key, std::filesystem::path& value, std::string help)
+    {
+        return file(key, value, std::move(help), "a picture's file");
+    }
 
     /// A picture's file, or a formula, and the key `KEY_from`, which says what of the picture is meant.
     Said picture_or_formula(const std::string& key, std::string& value, std::string help);
@@ -129,11 +164,15 @@ public:
     bool is_read() const { return table_ != nullptr; }
     bool is_given(const std::string& key) const;
     std::string name_of(const std::string& key) const;
+    std::string shown(const std::string& key, const std::string& word) const;     ///< `by = "ranks"`, or `--by ranks`
     InputError invalid(const std::string& key, const std::string& allowed) const; ///< of a key that is given
     InputError problem(const std::string& what) const;                            ///< of the whole table
 
     /// Does what may throw InputError because of the value of a key, and says so.
     void check(const std::string& key, const std::function<void()>& work) const;
+
+    /// Does what may throw InputError that names a key itself: it is said at that key, where it is given.
+    void check(const std::function<void()>& work) const;
 
     const std::vector<KeySpec>& described() const { return specs_; }
 
@@ -174,6 +213,20 @@ Keys::Said Keys::integer(const std::string& key, Integer& value, std::int64_t lo
                            .otherwise = static_cast<std::int64_t>(value)}};
     if (const auto read_value = read(spec.value)) value = static_cast<Integer>(std::get<std::int64_t>(*read_value));
     resolve(key, std::to_string(value));
+    return describe(std::move(spec));
+}
+
+template <class Integer>
+Keys::Said Keys::integer(const std::string& key, std::optional<Integer>& value, std::int64_t low, std::int64_t high,
+                         std::string help)
+{
+    KeySpec spec{.value = {.key = key,
+                           .kind = ParameterSpec::Kind::integer,
+                           .help = std::move(help),
+                           .minimum = static_cast<double>(low),
+                           .maximum = static_cast<double>(high)}};
+    if (const auto read_value = read(spec.value)) value = static_cast<Integer>(std::get<std::int64_t>(*read_value));
+    resolve(key, value ? std::to_string(*value) : "none");
     return describe(std::move(spec));
 }
 

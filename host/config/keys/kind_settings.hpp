@@ -1,4 +1,4 @@
-// The settings of a kind of work, checked: see host/distribution/kind.hpp.
+// The settings of a kind of work, checked: see host/kinds/kind.hpp.
 #pragma once
 
 #include <any>

@@ -16,13 +16,16 @@ namespace {
 constexpr int samples_a_pixel = 3;
 constexpr int rows_at_once = 64; ///< of pixels
 
-using Color = std::array<double, 3>;
+using LinearColor = std::array<double, 3>;
 using Direction = std::array<double, 3>;
 
 constexpr Direction sunlight{-0.48, 0.48, 0.7342}; ///< from the upper left
-constexpr Color forest_floor{0.55, 0.5, 0.42}, field_soil{0.36, 0.42, 0.2}, space{0.01, 0.01, 0.02};
+constexpr LinearColor forest_floor{0.55, 0.5, 0.42}, field_soil{0.36, 0.42, 0.2}, space{0.01, 0.01, 0.02};
 
-Color lit(const Color& color, double light) { return {color[0] * light, color[1] * light, color[2] * light}; }
+LinearColor lit(const LinearColor& color, double light)
+{
+    return {color[0] * light, color[1] * light, color[2] * light};
+}
 
 double lambert(Direction normal, double ambient)
 {
@@ -33,10 +36,11 @@ double lambert(Direction normal, double ambient)
 }
 
 /// A colour of a model between two, the same for all its instances.
-Color model_color(const Instance& instance, const InstanceSettings& settings, const Color& first, const Color& last)
+LinearColor model_color(const Instance& instance, const InstanceSettings& settings, const LinearColor& first,
+                        const LinearColor& last)
 {
     const double part = settings.models > 1 ? static_cast<double>(instance.model) / (settings.models - 1) : 0;
-    Color color{};
+    LinearColor color{};
     for (std::size_t i = 0; i < 3; ++i) color[i] = first[i] + (last[i] - first[i]) * part;
     return color;
 }
@@ -52,7 +56,7 @@ struct BodyPlace
 /// The surface that is seen there; none where the body has a gap.
 struct SeenBody
 {
-    Color color{};
+    LinearColor color{};
     double height = 0; ///< above its middle, in its radius
 };
 
@@ -65,7 +69,7 @@ std::optional<SeenBody> tree_at(const Instance& tree, const InstanceSettings& se
     const double u = p.away * std::cos(p.angle), v = p.away * std::sin(p.angle);
     const double bump_x = 0.4 * std::sin(7 * u + 2 * std::sin(6 * v)),
                  bump_y = 0.4 * std::sin(6 * v - 3 * std::sin(5 * u));
-    const Color color = model_color(tree, settings, {0.2, 0.42, 0.14}, {0.62, 0.55, 0.2});
+    const LinearColor color = model_color(tree, settings, {0.2, 0.42, 0.14}, {0.62, 0.55, 0.2});
     return SeenBody{lit(color, lambert({p.x + bump_x, p.y + bump_y, height + 0.35}, 0.3)), height};
 }
 
@@ -79,7 +83,7 @@ std::optional<SeenBody> sunflower_at(const Instance& flower, const InstanceSetti
     }
     const double wave = std::abs(std::cos(petals * p.angle / 2));
     if (p.away >= 0.55 + 0.45 * std::sqrt(wave)) return std::nullopt;
-    const Color color = model_color(flower, settings, {0.98, 0.8, 0.1}, {0.95, 0.62, 0.05});
+    const LinearColor color = model_color(flower, settings, {0.98, 0.8, 0.1}, {0.95, 0.62, 0.05});
     return SeenBody{lit(color, (0.75 + 0.25 * wave) * lambert({0.3 * p.x, 0.3 * p.y, 1}, 0.5)), 0.9};
 }
 
@@ -91,7 +95,7 @@ std::optional<SeenBody> rock_at(const Instance& rock, const InstanceSettings& se
     const double height = std::sqrt(1 - p.away * p.away / (border * border));
     const double u = p.away * std::cos(p.angle), v = p.away * std::sin(p.angle);
     const double bump_x = 0.4 * std::sin(9 * u + phase), bump_y = 0.4 * std::sin(8 * v - 2 * phase);
-    const Color color = model_color(rock, settings, {0.6, 0.56, 0.52}, {0.78, 0.66, 0.5});
+    const LinearColor color = model_color(rock, settings, {0.6, 0.56, 0.52}, {0.78, 0.66, 0.5});
     return SeenBody{lit(color, lambert({p.x + bump_x, p.y + bump_y, height + 0.1}, 0.08)), height};
 }
 
@@ -103,8 +107,8 @@ std::optional<SeenBody> body_at(const Instance& instance, const InstanceSettings
 }
 
 /// The ground: soil in the light of the terrain's slopes; for asteroids a planet with bands in the middle of the ring.
-Color ground_at(const InstanceSettings& settings, const std::optional<Terrain>& terrain, double x, double y,
-                double step)
+LinearColor ground_at(const InstanceSettings& settings, const std::optional<Terrain>& terrain, double x, double y,
+                      double step)
 {
     if (settings.scene == "asteroids") {
         const double planet = 0.7 * settings.ring[0], squared = (x * x + y * y) / (planet * planet);
@@ -114,7 +118,7 @@ Color ground_at(const InstanceSettings& settings, const std::optional<Terrain>& 
         const double band = 0.5 + 0.3 * std::sin(19 * tilted) + 0.2 * std::sin(47 * tilted + 1);
         return lit({0.86 - 0.16 * band, 0.74 - 0.16 * band, 0.52 - 0.1 * band}, lambert({nx, ny, nz}, 0.02));
     }
-    const Color soil = settings.scene == "forest" ? forest_floor : field_soil;
+    const LinearColor soil = settings.scene == "forest" ? forest_floor : field_soil;
     if (!terrain) return lit(soil, 0.8);
     const double dx = (terrain->at(x + step, y) - terrain->at(x - step, y)) / (2 * step);
     const double dy = (terrain->at(x, y + step) - terrain->at(x, y - step)) / (2 * step);
@@ -215,7 +219,7 @@ private:
     const InstanceSettings& settings_;
     int width_, rows_;
     double step_, left_, top_;
-    std::vector<Color> colors_;
+    std::vector<LinearColor> colors_;
     std::vector<double> heights_;
 };
 

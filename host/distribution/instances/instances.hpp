@@ -7,8 +7,8 @@
 
 #include "base/densities/density_values.hpp"
 #include "host/config/distributions/distribution_config.hpp"
-#include "host/distribution/distribution_place.hpp"
 #include "host/distribution/objects.hpp"
+#include "host/kinds/distribution_place.hpp"
 
 #include <array>
 #include <cstdint>

@@ -6,8 +6,8 @@
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/instances/instance_files.hpp"
 #include "host/distribution/instances/instance_view.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -4,10 +4,10 @@
 #include "base/images/png_file.hpp"
 #include "base/random/random.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/lookup_costs.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

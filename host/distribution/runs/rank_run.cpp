@@ -7,9 +7,9 @@
 #include "host/device/device_memory.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_search.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.3, figures 7.3 and 7.4.
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/relaxed_places.hpp"
 #include "host/distribution/stipple.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

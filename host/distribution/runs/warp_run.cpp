@@ -5,9 +5,9 @@
 #include "base/images/png_file.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/kinds.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/sky_lights.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,9 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5 and figures 5.7 to 5.13.
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "host/distribution/distribution_run.hpp"
+#include "host/config/distributions/texture_config.hpp"
+#include "host/distribution/textures/chosen_packing.hpp"
+#include "host/kinds/kinds.hpp"
 #include "tiles/packing/closed_packing.hpp"
 #include "tiles/packing/euler_packing.hpp"
 #include "tiles/packing/packing_search.hpp"
@@ -14,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 
@@ -25,16 +28,6 @@ constexpr std::array<const char*, 8> packed_colors{"#d9422f", "#3f9e4a", "#3a6fd
                                                    "#9a4fc0", "#2fb0b8", "#ee7f2d", "#8a8a8a"};
 constexpr const char* lines = "#303030";
 constexpr int packing_pixels = 1024;
-
-TilePacking chosen_packing(const PackingSettings& settings)
-{
-    if (settings.method == "printed") return printed_packing(settings.kind, settings.colors);
-    if (settings.method == "product") return printed_product_packing();
-    if (settings.method == "eulerian") return euler_packing(settings.colors, settings.seed);
-    if (settings.method == "search") return random_packing(settings.kind, settings.colors, settings.seed);
-    if (settings.method == "grown") return grown_packing(printed_packing(settings.kind, 2), settings.seed);
-    return closed_packing(settings.kind, settings.colors);
-}
 
 /// A group for each colour, then one for lines.
 MarkPicture colored_marks(double width, double height, Color colors)
@@ -188,9 +181,49 @@ void add_indices(const TilePacking& packing, DistributionFiles& files, Distribut
     result.files.emplace_back("tiles.txt");
 }
 
+constexpr Color most_drawn_colors = 8; // that pictures have colours for
+
+/// Names the method, and says which kinds and numbers of colours it has: the same for tables and the command.
+void packing_method_keys(Keys& keys, PackingSettings& s)
+{
+    static const std::vector<std::string> methods{"closed", "printed", "product", "eulerian", "search", "grown"};
+    keys.word("method", s.method, methods, "how the packing is made");
+    if (!keys.is_given("method")) return;
+    const auto refuse = [&](const char* allowed) { throw keys.invalid("method", allowed); };
+    const bool is_corner = s.kind == TileKind::corner;
+    if (s.method == "printed" && s.colors > 4) refuse("has at most 4 colours");
+    if (s.method == "product" && (is_corner || s.colors != 3)) refuse("is for wang tiles of 3 colours");
+    if (s.method == "eulerian" && is_corner) refuse("is for wang tiles");
+    if (s.method == "search" && s.colors > s.most_searched)
+        refuse(s.most_searched == 3 ? "takes years for more than 3 colours" : "has at most 4 colours");
+    if (s.method == "grown" && (!is_corner || s.colors != 3)) refuse("is for corner tiles of 3 colours");
 }
 
-DistributionResult make_packing(const PackingSettings& settings, DistributionFiles& files)
+void packing_keys(Keys& keys, PackingSettings& s)
+{
+    static constexpr WordTable<TileKind, 2> kinds{{{{TileKind::corner, "corner"}, {TileKind::wang, "wang"}}}};
+    keys.word("kind", s.kind, kinds, "the kind of tiles");
+    const auto colors =
+        keys.integer("colors", s.colors, 2, s.is_printed ? max_colors : most_drawn_colors, "the number of colours");
+    if (s.is_printed) Keys::Said(colors).required();
+    packing_method_keys(keys, s);
+    if (!s.is_printed) keys.word("show", s.show, {"tiles", "puzzle", "dominoes", "graph", "row"}, "what is drawn");
+}
+
+std::string packing_label(const PackingSettings& settings)
+{
+    const char* const kind = settings.kind == TileKind::corner ? "corner tiles" : "Wang tiles";
+    if (settings.show == "puzzle") return fmt::format("Puzzle of {}, {} colours", kind, settings.colors);
+    if (settings.show == "dominoes") return fmt::format("Dominoes of {} colours", settings.colors);
+    if (settings.show == "graph") return fmt::format("Graph of the dominoes of {} colours", settings.colors);
+    if (settings.show == "row") return fmt::format("Packing of the dominoes of {} colours", settings.colors);
+    std::string label = fmt::format("{} packing of {}, {} colours", settings.method, kind, settings.colors);
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+DistributionResult make_packing(const PackingSettings& settings, std::uint64_t seed, const DistributionPlace&,
+                                DistributionFiles& files)
 {
     DistributionResult result;
     if (settings.show == "dominoes" || settings.show == "row") {
@@ -207,7 +240,7 @@ DistributionResult make_packing(const PackingSettings& settings, DistributionFil
                         "A vertex a colour, an edge a tile: every Eulerian circuit is a packing.", result);
         return result;
     }
-    const TilePacking packing = chosen_packing(settings);
+    const TilePacking packing = chosen_packing(settings, seed);
     if (const auto fault = packing_fault(packing)) throw std::logic_error("a packing that is none: " + *fault);
     result.facts = {fmt::format("{} x {} places", packing.side(), packing.side()),
                     fmt::format("{} tiles, each once", packing.tiles.size())};
@@ -220,6 +253,35 @@ DistributionResult make_packing(const PackingSettings& settings, DistributionFil
                         "All tiles with their numbers; opposite sides fit as well. The first row is the lowest.",
                         result);
     return result;
+}
+
+}
+
+TilePacking chosen_packing(const PackingSettings& settings, std::uint64_t seed)
+{
+    if (settings.method == "printed") return printed_packing(settings.kind, settings.colors);
+    if (settings.method == "product") return printed_product_packing();
+    if (settings.method == "eulerian") return euler_packing(settings.colors, seed);
+    if (settings.method == "search") return random_packing(settings.kind, settings.colors, seed);
+    if (settings.method == "grown") return grown_packing(printed_packing(settings.kind, 2), seed);
+    return closed_packing(settings.kind, settings.colors);
+}
+
+Kind packing_kind()
+{
+    return make_kind<PackingSettings>(
+        {"packing", "", "", "Packing", "Draw all tiles of a set on a torus, each once", false}, packing_keys,
+        packing_label, make_packing);
+}
+
+Kind printed_packing_kind()
+{
+    PackingSettings printed;
+    printed.is_printed = true;
+    printed.most_searched = 4;
+    return make_kind({"", "packing", "packing", "Tile packing",
+                      "Print, draw or verify a tile packing, or make a puzzle of it", false},
+                     packing_keys, packing_label, make_packing, printed);
 }
 
 }

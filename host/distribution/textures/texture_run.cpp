@@ -258,9 +258,11 @@ void add_set(const TextureSettings& settings, const BuiltTexture& built, const D
 
 }
 
-DistributionResult make_texture(const TextureSettings& settings, const DistributionPlace& place,
+DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed, const DistributionPlace& place,
                                 DistributionFiles& files)
 {
+    TextureSettings settings = asked;
+    settings.request.seed = seed; // of the first set
     PngPixels exemplar = exemplar_of(settings, settings.request.seed, place);
     int split = 0;
     if (!settings.marked_exemplar.empty()) {

@@ -1,6 +1,7 @@
 // The table [[construction]] of a config.
-#include "host/config/config.hpp"
+#include "host/scenes/shown_construction.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +11,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<ConstructionConfig> constructions_of(const std::string& text)
+std::vector<ShownConstruction> constructions_of(const std::string& text)
 {
-    return parse_config(text, "c.toml").constructions;
+    return settings_in<ShownConstruction>(exhibits_in(text));
 }
 
 TEST(ConstructionTable, HasDefaults)
@@ -22,10 +23,10 @@ TEST(ConstructionTable, HasDefaults)
                                       "[[construction]]\nkind = \"edge\"\nshow = \"tiles\"\n");
     ASSERT_EQ(all.size(), 4u);
     EXPECT_EQ(all[0].show, "regions");
-    EXPECT_EQ(all[0].label, "Regions, corner-based Poisson disk tiles");
+    EXPECT_EQ(exhibits_in("[[construction]]\n").at(0).label, "Regions, corner-based Poisson disk tiles");
     EXPECT_EQ(all[0].parameters.tiles, 16u);
-    EXPECT_EQ(all[0].parameters.seed, 7u);
-    EXPECT_TRUE(all[0].parameters.repulsion);
+    EXPECT_EQ(exhibits_in("seed = 7\n[[construction]]\n").at(0).seed, 7u);
+    EXPECT_FALSE(all[0].seed);
     EXPECT_EQ(all[1].parameters.dimension, 3);
     EXPECT_TRUE(all[1].modified);
     EXPECT_EQ(all[2].variant, 1u) << "tile 0 is the master";
@@ -54,10 +55,10 @@ TEST(ConstructionTable, TakesEveryKey)
     EXPECT_EQ(p.filling, TileFilling::dart_throwing);
     EXPECT_EQ(p.lloyd_iterations, 3u);
     EXPECT_FALSE(p.repulsion);
-    EXPECT_EQ(p.seed, 9u);
+    EXPECT_EQ(all[0].seed, 9u);
     EXPECT_EQ(all[0].axes, 2);
     EXPECT_EQ(all[0].variant, 5u);
-    EXPECT_EQ(all[0].label, "L");
+    EXPECT_EQ(exhibits_in("[[construction]]\nlabel = \"L\"\n").at(0).label, "L");
     EXPECT_TRUE(all[0].is_stage());
     EXPECT_EQ(all[1].axes, 6);
     EXPECT_EQ(all[2].parameters.tiles, 12u);
@@ -74,27 +75,28 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
     };
     EXPECT_THAT(error_of("kind = \"wang\""),
                 HasSubstr("c.toml:2: kind = \"wang\": must be \"corner\" or \"edge\" or \"template\" or \"sphere\""));
-    EXPECT_THAT(error_of("show = \"face\""), HasSubstr("c.toml:2: show = \"face\": must be \"regions\""));
+    EXPECT_THAT(error_of("show = \"face\""), HasSubstr("c.toml:2: show = \"face\": must be one of \"regions\""));
     EXPECT_THAT(error_of("kind = \"sphere\"\nshow = \"tiling\""), HasSubstr("c.toml:3: show = \"tiling\""));
-    EXPECT_THAT(error_of("colors = 1"), HasSubstr("c.toml:2: colors = 1: must be an integer from 2 to 256"));
+    EXPECT_THAT(error_of("colors = 0"), HasSubstr("c.toml:2: colors = 0: must be an integer from 1 to 32"));
     EXPECT_THAT(error_of("colors = 256"), HasSubstr("c.toml:2: colors = 256: "));
-    EXPECT_THAT(error_of("kind = \"template\"\ntiles = 1"), HasSubstr("must be an integer from 2 to 256"));
-    EXPECT_THAT(error_of("relative_radius = 2"), HasSubstr("must be a number from 0 to 1"));
+    EXPECT_THAT(error_of("kind = \"template\"\ntiles = 0"), HasSubstr("must be an integer from 1 to 1048576"));
+    EXPECT_THAT(error_of("relative_radius = 2"), HasSubstr("must be a number greater than 0 and less than 1"));
     EXPECT_THAT(error_of("points_per_tile = 5\nrelative_radius = 0.9"),
                 HasSubstr("c.toml:3: relative_radius = 0.9: must be at most"));
     EXPECT_THAT(error_of("points_per_tile = 3"), HasSubstr("c.toml:2: points_per_tile = 3: must be an integer from 4"));
-    EXPECT_THAT(error_of("show = \"edge\"\nalong = \"z\""), HasSubstr("along = \"z\": must be \"x\" or \"y\""));
+    EXPECT_THAT(error_of("show = \"edge\"\nalong = \"z\""), HasSubstr("along = \"z\": must be one of \"x\", \"y\""));
     EXPECT_THAT(error_of("show = \"corner\"\nvariant = 2"), HasSubstr("must be an integer from 0 to 1"));
     EXPECT_THAT(error_of("show = \"corners\"\ncount = 3"), HasSubstr("must be an integer from 1 to 2"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 3]"), HasSubstr("must be [X, Y, width, height]"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 65, 1]"), HasSubstr("from 1 to 64 tiles"));
     EXPECT_THAT(error_of("show = \"tiling\"\nwindow = [0, 0, 64, 64]"), HasSubstr("at most 100000 points"));
     EXPECT_THAT(error_of("repulsion = 1"), HasSubstr("must be true or false"));
-    EXPECT_THAT(error_of("filling = \"jittered\""), HasSubstr("must be \"relaxation-dart-throwing\""));
+    EXPECT_THAT(error_of("filling = \"jittered\""),
+                HasSubstr("must be one of \"dart-throwing\", \"relaxation-dart-throwing\""));
     EXPECT_THAT(error_of("label = \"\""), HasSubstr("must be a line of text"));
     // Keys that say nothing about what is shown.
     EXPECT_THAT(error_of("show = \"corner\"\nalong = \"x\""), HasSubstr("c.toml:3: "));
-    EXPECT_THAT(error_of("show = \"corner\"\nwindow = [0, 0, 1, 1]"), HasSubstr("unknown key"));
+    EXPECT_THAT(error_of("show = \"corner\"\nwindow = [0, 0, 1, 1]"), HasSubstr("is for show = tiling, points"));
     EXPECT_THAT(error_of("kind = \"template\"\ncolors = 2"), HasSubstr("unknown key"));
     EXPECT_THAT(error_of("modified = false"), HasSubstr("unknown key"));
     EXPECT_THAT(message_of([] { constructions_of("construction = 3\n"); }), HasSubstr("written [[construction]]"));

@@ -3,6 +3,7 @@
 #include "host/config/plan_memory.hpp"
 
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -292,12 +293,11 @@ TEST(PlanMemory, IsSharedByTheProcessesOfAMachine)
 
 TEST(PlanMemory, OfConstructionsThatDoNotFitIsRefused)
 {
-    ConstructionConfig config;
-    config.parameters = {.dimension = 3, .colors = 2, .points_per_tile = 4096};
-    config.label = "Tiles";
-    config.where = {"test.toml", 3};
-    check_device_memory({config}, small_device(1024));
-    EXPECT_THAT(message_of([&] { check_device_memory({config}, small_device(1)); }),
+    const auto exhibits = exhibits_in("\n\n[[construction]]\nkind = \"sphere\"\npoints_per_tile = 4096\n"
+                                      "label = \"Tiles\"\n",
+                                      "test.toml");
+    check_device_memory(exhibits, small_device(1024));
+    EXPECT_THAT(message_of([&] { check_device_memory(exhibits, small_device(1)); }),
                 AllOf(StartsWith("test.toml:3: Tiles: needs "), HasSubstr("Small GPU has 1.0 MiB")));
 }
 

@@ -1,6 +1,7 @@
 // The tables [[tile_set]] and [[tiling]] of a config.
-#include "host/config/config.hpp"
+#include "host/scenes/shown_tiling.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<TilingConfig> tilings_in(const std::string& text) { return parse_config(text, "c.toml").tilings; }
+std::vector<ShownTiling> tilings_in(const std::string& text) { return settings_in<ShownTiling>(exhibits_in(text)); }
+
+std::string label_in(const std::string& text) { return exhibits_in(text).at(0).label; }
 
 TEST(TilingTable, HasDefaults)
 {
@@ -18,12 +21,12 @@ TEST(TilingTable, HasDefaults)
     ASSERT_EQ(tilings.size(), 3);
     EXPECT_TRUE(tilings[0].is_set());
     EXPECT_EQ(tilings[0].set, "complete");
-    EXPECT_EQ(tilings[0].label, "Complete set of corner tiles, 2 colours");
+    EXPECT_EQ(label_in("[[tile_set]]\n"), "Complete set of corner tiles, 2 colours");
     EXPECT_FALSE(tilings[1].is_set());
     EXPECT_EQ(tilings[1].request.kind, TileKind::corner);
     EXPECT_EQ(tilings[1].request.algorithm, "direct");
     EXPECT_EQ(tilings[1].request.hash, HashKind::long_period);
-    EXPECT_EQ(tilings[1].request.seed, 7);
+    EXPECT_EQ(exhibits_in("seed = 7\n[[tiling]]\n").at(0).seed, 7);
     EXPECT_EQ(tilings[1].request.period, Period{});
     EXPECT_EQ(tilings[1].window.width, 16);
     EXPECT_EQ(tilings[1].window.depth, 1);
@@ -39,7 +42,7 @@ TEST(TilingTable, TakesEveryKey)
     ASSERT_EQ(tilings.size(), 2);
     EXPECT_EQ(tilings[0].set, "corner") << "sets come first";
     EXPECT_EQ(tilings[0].request.colors, 3);
-    const TilingConfig& tiling = tilings[1];
+    const ShownTiling& tiling = tilings[1];
     EXPECT_EQ(tiling.request.kind, TileKind::wang);
     EXPECT_EQ(tiling.request.colors, 5);
     EXPECT_EQ(tiling.request.algorithm, "two-hashes");
@@ -50,7 +53,7 @@ TEST(TilingTable, TakesEveryKey)
     EXPECT_EQ(tiling.window.width, 5);
     EXPECT_EQ(tiling.window.height, 6);
     EXPECT_EQ(tiling.regions, 0.1);
-    EXPECT_EQ(tiling.label, "L");
+    EXPECT_EQ(label_in("[[tiling]]\nlabel = \"L\"\n"), "L");
 }
 
 TEST(TilingTable, TakesAllKindsOfTiles)
@@ -66,7 +69,8 @@ TEST(TilingTable, TakesAllKindsOfTiles)
     EXPECT_EQ(tilings[1].request.algorithm, "face-hash");
     EXPECT_EQ(tilings[1].window.depth, 4);
     EXPECT_EQ(tilings[2].request.all_colors(), (WangColors{3, 2}));
-    EXPECT_EQ(tilings[2].label, "Edge-hash tiling of Wang tiles, 3 x 2 colours");
+    EXPECT_EQ(label_in("[[tiling]]\nkind = \"wang\"\ncolors = 3\nvertical_colors = 2\n"),
+              "Edge-hash tiling of Wang tiles, 3 x 2 colours");
     EXPECT_EQ(tilings[3].window.width, 2);
     EXPECT_EQ(tilings[3].window.height, 3);
     std::vector<TileIndex> tiles;
@@ -103,19 +107,21 @@ TEST(TilingTable, SaysWhatIsAllowed)
         return message_of([&] { tilings_in("[[tiling]]\n" + lines + "\n"); });
     };
     EXPECT_THAT(error_of("kind = \"hexagon\""),
-                HasSubstr("c.toml:2: kind = \"hexagon\": must be \"corner\" or \"wang\""));
+                HasSubstr("c.toml:2: kind = \"hexagon\": must be one of \"corner\", \"wang\""));
     EXPECT_THAT(error_of("colors = 1"), HasSubstr("c.toml:2: colors = 1: must be an integer from 2 to 256"));
     EXPECT_THAT(error_of("kind = \"cube\"\ncolors = 17"), HasSubstr("must be an integer from 2 to 16"));
-    EXPECT_THAT(error_of("algorithm = \"one-hash\""), HasSubstr("must be \"direct\" or \"scanline\""));
-    EXPECT_THAT(error_of("hash = \"md5\""), HasSubstr("must be \"permutation\""));
+    EXPECT_THAT(error_of("algorithm = \"one-hash\""), HasSubstr("must be one of \"direct\", \"scanline\""));
+    EXPECT_THAT(error_of("hash = \"md5\""), HasSubstr("must be one of \"permutation\""));
     EXPECT_THAT(error_of("window = [0, 0, 4]"), HasSubstr("must be [X, Y, width, height]"));
     EXPECT_THAT(error_of("window = [0, 0, 4, 0]"), HasSubstr("at least 1 tile along each axis"));
     EXPECT_THAT(error_of("window = [0, 0, 200, 101]"), HasSubstr("at most 20000 in all"));
     EXPECT_THAT(error_of("window = [0, 0, 4, 4.5]"), HasSubstr("must be [X, Y, width, height]"));
-    EXPECT_THAT(error_of("period = [-1]"), HasSubstr("period = [-1]: must be a list of tiles"));
+    EXPECT_THAT(error_of("period = [-1]"),
+                HasSubstr("period = [-1]: must be [MX, MY], or the first of these, integers of at least 0"));
     EXPECT_THAT(error_of("regions = 0.3"), HasSubstr("must be a number from 0 to 0.2071"));
     EXPECT_THAT(error_of("kind = \"cube\"\nregions = 0.2"), HasSubstr("must be a number from 0 to 0.1306"));
-    EXPECT_THAT(error_of("algorithm = \"scanline\"\nwindow = [1, 0, 4, 4]"), HasSubstr("c.toml:1: "));
+    EXPECT_THAT(error_of("algorithm = \"scanline\"\nwindow = [1, 0, 4, 4]"),
+                HasSubstr("c.toml:3: window = [1, 0, 4, 4]: with algorithm = \"scanline\", X and Y must be 0"));
     EXPECT_THAT(error_of("tiles = \"compact\""), HasSubstr("unknown key"));
     EXPECT_THAT(message_of([] { tilings_in("[[tile_set]]\ncolors = 12\n"); }), HasSubstr("cannot be drawn"));
     EXPECT_THAT(message_of([] { tilings_in("[[tile_set]]\nkind = \"wang\"\ntiles = \"corner\"\ncolors = 17\n"); }),

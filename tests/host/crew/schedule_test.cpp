@@ -9,12 +9,12 @@
 namespace poissonlab {
 namespace {
 
-using Kind = Job::Kind;
+using JobKind = Job::Kind;
 
 TEST(Schedule, KeepsTheOrderOfJobsThatDoNotDepend)
 {
     Schedule schedule;
-    for (std::uint32_t i = 0; i < 3; ++i) schedule.add({Kind::series, 0, i, 0, 0});
+    for (std::uint32_t i = 0; i < 3; ++i) schedule.add({JobKind::series, 0, i, 0, 0});
     EXPECT_EQ(schedule.next(), 0U);
     EXPECT_EQ(schedule.next(), 1U);
     schedule.finish(0);
@@ -29,8 +29,8 @@ TEST(Schedule, KeepsTheOrderOfJobsThatDoNotDepend)
 TEST(Schedule, HandsOutAJobWhenThoseBeforeItAreDone)
 {
     Schedule schedule;
-    const std::array before{schedule.add({Kind::part, 0, 0, 0, 1}), schedule.add({Kind::part, 0, 0, 1, 1})};
-    const auto last = schedule.add({Kind::series, 0, 0, 0, 0}, before);
+    const std::array before{schedule.add({JobKind::part, 0, 0, 0, 1}), schedule.add({JobKind::part, 0, 0, 1, 1})};
+    const auto last = schedule.add({JobKind::series, 0, 0, 0, 0}, before);
     schedule.next();
     schedule.next();
     EXPECT_FALSE(schedule.next());
@@ -43,14 +43,14 @@ TEST(Schedule, HandsOutAJobWhenThoseBeforeItAreDone)
 TEST(Schedule, FinishesWhatWasBegun)
 {
     Schedule schedule;
-    const std::array samples{schedule.add({Kind::sample, 0, 0, 0, 4}), schedule.add({Kind::sample, 0, 0, 4, 4})};
-    const auto other = schedule.add({Kind::sample, 0, 1, 0, 4});
-    const std::array part{schedule.add({Kind::part, 0, 0, 0, 1}, samples)};
-    const auto series = schedule.add({Kind::series, 0, 0, 0, 0}, part);
+    const std::array samples{schedule.add({JobKind::sample, 0, 0, 0, 4}), schedule.add({JobKind::sample, 0, 0, 4, 4})};
+    const auto other = schedule.add({JobKind::sample, 0, 1, 0, 4});
+    const std::array part{schedule.add({JobKind::part, 0, 0, 0, 1}, samples)};
+    const auto series = schedule.add({JobKind::series, 0, 0, 0, 0}, part);
     EXPECT_EQ(schedule.next(), samples[0]);
     EXPECT_EQ(schedule.next(), other) << "the first realizations of each series first";
     EXPECT_EQ(schedule.next(), samples[1]);
-    const auto later = schedule.add({Kind::sample, 0, 1, 4, 4});
+    const auto later = schedule.add({JobKind::sample, 0, 1, 4, 4});
     schedule.finish(samples[0]);
     schedule.finish(samples[1]);
     EXPECT_EQ(schedule.next(), part[0]);
@@ -62,10 +62,10 @@ TEST(Schedule, FinishesWhatWasBegun)
 TEST(Schedule, JobsAfterWhatIsDoneAreReady)
 {
     Schedule schedule;
-    const std::array first{schedule.add({Kind::series, 0, 0, 0, 0})};
+    const std::array first{schedule.add({JobKind::series, 0, 0, 0, 0})};
     schedule.next();
     schedule.finish(first[0]);
-    schedule.add({Kind::series, 1, 0, 0, 0}, first);
+    schedule.add({JobKind::series, 1, 0, 0, 0}, first);
     EXPECT_TRUE(schedule.next());
 }
 
@@ -80,7 +80,7 @@ TEST(Schedule, RandomDependences)
             const auto here = static_cast<std::size_t>(&before - after.data());
             for (std::size_t i = 0; i < here; ++i)
                 if (random() % 5 == 0) before.push_back(i);
-            schedule.add({static_cast<Kind>(random() % 5), static_cast<std::uint32_t>(random() % 3), 0,
+            schedule.add({static_cast<JobKind>(random() % 4), static_cast<std::uint32_t>(random() % 3), 0,
                           static_cast<std::uint32_t>(random() % 2), 0},
                          before);
         }

@@ -1,5 +1,5 @@
 // Tables [[distribution]] of a config, and what they refuse.
-#include "host/distribution/tables/distribution_table.hpp"
+#include "host/kinds/exhibit.hpp"
 
 #include "host/config/config.hpp"
 #include "host/distribution/icons.hpp"
@@ -14,10 +14,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<DistributionConfig> distributions_of(const std::string& lines)
+std::vector<Exhibit> distributions_of(const std::string& lines)
 {
-    const Config config = parse_config("seed = 7\n[[distribution]]\n" + lines, "c.toml");
-    return read_distributions(config.distributions, config.seed);
+    return read_exhibits(parse_config("seed = 7\n[[distribution]]\n" + lines, "c.toml"));
 }
 
 void expect_refusal(const std::string& lines, const std::string& message)
@@ -30,15 +29,15 @@ TEST(DistributionTable, ReadsAWarp)
     const auto read = distributions_of("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\n"
                                        "method = { sampler = \"dart-throwing\", relative_radius = 0.7 }");
     ASSERT_EQ(read.size(), 1);
-    EXPECT_EQ(read[0].kind, "warp");
+    EXPECT_EQ(read[0].kind->word, "warp");
     EXPECT_EQ(read[0].label, "Warped points by x+1");
     EXPECT_EQ(read[0].seed, 7);
-    const WarpSettings& settings = std::get<KindSettings>(read[0].settings).as<WarpSettings>();
+    const WarpSettings& settings = read[0].settings.as<WarpSettings>();
     EXPECT_EQ(settings.points, 12);
     EXPECT_FALSE(settings.is_environment);
     const auto sky = distributions_of("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\nenvironment = true\n"
                                       "seen_from = \"outside\"");
-    EXPECT_EQ(std::get<KindSettings>(sky.at(0).settings).as<WarpSettings>().seen_from, SeenFrom::outside);
+    EXPECT_EQ(sky.at(0).settings.as<WarpSettings>().seen_from, SeenFrom::outside);
     expect_refusal("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\nseen_from = \"outside\"",
                    "c.toml:6: seen_from = \"outside\": goes with environment");
     ASSERT_TRUE(settings.method.sampler);
@@ -50,7 +49,7 @@ TEST(DistributionTable, HasEveryValueInItsText)
 {
     const auto read = distributions_of("kind = \"warp\"\ndensity = \"x+1\"\npoints = 12\n"
                                        "method = { sampler = \"dart-throwing\", relative_radius = 0.70 }");
-    EXPECT_EQ(read[0].text,
+    EXPECT_EQ(read[0].identity(),
               "kind = warp, environment = false, density = x+1, density_from = light, seen_from = inside, "
               "points = 12, method = { sampler = dart-throwing, relative_radius = 0.7 }, tiles = , ");
 }
@@ -77,21 +76,21 @@ TEST(DistributionTable, RefusesWhatItDoesNotKnow)
 TEST(DistributionTable, ReadsStipplingAndHatching)
 {
     const auto read = distributions_of("kind = \"stippling\"\nimage = \"0.3\"\npoints = 12\nink = 0.5");
-    const StippleSettings& dots = std::get<KindSettings>(read.at(0).settings).as<StippleSettings>();
+    const StippleSettings& dots = read.at(0).settings.as<StippleSettings>();
     EXPECT_EQ(read[0].label, "Stippling of 0.3");
     EXPECT_EQ(dots.points, 12);
     EXPECT_EQ(dots.ink, 0.5);
     EXPECT_FALSE(dots.has_strokes);
     EXPECT_EQ(dots.by, MarkPlaces::gaussian);
     const auto hatched = distributions_of("kind = \"hatching\"\nimage = \"0.3\"\nstroke = 2.5\nangle = 1");
-    const StippleSettings& strokes = std::get<KindSettings>(hatched.at(0).settings).as<StippleSettings>();
+    const StippleSettings& strokes = hatched.at(0).settings.as<StippleSettings>();
     EXPECT_TRUE(strokes.has_strokes);
     EXPECT_EQ(strokes.mark_width, 2.5);
     EXPECT_EQ(strokes.angle, 1);
     const auto relaxed =
         distributions_of("kind = \"stippling\"\nimage = \"0.3\"\npoints = 12\nby = \"gaussian\"\niterations = 7");
-    EXPECT_EQ(std::get<KindSettings>(relaxed.at(0).settings).as<StippleSettings>().by, MarkPlaces::gaussian);
-    EXPECT_EQ(std::get<KindSettings>(relaxed.at(0).settings).as<StippleSettings>().iterations, 7);
+    EXPECT_EQ(relaxed.at(0).settings.as<StippleSettings>().by, MarkPlaces::gaussian);
+    EXPECT_EQ(relaxed.at(0).settings.as<StippleSettings>().iterations, 7);
     const std::string image = "kind = \"stippling\"\nimage = \"0.3\"\n";
     expect_refusal("kind = \"stippling\"\npoints = 3", "[[distribution]]: needs image");
     expect_refusal("kind = \"stippling\"\nimage = \"x+\"\npoints = 3", "c.toml:4: image: formula \"x+\"");
@@ -107,7 +106,7 @@ TEST(DistributionTable, ReadsStipplingAndHatching)
 TEST(DistributionTable, ReadsIcons)
 {
     const auto read = distributions_of("kind = \"icons\"\nu = \"-y\"\nv = \"x\"\npoints = 12\nlength = \"one\"");
-    const IconSettings& icons = std::get<KindSettings>(read.at(0).settings).as<IconSettings>();
+    const IconSettings& icons = read.at(0).settings.as<IconSettings>();
     EXPECT_EQ(read[0].label, "Icons of (-y, x)");
     EXPECT_TRUE(icons.have_one_length);
     expect_refusal("kind = \"icons\"\npoints = 3\nu = \"x\"", "needs field, or u and v");
@@ -120,7 +119,7 @@ TEST(DistributionTable, ReadsInstances)
 {
     const auto read = distributions_of("kind = \"instances\"\nscene = \"asteroids\"\nring = [0.2, 0.4, 0.1]\n"
                                        "scale = { uniform = [0.5, 0.75] }");
-    const InstanceSettings& belt = std::get<KindSettings>(read.at(0).settings).as<InstanceSettings>();
+    const InstanceSettings& belt = read.at(0).settings.as<InstanceSettings>();
     EXPECT_EQ(read[0].label, "Instances: asteroids");
     EXPECT_EQ(belt.ring[1], 0.4);
     EXPECT_EQ(belt.scale.b, 0.75);

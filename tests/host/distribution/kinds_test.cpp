@@ -1,9 +1,9 @@
 // Kinds say the same at every door.
-#include "host/distribution/kinds.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include "base/files/whole_file.hpp"
 #include "host/config/toml_reader.hpp"
-#include "host/distribution/tables/kind_help.hpp"
+#include "host/kinds/kind_help.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 

@@ -2,10 +2,9 @@
 #include "host/distribution/objects.hpp"
 
 #include "base/errors/errors.hpp"
-#include "host/config/toml_reader.hpp"
 #include "host/distribution/object_shapes.hpp"
-#include "host/distribution/tables/distribution_table.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
@@ -190,10 +189,10 @@ TEST(ObjectLooks, AreThoseOfTheConfig)
 {
     for (const int dimension : {2, 3})
         for (const std::string& look : object_looks(dimension)) {
-            const ConfigTable table = read_toml("dimension = " + std::to_string(dimension) +
-                                                    "\nkind = \"objects\"\nobject = \"" + look + "\"",
-                                                "c.toml");
-            EXPECT_EQ(read_distributions({{table, {}, ""}}, 1).size(), 1);
+            EXPECT_EQ(exhibits_in("[[distribution]]\ndimension = " + std::to_string(dimension) +
+                                  "\nkind = \"objects\"\nobject = \"" + look + "\"")
+                          .size(),
+                      1);
         }
 }
 

@@ -1,9 +1,8 @@
 // Tables [[texture]] and [[packing]]: what they make, measured on sets whose seams cannot be told.
-#include "host/config/distributions/packing_table.hpp"
-#include "host/config/distributions/texture_table.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "results/texture_measures.hpp"
 #include "tests/host/texture/random_picture.hpp"
+#include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/packing/tile_packing.hpp"
 #include "tiles/texture/texture_certificate.hpp"
@@ -12,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <sstream>
 
 namespace poissonlab {
 namespace {
@@ -21,14 +21,13 @@ using testing::Contains;
 class TextureRun : public testing::Test
 {
 protected:
-    DistributionResult make(const DistributionConfig& config, Engine engine = Engine::reference)
+    DistributionResult make(const auto& settings, Engine engine = Engine::reference)
     {
         std::optional<Device> device;
         DistributionPlace place;
         place.engine = engine;
         place.device = [&]() -> Device& { return device ? *device : device.emplace(Device::open()); };
-        DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
-        return make_distribution(config, place, files);
+        return made_of(settings, 1, folder_.path(), place);
     }
 
     static TextureSettings noise_settings()
@@ -43,13 +42,20 @@ protected:
         return settings;
     }
 
-    static DistributionConfig config_of(auto settings, const std::string& kind)
+    /// The words for the key `show` of a table, from its description.
+    static std::vector<std::string> shows_of(const std::string& table)
     {
-        DistributionConfig config;
-        config.kind = kind;
-        config.label = kind;
-        config.settings = std::move(settings);
-        return config;
+        for (const KeySpec& spec : find_kind(table, "")->keys()) {
+            if (spec.value.key != "show") continue;
+            if (spec.own.empty()) return spec.value.choices;
+            std::vector<std::string> words;
+            std::string list = spec.own.substr(std::string("a list of ").size());
+            std::ranges::replace(list, ',', ' ');
+            std::istringstream text(list);
+            for (std::string word; text >> word;) words.push_back(word);
+            return words;
+        }
+        return {};
     }
 
     static double number(const DistributionResult& result, const std::string& key)
@@ -66,11 +72,11 @@ protected:
 TEST_F(TextureRun, MakesEveryPictureAndASetThatIsProven)
 {
     TextureSettings settings = noise_settings();
-    settings.show = texture_shows();
-    const DistributionResult result = make(config_of(settings, "texture"));
+    settings.show = shows_of("texture");
+    const DistributionResult result = make(settings);
     for (const DistributionPicture& picture : result.pictures)
         EXPECT_TRUE(std::filesystem::exists(folder_.path() / picture.file)) << picture.file;
-    EXPECT_EQ(result.pictures.size(), texture_shows().size() - 2); // no marks
+    EXPECT_EQ(result.pictures.size(), shows_of("texture").size() - 2); // no marks
     EXPECT_EQ(certify_texture(read_texture_set(folder_.path())).exceptions, 0u);
     EXPECT_EQ(result.numbers.size(), texture_measures().size() - 1) << "all but frames, which are timed on a device";
     const PngPixels seams = read_png(folder_.path() / "seams.png");
@@ -93,7 +99,7 @@ TEST_F(TextureRun, MakesMarkedTiles)
     settings.request.tiles = "compact";
     settings.request.split = 1;
     settings.show = {"marks", "tiling-marks"};
-    const DistributionResult result = make(config_of(settings, "texture"));
+    const DistributionResult result = make(settings);
     EXPECT_EQ(number(result, "tiles"), 128);
     EXPECT_EQ(result.parameter("marked_exemplar"), "marked");
     // Four rows of four tiles, 16 pixels apart, twice as large.
@@ -111,7 +117,7 @@ TEST_F(TextureRun, FindsNoSeamsInNoise)
     settings.show = {"exemplar"};
     settings.sets = 2;
     // Chosen windows and cuts make seams smaller than chance, never larger.
-    const DistributionResult result = make(config_of(settings, "texture"));
+    const DistributionResult result = make(settings);
     EXPECT_LT(number(result, "conspicuous_seams"), 0.05);
     EXPECT_LT(number(result, "seam_mismatch"), 1.05);
     EXPECT_NEAR(number(result, "border_step"), 1, 0.05);
@@ -126,8 +132,7 @@ TEST_F(TextureRun, TellsRepetition)
     few.show = many.show = {"exemplar"};
     few.request.stages = 0;
     many.request.colors = {3, 3};
-    EXPECT_GT(number(make(config_of(few, "texture")), "lattice_power"),
-              2 * number(make(config_of(many, "texture")), "lattice_power"));
+    EXPECT_GT(number(make(few), "lattice_power"), 2 * number(make(many), "lattice_power"));
 }
 
 /// A frame takes no less than to write each of its pixels at a terabyte a second, which no device hands over, and no
@@ -138,18 +143,18 @@ TEST_F(TextureRun, TimesFramesWhereItIsAskedTo)
     settings.show = {"exemplar"};
     settings.sets = 2;
     settings.has_timing = true;
-    const double frames = number(make(config_of(settings, "texture"), Engine::opencl), "frames");
+    const double frames = number(make(settings, Engine::opencl), "frames");
     EXPECT_GT(frames, 1.0 / 60);
     EXPECT_LT(frames, 1e12 / (1024 * 576 * 3 * 4));
 }
 
 TEST_F(TextureRun, DrawsPackingsWithTheirNumbers)
 {
-    for (const std::string& show : packing_shows()) {
+    for (const std::string& show : shows_of("packing")) {
         PackingSettings settings;
         settings.method = "closed";
         settings.show = show;
-        const DistributionResult result = make(config_of(settings, "packing"));
+        const DistributionResult result = make(settings);
         EXPECT_EQ(result.pictures.size(), 1u);
         EXPECT_FALSE(read_mark_picture(folder_.path() / result.pictures[0].file).groups.empty());
     }

@@ -4,10 +4,10 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "base/random/random.hpp"
-#include "host/config/config.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,9 +18,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-ConstructionConfig set_config(const std::string& lines)
+ShownConstruction set_config(const std::string& lines)
 {
-    return parse_config("seed = 3\n[[construction]]\nkind = \"set\"\n" + lines, "test.toml").constructions.at(0);
+    const auto exhibits = exhibits_in("seed = 3\n[[construction]]\nkind = \"set\"\n" + lines, "test.toml");
+    auto shown = exhibits.at(0).settings.as<ShownConstruction>();
+    shown.parameters.seed = 3;
+    return shown;
 }
 
 /// The positions of a sampler's points, in units and in their order.

@@ -1,7 +1,7 @@
 // Schemes of aperiodic sets, isohedral tilings and surfaces.
-#include "host/config/schemes/aperiodic_scheme_table.hpp"
 #include "host/schemes/scheme_run.hpp"
 
+#include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -15,11 +15,7 @@ using testing::HasSubstr;
 class AperiodicSchemes : public testing::Test
 {
 protected:
-    DistributionResult made(const SchemeSettings& settings)
-    {
-        DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
-        return make_scheme(settings, 1, files);
-    }
+    DistributionResult made(const auto& settings) { return made_of(settings, 1, folder_.path()); }
 
     static double number_of(const DistributionResult& result, const std::string& key)
     {

@@ -3,6 +3,7 @@
 
 #include "host/distribution/tabled_noise.hpp"
 #include "host/schemes/perlin_noise.hpp"
+#include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tiles/tilings/permutation_hash.hpp"
 
@@ -17,10 +18,9 @@ namespace {
 class Schemes : public testing::Test
 {
 protected:
-    DistributionResult made(const SchemeSettings& settings, std::uint64_t seed = 1)
+    DistributionResult made(const auto& settings, std::uint64_t seed = 1)
     {
-        DistributionFiles files([&](const std::string& name) { return folder_.path() / name; });
-        return make_scheme(settings, seed, files);
+        return made_of(settings, seed, folder_.path());
     }
 
     MarkPicture picture(const std::string& name) const { return read_mark_picture(folder_.path() / name); }

@@ -54,6 +54,7 @@ bool may_change(const std::string& version, const std::string& file)
     if (is_in("host/store/") || is_in("host/config/") || is_in("host/crew/")) return true;
     if (version == "analysis_version") return is_in("host/") || is_in("tiles/");
     if (version != "distribution_version" && is_in("host/distribution/")) return true;
+    if (version == "sampling_version" && is_in("host/kinds/")) return true;
     return is_in("analysis/") || is_in("host/measuring/") || is_in("host/scenes/") || is_in("results/");
 }
 

@@ -1,9 +1,9 @@
 // Aperiodic sets by their words: in [[tile_set]] and [[tiling]], and as tilings of any tiles are.
 #include "host/config/aperiodic/aperiodic_tiles.hpp"
 
-#include "host/config/config.hpp"
-#include "host/config/tiling_table.hpp"
+#include "host/scenes/shown_tiling.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/beatty_tiling.hpp"
 
@@ -39,7 +39,7 @@ TEST(AperiodicTiles, WindowsAreOfTheTiling)
     }
 }
 
-std::vector<TilingConfig> tilings_of(const std::string& text) { return parse_config(text, "c.toml").tilings; }
+std::vector<ShownTiling> tilings_of(const std::string& text) { return settings_in<ShownTiling>(exhibits_in(text)); }
 
 TEST(AperiodicTiles, AreSetsAndTilingsOfConfigs)
 {

@@ -1,8 +1,8 @@
 // Tables [[scheme]] of a config, and what they refuse.
-#include "host/config/config.hpp"
-#include "host/config/schemes/scheme_table.hpp"
-#include "host/distribution/tables/distribution_table.hpp"
+#include "host/kinds/kinds.hpp"
+#include "host/schemes/scheme_settings.hpp"
 #include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,16 +12,12 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<DistributionConfig> schemes_of(const std::string& lines)
-{
-    const Config config = parse_config("seed = 7\n[[scheme]]\n" + lines, "c.toml");
-    return read_schemes(config.schemes, config.seed);
-}
+std::vector<Exhibit> schemes_of(const std::string& lines) { return exhibits_in("seed = 7\n[[scheme]]\n" + lines); }
 
 template <class Settings>
 Settings settings_of(const std::string& lines)
 {
-    return std::get<Settings>(std::get<SchemeSettings>(schemes_of(lines).at(0).settings));
+    return schemes_of(lines).at(0).settings.as<Settings>();
 }
 
 void expect_scheme_refusal(const std::string& lines, const std::string& message)
@@ -31,13 +27,12 @@ void expect_scheme_refusal(const std::string& lines, const std::string& message)
 
 TEST(SchemeTable, ReadsEveryKindByItsDefaults)
 {
-    for (const std::string& kind : scheme_kinds()) {
+    for (const std::string& kind : kind_words("scheme")) {
         const auto read = schemes_of("kind = \"" + kind + "\"");
         ASSERT_EQ(read.size(), 1) << kind;
-        EXPECT_EQ(read[0].kind, kind);
+        EXPECT_EQ(read[0].kind->word, kind);
         EXPECT_EQ(read[0].seed, 7);
         EXPECT_NE(read[0].label, "");
-        EXPECT_TRUE(read[0].is_scheme());
     }
 }
 
@@ -74,8 +69,8 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"noise\"\npoints = 3", "unknown key");
     expect_scheme_refusal("kind = \"corner-problem\"\ncolors = 5", "must be an integer from 2 to 4");
     expect_scheme_refusal("kind = \"direct\"\nwindow = [0, 0, 17, 1]", "must be of 1 to 16 tiles along each axis");
-    expect_scheme_refusal("kind = \"construction\"\nwindow = [9, 1]", "each from 1 to 8");
-    expect_scheme_refusal("kind = \"construction\"\nset = \"jeandel-rao\"", "must be \"ammann\"");
+    expect_scheme_refusal("kind = \"construction\"\nwindow = [9, 1]", "a number from 1 to 8");
+    expect_scheme_refusal("kind = \"construction\"\nset = \"jeandel-rao\"", "must be one of \"ammann\"");
     expect_scheme_refusal("kind = \"aperiodic-tables\"\nwidth = 9", "must be an integer from 1 to 8");
     expect_scheme_refusal("kind = \"diffraction\"\ntilings = [\"jeandel-rao\"]", "\"jeandel-rao\" is none");
     expect_scheme_refusal("kind = \"diffraction\"\ntilings = []", "must be a list of different algorithms");
@@ -84,7 +79,7 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"diffraction\"\ncolor = 2", "must be an integer from 0 to 1");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 94", "must be an integer from 1 to 93");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\nparameters = [0.1]",
-                          "c.toml:2: IH1 has 4 parameters, not 1");
+                          "c.toml:2: [[scheme]]: IH1 has 4 parameters, not 1");
     expect_scheme_refusal("kind = \"isohedral\"\nrandom = true\nparameters = [1]", "does not go with random = true");
     expect_scheme_refusal("kind = \"isohedral\"\nparameters = [1e300, 1]",
                           "must be a list of numbers from -100 to 100");

@@ -201,5 +201,35 @@ TEST(OrderedSampler, MistakesAreSaidWithTheirPlace)
                 testing::HasSubstr("c.toml:7: order = sample-elimination: does not go with this method"));
 }
 
+/// A method that makes sets side by side where it is told how many are expected.
+class SideBySide final : public Sampler
+{
+public:
+    explicit SideBySide(std::vector<std::uint32_t>& expected) : expected_(expected) {}
+
+    PointSet sample(std::uint32_t) override { return {2, {0.1, 0.1, 0.6, 0.1, 0.1, 0.6, 0.6, 0.6}}; }
+    void expect(std::uint32_t first, std::uint32_t count) override { expected_ = {first, count}; }
+    std::optional<double> shared_seconds() const override { return 1000; }
+
+private:
+    std::vector<std::uint32_t>& expected_;
+};
+
+TEST(OrderedSampler, HandsOnWhatIsExpectedAndTheShareOfTheTime)
+{
+    std::vector<std::uint32_t> expected;
+    SamplerSpec method;
+    method.create = [&](const Parameters&, const SampleRequest&, Engine, const DeviceProvider&) {
+        return std::make_unique<SideBySide>(expected);
+    };
+    const auto sampler = in_progressive_order(method).create({}, {}, Engine::reference, {});
+    sampler->expect(3, 8);
+    EXPECT_EQ(expected, (std::vector<std::uint32_t>{3, 8}));
+    sampler->sample(3);
+    ASSERT_TRUE(sampler->shared_seconds());
+    EXPECT_GE(*sampler->shared_seconds(), 1000) << "and the time of ordering";
+    EXPECT_LT(*sampler->shared_seconds(), 1060);
+}
+
 }
 }

@@ -1,7 +1,7 @@
-#include "host/distribution/tables/kind_help.hpp"
+#include "host/kinds/kind_help.hpp"
 
 #include "host/config/parameter_values.hpp"
-#include "host/distribution/kinds.hpp"
+#include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,24 @@ std::string meaning_of_key(const KeySpec& spec)
 
 std::string key_row(const KeySpec& spec)
 {
-    return fmt::format("| `{}` | {} | {} | {} |\n", spec.value.key, spec.allowed(), default_of_key(spec),
+    const std::string other = spec.alias.empty() ? "" : fmt::format(", `{}`", option_name(spec));
+    return fmt::format("| `{}`{} | {} | {} | {} |\n", spec.value.key, other, spec.allowed(), default_of_key(spec),
                        meaning_of_key(spec));
+}
+
+/// How a config asks for the kind; for those that only commands make, the command.
+std::string table_of_kind(const Kind& kind)
+{
+    if (kind.table.empty()) return "poissonlab " + kind.command;
+    return kind.word.empty() ? "[[" + kind.table + "]]" : fmt::format("[[{}]] kind = \"{}\"", kind.table, kind.word);
+}
+
+/// The same as code of Markdown.
+std::string table_in_markdown(const Kind& kind)
+{
+    if (kind.table.empty()) return "`poissonlab " + kind.command + "`";
+    return kind.word.empty() ? "`[[" + kind.table + "]]`"
+                             : fmt::format("`[[{}]]` `kind = \"{}\"`", kind.table, kind.word);
 }
 
 }
@@ -32,7 +48,7 @@ std::string kinds_text()
     std::string text = "Tables of configs, and their keys. Every table can have\n    label = a text in quotes\n"
                        "        what the report calls the result\n";
     for (const Kind& kind : all_kinds()) {
-        text += fmt::format("\n[[{}]] kind = \"{}\": {}\n    {}\n", kind.table, kind.word, kind.title, kind.summary);
+        text += fmt::format("\n{}: {}\n    {}\n", table_of_kind(kind), kind.title, kind.summary);
         for (const KeySpec& spec : kind.keys())
             text += fmt::format("    {} = {}\n        {}\n", spec.value.key, spec.allowed(), key_help(spec));
     }
@@ -46,9 +62,9 @@ std::string kinds_markdown()
                        "`-`), and as keyword\narguments in Python. This page is printed by `poissonlab kinds "
                        "--markdown`.\n";
     for (const Kind& kind : all_kinds()) {
-        text +=
-            fmt::format("\n## {}: `[[{}]]` `kind = \"{}\"`\n\n{}.", kind.title, kind.table, kind.word, kind.summary);
-        text += kind.command.empty() ? "\n" : fmt::format(" On the command line: `poissonlab {}`.\n", kind.command);
+        text += fmt::format("\n## {}: {}\n\n{}.", kind.title, table_in_markdown(kind), kind.summary);
+        const bool has_command = !kind.command.empty() && !kind.table.empty();
+        text += has_command ? fmt::format(" On the command line: `poissonlab {}`.\n", kind.command) : "\n";
         text += "\n| key | | default | |\n| --- | --- | --- | --- |\n";
         for (const KeySpec& spec : kind.keys()) text += key_row(spec);
     }

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace poissonlab {
@@ -54,7 +53,7 @@ struct TilingCostSettings
 /// kind = "construction": the lattices of Wang tiles and of the corner tiles that are made of them.
 struct ConstructionSettings
 {
-    std::string set; ///< of Wang tiles: "ammann", "kari" or "culik"
+    std::string set = "ammann"; ///< of Wang tiles: or "kari", "culik"
     CornerConstruction construction = CornerConstruction::diagonal;
     std::uint64_t width = 4, height = 3; ///< Wang tiles
 };
@@ -89,9 +88,5 @@ struct SurfaceSettings
     std::vector<std::array<int, 3>> cubes; ///< different ones, at least one
     Color colors = 3;
 };
-
-using SchemeSettings =
-    std::variant<CornerProblemSettings, ScanlineStepsSettings, DirectTilingSettings, NoiseSettings, TilingCostSettings,
-                 ConstructionSettings, AperiodicTableSettings, DiffractionSettings, IsohedralSettings, SurfaceSettings>;
 
 }

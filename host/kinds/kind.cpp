@@ -1,4 +1,4 @@
-#include "host/distribution/kind.hpp"
+#include "host/kinds/kind.hpp"
 
 namespace poissonlab {
 

@@ -1,0 +1,180 @@
+// The kind of [[texture]], and what `texture build` makes: tiles from a picture.
+#include "host/config/distributions/texture_config.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/kinds/kinds.hpp"
+#include "host/texture/synthetic_exemplar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::int64_t most_sets = 1000, most_window_side = 64;
+
+const std::vector<std::string>& texture_shows()
+{
+    static const std::vector<std::string> words{"exemplar", "windows", "steps",    "set",          "marks",
+                                                "seams",    "pieces",  "tiling",   "tiling-marks", "tiling-pieces",
+                                                "levels",   "plane",   "gradients"};
+    return words;
+}
+
+/// The names of the tile sets of a kind; of all kinds where they are described.
+std::vector<std::string> tile_names(const Keys& keys, TextureKind kind)
+{
+    std::vector<std::string> names = texture_tile_names(kind);
+    if (keys.is_read()) return names;
+    for (const auto& [other, word] : texture_kinds.entries)
+        for (const std::string& name : texture_tile_names(other))
+            if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    return names;
+}
+
+/// `is_built`: by the command, which has to be told the size of the set.
+void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
+{
+    constexpr auto pixels = "pixels";
+    keys.word("kind", r.kind, texture_kinds, "the kind of tiles");
+    Color colors = r.kind == TextureKind::omega ? 4 : 3;
+    auto said = keys.integer("colors", colors, 2, most_texture_colors, "the number of colours")
+                    .otherwise("3; of omega tiles 4");
+    if (is_built) said.required();
+    std::optional<Color> vertical;
+    keys.integer("vertical_colors", vertical, 2, most_texture_colors,
+                 "of compact Wang tiles: the number of colours of vertical edges")
+        .otherwise("as many as colors");
+    r.colors = {colors, vertical.value_or(colors)};
+    const std::vector<std::string> names = tile_names(keys, r.kind);
+    r.tiles = names.front();
+    keys.word("tiles", r.tiles, names, "which tiles").otherwise("the first of the kind: complete or 16");
+    auto size = keys.integer("size", r.size, least_tile_pixels, most_tile_pixels, "the side T of a tile").unit(pixels);
+    if (is_built) size.required();
+    keys.integer("ring", r.ring, 0, most_tile_pixels,
+                 "the border that depends on shared colours alone, up to T / 5 - 1")
+        .unit(pixels)
+        .otherwise("T / 16");
+    keys.integer("diversity", r.diversity, 0, most_tile_pixels,
+                 "the distance of the middles of any two windows, up to T")
+        .unit(pixels)
+        .otherwise("T / 4, or what is sure to fit");
+    keys.integer("stages", r.stages, 0, 3, "3, 1: without pieces around edges, or 0: without new pieces");
+    keys.integer("candidates", r.candidates, 1, most_texture_candidates, "windows that are cut for a piece");
+    keys.integer("attempts", r.attempts, 1, most_texture_attempts,
+                 "sets of patches that are drawn, of which the best is taken");
+    keys.word("weight", r.weight, seam_weights, "of cuts");
+    keys.word("cut", r.cut, quilting_cuts, "of Wang tiles");
+    keys.number("overlap", r.overlap, {0.03, 0.5},
+                "of Wang tiles and of 0 stages: half of the band in which samples overlap, in tiles");
+    keys.number("core", r.core, {0, 0.4}, "the radius of a disk that the middle of a tile covers, in tiles")
+        .otherwise("0.3, with one stage 0");
+    keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
+}
+
+void marked_exemplar_key(Keys& keys, TextureSettings& s)
+{
+    keys.picture("marked_exemplar", s.marked_exemplar,
+                 "the picture around marked corners; those of corner tiles have the second half of the colours")
+        .otherwise("no corners are marked");
+    if (!s.marked_exemplar.empty() && s.exemplar.empty()) throw keys.invalid("marked_exemplar", "needs exemplar");
+    s.request.split = s.marked_exemplar.empty() ? 0 : 1; // until the pictures are read
+}
+
+void texture_set_keys(Keys& keys, TextureSettings& s)
+{
+    request_keys(keys, s.request, true);
+    keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
+    marked_exemplar_key(keys, s);
+    if (keys.is_read()) keys.check([&] { check(s.request); });
+}
+
+/// Levels and views are of complete sets whose tiles have whole levels, marks of marked ones.
+void check_texture_shows(const Keys& keys, const TextureSettings& s)
+{
+    const TextureRequest& request = s.request;
+    const bool has_places =
+        request.kind == TextureKind::corner ||
+        (request.kind == TextureKind::wang && request.tiles == "complete" && request.classes() == 1);
+    const bool is_mapped = has_places && (request.size & (request.size - 1)) == 0;
+    if (!is_mapped && s.has_timing)
+        throw keys.invalid("timing", "is for complete sets of tiles whose size is a power of two");
+    if (!keys.is_given("show")) return;
+    const auto is_shown = [&](const char* word) { return std::ranges::find(s.show, word) != s.show.end(); };
+    for (const char* word : {"marks", "tiling-marks"})
+        if (s.marked_exemplar.empty() && is_shown(word))
+            throw keys.invalid("show", fmt::format("\"{}\" needs marked_exemplar", word));
+    for (const char* word : {"levels", "plane"})
+        if (!is_mapped && is_shown(word))
+            throw keys.invalid("show",
+                               fmt::format("\"{}\" is for complete sets of tiles whose size is a power of two", word));
+}
+
+void texture_keys(Keys& keys, TextureSettings& s)
+{
+    request_keys(keys, s.request);
+    keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").otherwise("a pattern");
+    s.pattern = exemplar_patterns().front();
+    keys.word("pattern", s.pattern, exemplar_patterns(), "a picture that is made instead")
+        .otherwise("none")
+        .excludes("exemplar");
+    if (!s.exemplar.empty()) s.pattern.clear();
+    if (keys.is_read() && s.exemplar.empty() && !keys.is_given("pattern"))
+        throw keys.problem("needs exemplar, a picture's file, or pattern");
+    keys.integer("pattern_size", s.pattern_size, 16, 4096, "the side of a pattern").unit("pixels");
+    marked_exemplar_key(keys, s);
+    keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
+        .otherwise("corners are marked at random");
+    if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");
+    if (keys.is_read()) keys.check([&] { check(s.request); });
+    keys.integer("sets", s.sets, 1, most_sets, "sets with other patches each, over which measures are averaged");
+    std::vector<std::int64_t> window{static_cast<std::int64_t>(s.columns), static_cast<std::int64_t>(s.rows)};
+    keys.whole_numbers("window", window, 1, {"width", "height"}, "the tiles of the tiling that is drawn");
+    if (std::ranges::max(window) > most_window_side)
+        throw keys.invalid("window", "must have at most 64 tiles along each side");
+    s.columns = static_cast<std::uint64_t>(window[0]);
+    s.rows = static_cast<std::uint64_t>(window[1]);
+    s.show = {"exemplar", "set", "seams", "pieces", "tiling", "levels", "gradients"};
+    keys.words("show", s.show, texture_shows(), "the pictures");
+    keys.flag("timing", s.has_timing, "whether frames a second are measured");
+    check_texture_shows(keys, s);
+}
+
+std::string texture_label(const TextureSettings& settings)
+{
+    const TextureRequest& request = settings.request;
+    const std::string picture = settings.pattern.empty() ? settings.exemplar.stem().string() : settings.pattern;
+    const char* const kind = request.kind == TextureKind::corner ? "corner tiles"
+                             : request.kind == TextureKind::wang ? "Wang tiles"
+                                                                 : "omega tiles";
+    std::string label = fmt::format("{}: {} {}", printable(picture), requested_tiles(request).size(), kind);
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    if (request.has_corners() && request.stages == 1) label += ", one stage";
+    if (request.has_corners() && request.stages == 0) label += ", no new pieces";
+    if (!settings.marked_exemplar.empty())
+        label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
+    if (request.smooth) label += ", smoothed";
+    if (request.weight == SeamWeight::plain) label += ", plain weights";
+    if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";
+    return label;
+}
+
+}
+
+Kind texture_kind()
+{
+    return make_kind<TextureSettings>(
+        {"texture", "", "", "Texture tiles", "Make texture tiles, and measure their seams"}, texture_keys,
+        texture_label, make_texture);
+}
+
+Kind texture_set_kind()
+{
+    return make_kind<TextureSettings>(
+        {"", "texture build", "texture build", "Texture tile set", "Make texture tiles from a picture"},
+        texture_set_keys, texture_label, make_texture);
+}
+
+}

@@ -1,0 +1,83 @@
+// Kinds of work, each described once: what its tables and commands take, and what is made of that.
+//
+// A kind is a plain struct of settings whose members' own values are the defaults, a function that names its keys (see
+// host/config/keys/keys.hpp) and checks what single values cannot show, and a function that makes the result. Tables of
+// configs, commands, Python and the documentation follow from these.
+#pragma once
+
+#include "host/config/keys/keys.hpp"
+#include "host/config/keys/kind_settings.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/kinds/distribution_place.hpp"
+#include "results/pictures/construction_result.hpp"
+#include "results/pictures/distribution_files.hpp"
+#include "results/pictures/tiling_result.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace poissonlab {
+
+/// What is made of a kind, without name and label; names of files are without folder.
+using Exhibited = std::variant<DistributionResult, TilingResult, ConstructionResult>;
+
+/// The names of a kind.
+struct KindNames
+{
+    std::string table;   ///< "distribution": a table [[distribution]] ...
+    std::string word;    ///< ... with kind = "stippling"; empty: the only kind of its tables, whose `kind` is a key
+    std::string command; ///< "distribute stipple"; empty: none
+    std::string title;   ///< "Stippling"
+    std::string summary; ///< one line for the help
+    bool uses_device = true;
+};
+
+struct Kind : KindNames
+{
+    /// Visits the keys: describes them, or reads and checks a table.
+    std::function<KindSettings(Keys& keys)> visit;
+
+    std::function<Exhibited(const KindSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                            DistributionFiles& files)>
+        make;
+
+    /// The most that making takes of a device; empty: not known.
+    std::function<DeviceMemory(const KindSettings& settings, const DeviceInfo& device)> device_memory = {};
+
+    /// The folder of a result in those of runs; empty: named after the kind.
+    std::function<std::string(const KindSettings& settings)> folder = {};
+
+    std::vector<KeySpec> keys() const;
+
+    /// The word for its results.
+    const std::string& name() const { return word.empty() ? table : word; }
+};
+
+/// A kind of these functions. `keys` gets the defaults, and `label` names a result in reports.
+template <class Settings, class Result>
+Kind make_kind(KindNames names, void (*keys)(Keys&, Settings&), std::string (*label)(const Settings&),
+               Result (*make)(const Settings&, std::uint64_t, const DistributionPlace&, DistributionFiles&),
+               Settings defaults = {})
+{
+    return {
+        std::move(names),
+        [keys, label, defaults](Keys& visited) {
+            Settings settings = defaults;
+            keys(visited, settings);
+            std::string text = label(settings);
+            return KindSettings{std::move(settings), std::move(text), visited.resolved(), visited.inputs()};
+        },
+        [make](const KindSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+               DistributionFiles& files) -> Exhibited { return make(settings.as<Settings>(), seed, place, files); }};
+}
+
+/// Reads a table of this kind, but for keys in `others`, which have a meaning of their own. `where` and `name` are how
+/// messages call it. Throws InputError, with the place of what is wrong.
+KindSettings read_kind(const Kind& kind, const ConfigTable& table, const SourceLocation& where, const std::string& name,
+                       const std::vector<std::string>& others = {});
+
+}

@@ -1,0 +1,288 @@
+// The kinds of [[scheme]] that are about aperiodic sets, isohedral tilings and surfaces.
+//
+// Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 8.
+#include "host/config/config_values.hpp"
+#include "host/kinds/kinds.hpp"
+#include "host/schemes/scheme_run.hpp"
+#include "tiles/tilings/scanline_tiling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+constexpr double most_listed = 100; ///< sides of isohedral tiles are about 1
+
+/// The numbers of a list, from -100 to 100; nothing for any other value.
+std::optional<std::vector<double>> numbers_of_list(const ConfigNode& list)
+{
+    const auto* items = list.get_if<ConfigList>();
+    if (!items) return {};
+    std::vector<double> numbers;
+    for (const ConfigNode& item : *items) {
+        const auto* whole = item.get_if<std::int64_t>();
+        const auto* real = item.get_if<double>();
+        if (!whole && !real) return {};
+        numbers.push_back(whole ? static_cast<double>(*whole) : *real);
+        if (!(std::abs(numbers.back()) <= most_listed)) return {};
+    }
+    return numbers;
+}
+
+constexpr auto curves_allowed = "a list of curves, each a list of points [x, y] from -100 to 100";
+
+/// curves = [[[0.3, 0.1], [0.7, -0.1]], ...]: the points of each between (0, 0) and (1, 0).
+std::vector<PlaneCurve> curves_of(const Keys& keys, const ConfigNode& node)
+{
+    const auto refused = [&] { return keys.invalid("curves", std::string("must be ") + curves_allowed); };
+    const auto* curves = node.get_if<ConfigList>();
+    if (!curves) throw refused();
+    std::vector<PlaneCurve> all;
+    for (const ConfigNode& curve : *curves) {
+        const auto* points = curve.get_if<ConfigList>();
+        if (!points) throw refused();
+        all.push_back({{0, 0}});
+        for (const ConfigNode& point : *points) {
+            const auto numbers = numbers_of_list(point);
+            if (!numbers || numbers->size() != 2) throw refused();
+            all.back().push_back({(*numbers)[0], (*numbers)[1]});
+        }
+        all.back().push_back({1, 0});
+    }
+    return all;
+}
+
+/// A list of `count` colours, each below `colors`.
+std::vector<std::uint32_t> read_colors_of(const ConfigTable& entries, const char* key, std::size_t count,
+                                          std::uint32_t colors)
+{
+    const std::string allowed = fmt::format("a list of {} colours from 0 to {}", count, colors - 1);
+    std::vector<std::uint32_t> read(count);
+    const auto numbers = read_integers(entries, key, count, count, 0, allowed.c_str());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] >= colors) throw invalid_node(key, *find(entries, key), "must be " + allowed);
+        read[i] = static_cast<std::uint32_t>(numbers[i]);
+    }
+    return read;
+}
+
+/// coloring = { colors = 3, aspects = [0, 1, 2], steps = [1, 2] }: see TileColoring.
+TileColoring coloring_of(const Keys& keys, const ConfigNode& node, std::size_t aspects)
+{
+    const auto* entries = node.get_if<ConfigTable>();
+    if (!entries) throw keys.invalid("coloring", "must be a table { colors, aspects, steps }");
+    check_keys(*entries, {"colors", "aspects", "steps"});
+    TileColoring coloring;
+    coloring.colors = static_cast<std::uint32_t>(read_integer(*entries, "colors", 1, 8, 1));
+    coloring.aspects = read_colors_of(*entries, "aspects", aspects, coloring.colors);
+    const auto steps = read_colors_of(*entries, "steps", 2, coloring.colors);
+    coloring.steps = {steps[0], steps[1]};
+    return coloring;
+}
+
+/// A tiling with Wang or corner tiles by the word of its algorithm, if it is one.
+std::optional<TilingRequest> request_of_word(const std::string& word, Color colors)
+{
+    TilingRequest request;
+    request.algorithm = word;
+    for (const TileKind kind : {TileKind::wang, TileKind::corner}) {
+        const auto& known = tiling_algorithms(kind);
+        if (std::ranges::find(known, word) == known.end()) continue;
+        request.kind = kind;
+        const Color own = own_colors(kind, word);
+        request.colors = own > 0 ? own : colors;
+        return request;
+    }
+    return std::nullopt;
+}
+
+void lattice_keys(Keys& keys, ConstructionSettings& s)
+{
+    keys.word("set", s.set, {"ammann", "culik", "kari"}, "the Wang tiles");
+    keys.word("construction", s.construction, corner_constructions, "what makes corner tiles of them");
+    std::array<std::uint32_t, 2> size{static_cast<std::uint32_t>(s.width), static_cast<std::uint32_t>(s.height)};
+    keys.integers("window", size, {1, 8}, {"width", "height"}, "Wang tiles that are drawn");
+    s.width = size[0];
+    s.height = size[1];
+}
+
+void aperiodic_table_keys(Keys& keys, AperiodicTableSettings& s)
+{
+    constexpr std::int64_t widest = 8; // 214 tiles take seconds there, and several times as long for each one more
+    keys.integer("width", s.width, 1, widest, "the widest cylinder of the search for periods");
+}
+
+/// The tilings by their words, which are different ones.
+void read_words_of_tilings(const Keys& keys, const ConfigNode& node, std::vector<std::string>& words)
+{
+    constexpr auto allowed = "must be a list of different algorithms of Wang or corner tiles";
+    words.clear();
+    const auto* items = node.get_if<ConfigList>();
+    if (!items || items->empty()) throw keys.invalid("tilings", allowed);
+    for (const ConfigNode& item : *items) {
+        const auto* word = item.get_if<std::string>();
+        if (!word || std::ranges::find(words, *word) != words.end()) throw keys.invalid("tilings", allowed);
+        if (!request_of_word(*word, 2))
+            throw keys.invalid("tilings", fmt::format("{}; \"{}\" is none", allowed, *word));
+        words.push_back(*word);
+    }
+}
+
+void diffraction_keys(Keys& keys, DiffractionSettings& s)
+{
+    constexpr std::int64_t least_size = 256, most_size = 1024; // the pictures show 256 tiles along each side
+    std::vector<std::string> words{"scanline-compact", "ammann"};
+    keys.value("tilings", "a list of algorithms of Wang or corner tiles", "what is compared",
+               [&](const ConfigNode& node) { read_words_of_tilings(keys, node, words); })
+        .otherwise("scanline-compact, ammann");
+    Color colors = 2;
+    keys.integer("colors", colors, 2, max_scanline_colors, "of those that can have several");
+    keys.integer("size", s.size, least_size, most_size, "tiles along each axis");
+    Color fewest = max_colors;
+    s.tilings.clear();
+    for (const std::string& word : words) {
+        s.tilings.push_back(*request_of_word(word, colors));
+        fewest = std::min(fewest, s.tilings.back().colors);
+    }
+    keys.integer("color", s.color, 0, fewest - 1, "whose power is shown");
+}
+
+/// Parameters and curves of a tile, which are random or given.
+void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
+{
+    constexpr auto numbers_allowed = "a list of numbers from -100 to 100";
+    keys.flag("random", s.is_random, "whether parameters and curves are random");
+    keys.value("parameters", numbers_allowed, "where the corners are",
+               [&](const ConfigNode& node) {
+                   const auto numbers = numbers_of_list(node);
+                   if (!numbers) throw keys.invalid("parameters", std::string("must be ") + numbers_allowed);
+                   s.parameters.deformations = *numbers;
+               })
+        .otherwise("those of the Laves tiling");
+    keys.value("curves", curves_allowed, "the points of curves between (0, 0) and (1, 0)",
+               [&](const ConfigNode& node) { s.parameters.curves = curves_of(keys, node); })
+        .otherwise("straight");
+    for (const char* const key : {"parameters", "curves"})
+        if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "does not go with random = true");
+    if (s.parameters.curves.size() > type.shape.curve_shapes.size())
+        throw keys.invalid("curves",
+                           fmt::format("must be at most {} for IH{}", type.shape.curve_shapes.size(), type.number));
+}
+
+void isohedral_keys(Keys& keys, IsohedralSettings& s)
+{
+    keys.integer("type", s.type, 1, 93, "of Gruenbaum and Shephard");
+    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(s.type - 1)];
+    shape_keys(keys, s, type);
+    keys.value("coloring", "a table { colors, aspects, steps }", "the colours of tiles",
+               [&](const ConfigNode& node) { s.coloring = coloring_of(keys, node, type.shape.aspects.size()); })
+        .otherwise("the fewest colours");
+    keys.value("window", "[width, height], each from 1 to 100", "in sides of a square as large as the tile",
+               [&](const ConfigNode& node) {
+                   const auto size = numbers_of_list(node);
+                   if (!size || size->size() != 2 || !(std::ranges::min(*size) >= 1 && std::ranges::max(*size) <= 100))
+                       throw keys.invalid("window", "must be [width, height], each from 1 to 100");
+                   s.columns = (*size)[0];
+                   s.rows = (*size)[1];
+               })
+        .otherwise("[10, 10]");
+    if (keys.is_read()) keys.check([&] { tile_of(s, 1); });
+}
+
+void surface_keys(Keys& keys, SurfaceSettings& s)
+{
+    constexpr auto allowed = "a list of different cubes [x, y, z], at most 1000, from -50 to 50";
+    constexpr double farthest = 50;
+    constexpr std::size_t most_cubes = 1000;
+    keys.integer("colors", s.colors, 2, 8, "of the surface's vertices");
+    s.cubes = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}};
+    const auto read = [&](const ConfigNode& node) {
+        const auto refused = [&] { return keys.invalid("cubes", std::string("must be ") + allowed); };
+        const auto* cubes = node.get_if<ConfigList>();
+        if (!cubes || cubes->empty() || cubes->size() > most_cubes) throw refused();
+        s.cubes.clear();
+        for (const ConfigNode& cube : *cubes) {
+            const auto place = numbers_of_list(cube);
+            const auto is_wrong = [](double c) { return c != std::floor(c) || std::abs(c) > farthest; };
+            if (!place || place->size() != 3 || std::ranges::any_of(*place, is_wrong)) throw refused();
+            s.cubes.push_back(
+                {static_cast<int>((*place)[0]), static_cast<int>((*place)[1]), static_cast<int>((*place)[2])});
+        }
+        std::ranges::sort(s.cubes);
+        if (std::ranges::adjacent_find(s.cubes) != s.cubes.end()) throw refused();
+    };
+    keys.value("cubes", allowed, "the polycube", read).otherwise("six of them");
+}
+
+}
+
+Kind lattice_construction_kind()
+{
+    return make_kind<ConstructionSettings>(
+        {"scheme", "construction", "", "Lattices of constructions",
+         "Draw Wang tiles, and the corner tiles that are made of them", false},
+        lattice_keys,
+        [](const ConstructionSettings& s) {
+            return fmt::format("The {} construction", corner_constructions[s.construction]);
+        },
+        +[](const ConstructionSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+            return make_construction(s, seed, files);
+        });
+}
+
+Kind aperiodic_table_kind()
+{
+    return make_kind<AperiodicTableSettings>(
+        {"scheme", "aperiodic-tables", "", "Aperiodic sets",
+         "Compare printed tables of aperiodic sets with computed ones", false},
+        aperiodic_table_keys,
+        [](const AperiodicTableSettings&) { return std::string("Sets of corner tiles made of aperiodic sets"); },
+        +[](const AperiodicTableSettings& s, std::uint64_t, const DistributionPlace&, DistributionFiles& files) {
+            return make_aperiodic_tables(s, files);
+        });
+}
+
+Kind diffraction_kind()
+{
+    return make_kind<DiffractionSettings>(
+        {"scheme", "diffraction", "", "Diffraction", "Measure how much tilings repeat", false}, diffraction_keys,
+        [](const DiffractionSettings&) { return std::string("Aperiodic and stochastic tilings"); },
+        +[](const DiffractionSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+            DiffractionSettings own = s;
+            for (TilingRequest& request : own.tilings) request.seed = seed;
+            return make_diffraction(own, files);
+        });
+}
+
+Kind isohedral_kind()
+{
+    return make_kind<IsohedralSettings>(
+        {"scheme", "isohedral", "", "Isohedral tiling", "Draw a tiling of a type with parameters, curves and colours",
+         false},
+        isohedral_keys, [](const IsohedralSettings& s) { return fmt::format("Isohedral tiling of type IH{}", s.type); },
+        +[](const IsohedralSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+            return make_isohedral(s, seed, files);
+        });
+}
+
+Kind surface_kind()
+{
+    return make_kind<SurfaceSettings>(
+        {"scheme", "surface", "", "Tiled surface", "Draw corner tiles on the faces of a polycube", false}, surface_keys,
+        [](const SurfaceSettings&) { return std::string("Corner tiles on a polycube"); },
+        +[](const SurfaceSettings& s, std::uint64_t seed, const DistributionPlace&, DistributionFiles& files) {
+            return make_surface(s, seed, files);
+        });
+}
+
+IsohedralTile tile_of(const IsohedralSettings& settings, std::uint64_t seed)
+{
+    const IsohedralType& type = isohedral_types()[static_cast<std::size_t>(settings.type - 1)];
+    if (settings.is_random) return random_tile(type, seed, drawn_deformation, drawn_amplitude);
+    return {type, settings.parameters};
+}
+
+}

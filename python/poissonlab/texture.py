@@ -1,0 +1,21 @@
+"""Texture tiles from pictures: what `poissonlab texture build` and [[texture]] make.
+
+    made = poissonlab.texture.build("corner", exemplar="gravel.png", colors=3, size=64)
+    made.numbers["seam_mismatch"], made.pictures["tiling"], made.save("gravel")
+"""
+
+from . import kinds as _kinds
+from .kinds import Made
+
+_build = _kinds.functions_of("texture", {})["texture"]
+
+
+def build(kind="corner", /, **keys):
+    """Make texture tiles, and measure their seams. kind: "corner", "wang" or "omega". See help(texture.keys)."""
+    return _build(kind=kind, **keys)
+
+
+#: The function that build() calls, with all keys: help(texture.keys).
+keys = _build
+
+__all__ = ["Made", "build"]
