@@ -53,6 +53,11 @@ tiles, which were found later; of those that the dissertation could know, the 49
 Jeandel and Rao's set is here with four colours. Others list it with five: there horizontal colour 0 is two, 0 and 4,
 which its authors merge without a period.
 
+Smaller aperiodic sets of corner tiles are published: Nurmi (*Bridges 2016*, pages 159 to 166) has one of 30 tiles. T.
+Schlömer's dissertation (*Non-Periodic Corner Tilings in Computer Graphics*, Konstanz 2012) treats tilings with corner tiles
+and their combinatorial problems; its text was not at hand. The sets of this page are those that the constructions above
+make, and none of them is called new or smallest.
+
 | Wang tiles | construction | corner tiles/colours | |
 | --- | --- | --- | --- |
 )";
