@@ -61,13 +61,6 @@ std::optional<MeasuredValue> value_of(const std::string& key, const ReportSeries
     return measure == measures().end() ? std::nullopt : measure->get(*series.stored);
 }
 
-/// The anisotropy of the worst ring beyond what chance may make of it, dB.
-double anisotropy_beyond_chance(const ReportSeries& series)
-{
-    const auto anisotropy = value_of("peak_anisotropy", series);
-    return anisotropy ? std::max(0.0, anisotropy->value - series.curve.background_db - chance_margin_db) : 0;
-}
-
 /// The series that stands for a method: with a spectrum, of several sets, of the size that methods are compared at, as
 /// far as there is any; then without directions, then of the largest relative radius. (A large radius alone is that of
 /// a lattice.)
@@ -267,6 +260,12 @@ PageData method_row(const Site& site, const Method& method, bool has_dimensions,
     return row;
 }
 
+}
+
+double anisotropy_beyond_chance(const ReportSeries& series)
+{
+    const auto anisotropy = value_of("peak_anisotropy", series);
+    return anisotropy ? std::max(0.0, anisotropy->value - series.curve.background_db - chance_margin_db) : 0;
 }
 
 bool set_methods(PageData& page, const Site& site)

@@ -56,7 +56,7 @@ PageData figures(const Site& site)
 void clear_run_parts(PageData& page)
 {
     for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions",
-                             "has_textures", "has_packings", "has_distributions", "has_schemes", "gallery"})
+                             "has_textures", "has_packings", "has_distributions", "has_schemes", "gallery", "has_glance"})
         page.set(part, false);
     page.set("content", "");
 }

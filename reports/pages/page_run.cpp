@@ -98,7 +98,9 @@ std::string render_run(const Site& site, const ReportRun& run, const std::filesy
     set_dimension_words(page, {&run});
     page.set("matrices", matrices(run, page_folder));
     page.set("has_matrices", std::ranges::any_of(run.series, is_in_matrix));
-    page.set("has_cards", !std::ranges::all_of(run.series, is_in_matrix));
+    page.set("has_glance", has_glance(run));
+    page.set("glance", glance(run, page_folder));
+    page.set("has_cards", !has_glance(run) && !std::ranges::all_of(run.series, is_in_matrix));
     page.set("cards", cards(run, page_folder));
     page.set("compared", run.series.size() > 1 || site.gallery_use == Gallery::laid_behind);
     page.set("gallery", gallery_table(site, run));
@@ -132,6 +134,8 @@ std::string render_run_page(const Site& site, std::size_t index)
     PageData parts;
     PageData page;
     page.set("content", render_run(site, run, run.root, parts));
+    page.set("has_glance", has_glance(run));
+    page.set("glance", glance(run, run.root));
     page.set("title", run.stored->title);
     page.set("summary", summary_of({&run}));
     page.set("overview", relative_link(run.root, site.out / overview_page));

@@ -1,5 +1,7 @@
 // A run's textures: those of one exemplar beside each other, in a table of the measures that they have.
+#include "reports/layout/distribution_pictures.hpp"
 #include "reports/pages/page_parts.hpp"
+#include "reports/pages/relative_link.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/texture_measures.hpp"
@@ -7,10 +9,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace poissonlab {
 
 namespace {
+
+/// The numbers that stand under a tiling.
+constexpr std::array tiling_measures = {"seam_mismatch", "longest_run", "border_exceptions", "lattice_power",
+                                        "color_distance"};
+
+/// Tables with more textures would be wider than pages: the others go into tables of their own.
+constexpr std::size_t textures_in_a_table = 6;
 
 const char* arrow_of(const Measure& measure)
 {
@@ -78,6 +88,57 @@ PageData texture_row(const Measure& measure, const ReportRun& run, const Texture
     return row;
 }
 
+/// The picture of a texture whose file has this name; null where there is none.
+const DistributionPicture* texture_picture(const ReportDistribution& texture, const std::string& name)
+{
+    const auto& pictures = texture.stored->pictures;
+    const auto found = std::ranges::find_if(pictures, [&](const DistributionPicture& picture) {
+        return std::filesystem::path(picture.file).filename() == name;
+    });
+    return found == pictures.end() ? nullptr : &*found;
+}
+
+PageData tiling_numbers(const DistributionResult& texture)
+{
+    PageData list{PageData::type::list};
+    for (const Measure& measure : texture_measures()) {
+        const auto value = texture_value(measure, texture);
+        if (!value || std::ranges::find(tiling_measures, measure.key) == tiling_measures.end()) continue;
+        PageData number;
+        number.set("name", measure.name);
+        number.set("value", words_of(measure, *value).shown);
+        list << number;
+    }
+    return list;
+}
+
+/// The exemplar and the tilings of all its textures, to be seen side by side.
+PageData texture_tilings(const ReportRun& run, const TexturePlaces& places, const std::filesystem::path& page_folder)
+{
+    PageData list{PageData::type::list};
+    const auto add = [&](const ReportDistribution& texture, const DistributionPicture& picture,
+                         const std::string& label, const std::string& anchor, const PageData& numbers) {
+        PageData data;
+        data.set("source", relative_link(page_folder, png_of(texture, picture)));
+        data.set("alt", fmt::format("{}. {}", label, picture.caption));
+        data.set("label", label);
+        data.set("anchor", anchor);
+        data.set("numbers", numbers);
+        list << data;
+    };
+    for (const std::size_t place : places)
+        if (const auto* exemplar = texture_picture(run.distributions[place], "exemplar.png")) {
+            add(run.distributions[place], *exemplar, "Exemplar", texture_anchor(place), PageData(false));
+            break;
+        }
+    for (const std::size_t place : places) {
+        const ReportDistribution& texture = run.distributions[place];
+        if (const auto* tiling = texture_picture(texture, "tiling.png"))
+            add(texture, *tiling, texture.stored->label, texture_anchor(place), tiling_numbers(*texture.stored));
+    }
+    return list;
+}
+
 /// A row for each measure, a column for each texture.
 PageData texture_table(const ReportRun& run, const TexturePlaces& places)
 {
@@ -90,11 +151,27 @@ PageData texture_table(const ReportRun& run, const TexturePlaces& places)
     }
     for (const Measure& measure : texture_measures())
         if (PageData row = texture_row(measure, run, places); !row.is_false()) rows << row;
-    const std::string exemplar = run.distributions[places.front()].stored->parameter("exemplar");
-    data.set("title", fmt::format("Tiles of {}", exemplar.empty() ? "the same exemplar" : exemplar));
     data.set("heads", heads);
     data.set("rows", rows);
     return data;
+}
+
+/// All measures of a group, in tables that pages have room for.
+PageData texture_tables(const ReportRun& run, const TexturePlaces& places)
+{
+    PageData tables{PageData::type::list};
+    const std::size_t count = (places.size() + textures_in_a_table - 1) / textures_in_a_table;
+    for (std::size_t part = 0; part < count; ++part)
+        tables << texture_table(run,
+                                {places.begin() + static_cast<std::ptrdiff_t>(part * places.size() / count),
+                                 places.begin() + static_cast<std::ptrdiff_t>((part + 1) * places.size() / count)});
+    return tables;
+}
+
+std::string group_title(const ReportRun& run, const TexturePlaces& places)
+{
+    const std::string exemplar = run.distributions[places.front()].stored->parameter("exemplar");
+    return fmt::format("Tiles of {}", exemplar.empty() ? "the same exemplar" : exemplar);
 }
 
 }
@@ -110,7 +187,10 @@ void set_textures(PageData& page, const ReportRun& run, const std::filesystem::p
         for (const std::size_t place : places)
             textures << distribution_section(run.distributions[place], texture_anchor(place), page_folder,
                                              has_table ? PageNumbers::elsewhere : PageNumbers::shown);
-        group.set("table", has_table ? texture_table(run, places) : PageData(false));
+        group.set("title", group_title(run, places));
+        group.set("has_tables", has_table);
+        group.set("tilings", has_table ? texture_tilings(run, places, page_folder) : PageData(false));
+        group.set("tables", has_table ? texture_tables(run, places) : PageData(false));
         group.set("textures", textures);
         groups << group;
     }

@@ -115,7 +115,7 @@ TEST_F(SiteTest, OneAxisIsARow)
     const auto text = file("index.html");
     EXPECT_THAT(text, HasSubstr("<h2>Darts</h2>"));
     EXPECT_EQ(test::count_of(text, "<th scope=\"col\">ρ = "), 2);
-    EXPECT_EQ(test::count_of(text, "<ul class=\"cards\">"), 1) << "of the series that is in no grid";
+    EXPECT_EQ(test::count_of(text, "<article class=\"glance\">"), 1) << "of the series that is in no grid";
 }
 
 TEST_F(SiteTest, FurtherAxesMakeATableForEachOfTheirValues)
