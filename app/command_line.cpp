@@ -3,6 +3,7 @@
 #include "app/commands/work_options.hpp"
 #include "app/completion.hpp"
 #include "app/man_page.hpp"
+#include "app/opening.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <type_traits>
 
@@ -161,7 +163,8 @@ std::vector<Command> all_commands(const std::string& typed)
             devices_command(),
             samplers_command(),
             kinds_command(),
-            completion_command()};
+            completion_command(),
+            manual_command([] { return all_commands(""); })};
 }
 
 /// The command as it would be typed: arguments in quotes where a shell needs them. Without --shard: whoever did the
@@ -208,6 +211,13 @@ int print_man_page()
     return 0;
 }
 
+/// The action of a call without a command, which is a mistake in scripts.
+int opening()
+{
+    std::fputs(opening_words, stderr);
+    return exit_wrong_input;
+}
+
 /// The action of `help`.
 Action explanation(const CLI::App& app, const std::string& topic)
 {
@@ -246,8 +256,10 @@ std::vector<Action> actions_called_for(int argc, const char* const* argv)
     std::vector<Action> called;
     add_everything(app, typed_command(argc, argv), called);
     const std::vector<std::string> names = names_of_commands(app);
-    if (argc < 2)
-        throw InputError(fmt::format("a command is missing: {} (see poissonlab --help)", fmt::join(names, ", ")));
+    if (argc < 2) {
+        called.push_back(opening);
+        return called;
+    }
     const std::string first = argv[1];
     if (!first.starts_with("-") && std::ranges::find(names, first) == names.end())
         throw InputError(fmt::format("unknown command \"{}\"{} (commands: {})", first, did_you_mean(first, names),

@@ -1,5 +1,6 @@
 // The program: does what the arguments call for, and ends with an exit status and errors of one line.
 #include "app/command_line.hpp"
+#include "app/commands/command.hpp"
 #include "base/files/standard_streams.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/crew/crew.hpp"
@@ -13,7 +14,6 @@ namespace poissonlab {
 namespace {
 
 constexpr int exit_other = 1;
-constexpr int exit_input = 2;
 constexpr int exit_device = 3;
 
 /// Says what is wrong. Returns the status.
@@ -49,7 +49,7 @@ int tell_of_exception()
         tell_of_interruption();
         return exit_interrupted;
     case Failure::Kind::input:
-        return fail(exit_input, failure.message);
+        return fail(exit_wrong_input, failure.message);
     case Failure::Kind::device:
         return fail(exit_device, failure.message);
     default:

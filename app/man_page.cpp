@@ -1,11 +1,11 @@
 #include "app/man_page.hpp"
 
+#include "app/option_words.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>
 
 #include <sstream>
-#include <type_traits>
 
 namespace poissonlab {
 namespace {
@@ -27,23 +27,10 @@ std::string roff(const std::string& text)
     return printed;
 }
 
-/// The word for a value that the help gives no name.
-std::string type_name(const OptionTarget& target)
-{
-    return std::visit(
-        [](const auto* value) -> std::string {
-            using Value = std::remove_cvref_t<decltype(*value)>;
-            if constexpr (std::is_same_v<Value, bool>) return "";
-            if constexpr (std::is_arithmetic_v<Value>) return "NUMBER";
-            return "TEXT";
-        },
-        target);
-}
-
 /// The option with the name of its value: an argument that is known by its place is its own name.
 std::string usage(const Option& option)
 {
-    const std::string value = option.value_name.empty() ? type_name(option.target) : option.value_name;
+    const std::string value = value_word(option);
     if (!option.name.starts_with('-')) return fmt::format("\\fI{}\\fR", roff(option.name));
     if (value.empty()) return fmt::format("\\fB{}\\fR", roff(option.name));
     return fmt::format("\\fB{}\\fR \\fI{}\\fR", roff(option.name), roff(value));

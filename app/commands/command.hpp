@@ -74,6 +74,9 @@ Action action_on(std::shared_ptr<Options> options, void (*work)(const Options&))
     };
 }
 
+/// The exit status of wrong input.
+inline constexpr int exit_wrong_input = 2;
+
 /// The exit status of `diff` where something changed; other commands return 0 or throw.
 inline constexpr int exit_changed = 4;
 
@@ -110,5 +113,6 @@ Command isohedral_draw_command();
 Command devices_command();
 Command samplers_command();
 Command kinds_command();
+Command manual_command(std::function<std::vector<Command>()> all_commands);
 
 }

@@ -11,7 +11,7 @@ Command samplers_command()
     const auto markdown = std::make_shared<bool>(false);
     return {"samplers",
             "List the methods of making point sets and their parameters",
-            {{"--markdown", markdown.get(), "Print the table of README.md"}},
+            {{"--markdown", markdown.get(), "Print the table of docs/samplers.md"}},
             "",
             [markdown] {
                 fmt::print("{}", *markdown ? samplers_markdown() : samplers_text());

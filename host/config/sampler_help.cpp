@@ -78,6 +78,13 @@ std::string samplers_text()
     return text;
 }
 
+std::string parameters_markdown(const SamplerSpec& sampler)
+{
+    std::string text = "| parameter | | default | |\n| --- | --- | --- | --- |\n";
+    for (const ParameterSpec& parameter : sampler.parameters) text += parameter_row(parameter);
+    return text;
+}
+
 std::string samplers_markdown()
 {
     std::string text = "| sampler, parameters | | default | |\n| --- | --- | --- | --- |\n";

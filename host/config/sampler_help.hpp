@@ -1,7 +1,7 @@
 // Help on samplers and their parameters, printed from the samplers' own descriptions.
 #pragma once
 
-#include "host/sampling/parameters.hpp"
+#include "host/sampling/sampler.hpp"
 
 #include <string>
 
@@ -14,7 +14,10 @@ std::string option_help(const ParameterSpec& spec);
 /// All samplers with their parameters, for a terminal.
 std::string samplers_text();
 
-/// The same as the table of README.md.
+/// The same as the table of docs/samplers.md.
 std::string samplers_markdown();
+
+/// The parameters of one sampler, as a table.
+std::string parameters_markdown(const SamplerSpec& sampler);
 
 }

@@ -2,6 +2,7 @@
 #include "host/config/sampler_help.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "host/config/sampler_guide.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "tests/support/places.hpp"
 
@@ -12,15 +13,15 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(SamplerHelp, TheTableOfTheReadmeIsTheOneThatIsPrinted)
+TEST(SamplerHelp, TheTableOfTheDocumentationIsTheOneThatIsPrinted)
 {
-    const std::string readme = read_whole_file(source_folder() + "/README.md");
+    const std::string page = read_whole_file(source_folder() + "/docs/samplers.md");
     const std::string begin = "<!-- printed by `poissonlab samplers --markdown` -->\n",
                       end = "<!-- end of samplers -->";
-    const std::size_t from = readme.find(begin), to = readme.find(end);
+    const std::size_t from = page.find(begin), to = page.find(end);
     ASSERT_NE(from, std::string::npos);
     ASSERT_NE(to, std::string::npos);
-    EXPECT_EQ(readme.substr(from + begin.size(), to - from - begin.size()), samplers_markdown());
+    EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), samplers_markdown());
 }
 
 TEST(SamplerHelp, SaysWhatHoldsWhereNothingIsGiven)
@@ -30,6 +31,17 @@ TEST(SamplerHelp, SaysWhatHoldsWhereNothingIsGiven)
     EXPECT_THAT(text, HasSubstr("rho that every tiling has at least; default 0.75\n"));
     EXPECT_THAT(text, HasSubstr("the method that makes the sets to begin with; default random\n"));
     EXPECT_THAT(text, HasSubstr("in units of the torus' side; by default what gives about analysis.points points\n"));
+}
+
+TEST(SamplerHelp, EverySamplerHasAGuide)
+{
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        SCOPED_TRACE(sampler.name);
+        ASSERT_NO_THROW(sampler_guide(sampler.name));
+        for (const std::string& text :
+             {sampler_guide(sampler.name).source, sampler_guide(sampler.name).use, sampler_guide(sampler.name).avoid})
+            EXPECT_TRUE(text.ends_with(".")) << text;
+    }
 }
 
 TEST(SamplerHelp, OptionsOfCommandsSayTheSame)

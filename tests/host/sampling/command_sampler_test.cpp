@@ -280,9 +280,9 @@ TEST_F(CommandSampling, SeriesAreNamedAfterTheProgram)
     EXPECT_EQ(plan[3].label, "Mine");
 }
 
-TEST(YourMethod, IsWhatTheReadmeShows)
+TEST(YourMethod, IsWhatTheDocumentationShows)
 {
-    const std::string readme = content_of(source_folder() + "/README.md");
+    const std::string page = content_of(source_folder() + "/docs/your-method.md");
     const auto expect_lines_of = [&](const std::string& file, const std::string& first, const std::string& last) {
         std::istringstream lines(content_of((source_folder() + "/configs/") + file));
         bool inside = false;
@@ -292,7 +292,7 @@ TEST(YourMethod, IsWhatTheReadmeShows)
             if (inside) shown += "    " + line + "\n";
             if (line.starts_with(last)) break;
         }
-        EXPECT_THAT(readme, HasSubstr(shown)) << file;
+        EXPECT_THAT(page, HasSubstr(shown)) << file;
     };
     expect_lines_of("your-method.awk", "#", "}");
     expect_lines_of("your-method.toml", "[[method]]", "label");

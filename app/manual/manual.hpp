@@ -1,0 +1,32 @@
+// The pages of the documentation that follow from the program's own descriptions: of methods, measures and commands.
+#pragma once
+
+#include "app/commands/command.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The texts of pages in Markdown, by their file names relative to the folder of the documentation. They link to pages
+/// and pictures that the checkout has there.
+using ManualPages = std::map<std::string, std::string>;
+
+/// A page a method, methods/NAME.md, and methods.md, which helps to choose one.
+ManualPages method_pages();
+
+/// The table of docs/results.md: all methods of the gallery in the plane, by the measures that methods are chosen by.
+std::string scale_table();
+
+/// measures.md: every measure, what it means, and what is good and bad of it.
+std::string measure_page();
+
+/// commands.md: every command with all its options.
+std::string command_page(const std::vector<Command>& commands);
+
+/// Writes all of these and the curves of methods, methods/NAME.svg. Throws StorageError.
+void write_manual(const std::filesystem::path& folder, const std::vector<Command>& commands);
+
+}
