@@ -71,11 +71,10 @@ def ratio_row(name, value, target):
 def scale_rows(output):
     for line in output:
         if found := SCALE.match(line):
-            name, size, seconds, busy, rate, memory, exponent = found.groups()
-            yield (f"| {name} | {int(size):,} | {float(seconds):.2f} | {float(busy):.2f} | {int(rate):,} | {int(memory):,} | "
-                   f"{exponent or ''} |")
+            name, size, _, busy, _, memory, exponent = found.groups()
+            yield f"| {name} | {int(size):,} | {float(busy):.2f} s | {int(memory):,} | {exponent or ''} |"
         elif found := ENDED.match(line):
-            yield f"| {found.group(1)} | {int(found.group(2)):,} | {found.group(3)} | | | | |"
+            yield f"| {found.group(1)} | {int(found.group(2)):,} | {found.group(3)} | | |"
 
 
 def main():
@@ -84,11 +83,11 @@ def main():
     print(HEAD.format(date=date, machine=name))
     rows = list(scale_rows(output))
     if rows:
-        print("## What a set costs, by its size\n\nOne set, alone on the machine. Methods that move points make few moves "
-              "here: their time is proportional to the moves. The exponent is that of processor time between the last "
+        print("## What a set costs, by its size\n\nSeconds of all processors together, for one set. Methods that move "
+              "points make few moves here: their time is proportional to the moves. The exponent is that of processor time between the last "
               "two sizes; in proportion to N log N it is 1.08.\n")
-        print("| method | points | s | s of processors | points/s | MiB | exponent |")
-        print("| --- | --- | --- | --- | --- | --- | --- |\n" + "\n".join(rows))
+        print("| method | points | processor time | MiB | exponent |")
+        print("| --- | --- | --- | --- | --- |\n" + "\n".join(rows))
     for heading, ratios in sections_of(output).items():
         if ratios:
             print(f"\n## {heading}\n\n| | | target |\n| --- | --- | --- |")

@@ -52,27 +52,29 @@ TEST_F(DocumentationSite, HasNoDeadLinksAndNothingFromTheNet)
     EXPECT_EQ(checked.status, 0) << checked.out << checked.error;
 }
 
-TEST_F(DocumentationSite, IsQuietWideNarrowAndInTheDark)
+/// A reader's first page decides whether pages are dark, and all others follow: each theme has a browser of its own.
+void look_at_pages(const std::filesystem::path& site, bool dark)
 {
     test::Browser browser;
+    browser.emulate("screen", dark);
     for (const char* page : {"index.html", "docs/start.html", "docs/methods/gaussian-blue-noise.html",
                              "docs/measures.html", "docs/results.html", "docs/commands.html", "runtime/index.html"}) {
         for (const int width : {1280, 400}) {
-            for (const bool dark : {false, true}) {
-                SCOPED_TRACE(fmt::format("{}, {} pixels, {}", page, width, dark ? "dark" : "light"));
-                browser.resize(width, 900, width < 800);
-                browser.emulate("screen", dark);
-                browser.open(site() / page);
-                EXPECT_THAT(browser.messages(), IsEmpty());
-                EXPECT_THAT(browser.requests(), IsEmpty());
-                EXPECT_EQ(browser.evaluate("document.body.dataset.mdColorScheme"), dark ? "slate" : "default");
-                EXPECT_LE(browser.evaluate("document.documentElement.scrollWidth").get<int>(), width);
-                EXPECT_EQ(browser.evaluate("[...document.images].filter(i => i.complete && !i.naturalWidth).length"),
-                          0);
-            }
+            SCOPED_TRACE(fmt::format("{}, {} pixels, {}", page, width, dark ? "dark" : "light"));
+            browser.resize(width, 900, width < 800);
+            browser.open(site / page);
+            EXPECT_THAT(browser.messages(), IsEmpty());
+            EXPECT_THAT(browser.requests(), IsEmpty());
+            EXPECT_EQ(browser.evaluate("document.body.dataset.mdColorScheme"), dark ? "slate" : "default");
+            EXPECT_LE(browser.evaluate("document.documentElement.scrollWidth").get<int>(), width);
+            EXPECT_EQ(browser.evaluate("[...document.images].filter(i => i.complete && !i.naturalWidth).length"), 0);
         }
     }
 }
+
+TEST_F(DocumentationSite, IsQuietWideAndNarrow) { look_at_pages(site(), false); }
+
+TEST_F(DocumentationSite, IsQuietInTheDark) { look_at_pages(site(), true); }
 
 TEST_F(DocumentationSite, FindsEveryPublicName)
 {
@@ -131,7 +133,7 @@ TEST_P(Tutorial, Runs)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Tutorial, testing::Values("compare", "engine", "portrait", "method", "cluster"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& tutorial) { return std::string(tutorial.param); });
 
 }
 }
