@@ -9,7 +9,8 @@ namespace poissonlab::test {
 
 namespace {
 
-/// The largest values that keys keep. Spheres need more points, in tiles as in sets; so do coarse sets, of levels.
+/// The largest values that keys keep. Spheres need more points, in tiles as in sets; so do coarse sets, of levels, and
+/// tiles with equal second moments.
 std::map<std::string, long> largest_values(const std::string& toml)
 {
     std::map<std::string, long> values{
@@ -17,6 +18,7 @@ std::map<std::string, long> largest_values(const std::string& toml)
         {"joint_iterations", 2}, {"attempts", 20},    {"levels", 1}, {"tiles", 16},     {"spectrum_size", 256},
         {"points_per_tile", 16}, {"size", 256},       {"colors", 4}};
     if (toml.find("dimension = 3") != std::string::npos) values["points"] = 2048, values["points_per_tile"] = 128;
+    if (toml.find("equal_moments = 2") != std::string::npos) values["points_per_tile"] = 32;
     if (toml.find("levels = ") != std::string::npos) values["points"] = 1024;
     return values;
 }
