@@ -6,6 +6,8 @@
 // The exponent is of that time, which other work on the machine changes less: n to 1.15 n log n allows between the last
 // two sizes, whose logarithms' ratio is 20 / 18, which is an exponent of 1.08. Numbers of moves are small: they are the
 // same at each size, and a method's time is their number times that of one.
+//
+// With --table: the rows of docs/scale.md, at 10^4 to 10^7 points, as far as sets are expected within half a minute.
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "host/device/device.hpp"
@@ -156,6 +158,12 @@ std::optional<Figures> figures_of(const Method& method, std::size_t points, std:
     return std::nullopt;
 }
 
+double exponent_between(const Figures& before, const Figures& figures)
+{
+    return std::log(figures.processor_seconds / before.processor_seconds) /
+           std::log(static_cast<double>(figures.points) / static_cast<double>(before.points));
+}
+
 /// True where the time grows as it should, as far as it is known.
 bool tell_growth(const Method& method)
 {
@@ -175,9 +183,7 @@ bool tell_growth(const Method& method)
                     figures->processor_seconds, static_cast<double>(figures->points) / figures->seconds,
                     figures->peak_mebibytes);
         if (before) {
-            const double exponent =
-                std::log(figures->processor_seconds / before->processor_seconds) /
-                std::log(static_cast<double>(figures->points) / static_cast<double>(before->points));
+            const double exponent = exponent_between(*before, *figures);
             is_reached = size != sizes.back() || exponent <= most_exponent;
             std::printf("  exponent %.2f%s", exponent, is_reached ? "" : ", MISSED");
         }
@@ -187,19 +193,57 @@ bool tell_growth(const Method& method)
     return is_reached;
 }
 
+/// A line of the table in the manual.
+void print_row(const Method& method)
+{
+    constexpr double most_growth = 13; // in time, where points become ten times as many
+    constexpr double most_expected = 30;
+    std::string cells;
+    std::optional<Figures> before;
+    std::string exponent = "";
+    for (const std::size_t size : {10'000, 100'000, 1'000'000, 10'000'000}) {
+        std::string why = "expected to take too long";
+        const bool is_tried = size == 10'000 || (before && before->processor_seconds * most_growth < most_expected);
+        const auto figures = is_tried ? figures_of(method, size, why) : std::nullopt;
+        char cell[64] = " | ";
+        if (figures)
+            std::snprintf(cell, sizeof cell, " | %.3g s, %.2g GB", figures->processor_seconds,
+                          figures->peak_mebibytes * 1.048576e-3);
+        cells += cell;
+        if (figures && before && before->processor_seconds > 0.01) {
+            char text[16];
+            std::snprintf(text, sizeof text, "%.2f", exponent_between(*before, *figures));
+            exponent = text;
+        }
+        before = figures;
+    }
+    const std::string keys = method.table.empty() ? "" : ", `" + method.table + "`";
+    std::printf("| `%s`%s | %dD%s | %s |\n", method.name.c_str(), keys.c_str(), method.dimension, cells.c_str(),
+                exponent.c_str());
+    std::fflush(stdout);
+}
+
 }
 }
 
-/// --benchmark_filter=REGEX: only methods whose names it finds.
+/// --benchmark_filter=REGEX: only methods whose names it finds. --table: for the manual.
 int main(int argc, char** argv)
 {
     using namespace poissonlab::bench;
     const std::string key = "--benchmark_filter=";
     std::regex filter;
-    for (int i = 1; i < argc; ++i)
+    bool is_table = false;
+    for (int i = 1; i < argc; ++i) {
         if (std::string(argv[i]).starts_with(key)) filter = argv[i] + key.size();
+        is_table = is_table || std::string(argv[i]) == "--table";
+    }
     bool are_reached = true;
-    for (const Method& method : methods)
-        if (std::regex_search(name_of(method), filter)) are_reached = tell_growth(method) && are_reached;
+    for (const Method& method : methods) {
+        if (!std::regex_search(name_of(method), filter)) continue;
+        if (is_table)
+            print_row(method);
+        else
+            are_reached = tell_growth(method) && are_reached;
+    }
     return are_reached ? 0 : 1;
 }
