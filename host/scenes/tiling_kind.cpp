@@ -188,6 +188,7 @@ void tile_set_picture_keys(Keys& keys, ShownTiling& s)
     keys.word("tiles", s.set, names, "the set");
     keys.value("indices", "a list of tile indices", "the tiles of the set, instead of one that has a name",
                [&](const ConfigNode& node) { read_given_set(keys, node, s); })
+        .otherwise("those of the set")
         .excludes("tiles");
     color_keys(keys, s.request, s.set);
     region_keys(keys, s);
@@ -203,7 +204,8 @@ void tiling_keys(Keys& keys, ShownTiling& s)
     keys.word("algorithm", request.algorithm, names, "how tiles are chosen");
     if (s.is_drawn)
         keys.value("indices", "rows [[..], [..]] of tile indices", "the tiles themselves, north first",
-                   [&](const ConfigNode& node) { read_given_tiles(keys, node, request); });
+                   [&](const ConfigNode& node) { read_given_tiles(keys, node, request); })
+            .otherwise("those of the algorithm");
     color_keys(keys, request, request.algorithm, !s.is_drawn);
     hash_keys(keys, request);
     check_own_keys(keys, s);

@@ -62,7 +62,7 @@ TEST_F(Completion, KnowsTwoShells)
 {
     EXPECT_THAT(printed("zsh"), HasSubstr("#compdef poissonlab"));
     EXPECT_THAT(printed("zsh"), HasSubstr("'tiles build --engine' 'opencl reference'"));
-    expect_error("fish", "completion: SHELL fish: must be one of \"bash\", \"zsh\"");
+    expect_error("fish", "completion: SHELL fish: must be one of \"bash\", \"zsh\"; did you mean \"bash\"?");
 }
 
 }

@@ -39,7 +39,7 @@ protected:
 TEST_F(ExhibitRun, OfAnyKindStandsWithoutTheMethodThatIsMissing)
 {
     const std::string missing =
-        "[[method]]\nsampler = \"command\"\ncommand = \"no-such-program-anywhere {points} {seed} {out}\"\n";
+        "[[method]]\nsampler = \"command\"\ncommand = \"true {points} {seed} {out}\"\nneeds = \"false\"\n";
     for (const std::string table : {"[[scheme]]\nkind = \"corner-problem\"\n", "[[packing]]\n", "[[tile_set]]\n",
                                     "[[construction]]\nkind = \"set\"\nshow = \"lloyd\"\npoints = 9\n"}) {
         const Outcome outcome = run(missing + table);

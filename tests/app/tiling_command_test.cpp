@@ -174,7 +174,10 @@ TEST_F(TilingCommand, WrongArguments)
                  "tiling by scanlines: width = 9223372036854775807: must be at most 4294967296");
 }
 
-TEST_F(TilingCommand, SaysHowToUseIt) { EXPECT_THAT(printed("--help"), testing::HasSubstr("--window X Y W H")); }
+TEST_F(TilingCommand, SaysHowToUseIt)
+{
+    EXPECT_THAT(printed("--help"), testing::HasSubstr("--window X Y WIDTH HEIGHT"));
+}
 
 }
 }

@@ -43,5 +43,32 @@ class Kinds(unittest.TestCase):
             distribute.stipple(image="0.5", points=9, colour=2)
 
 
+class OtherKinds(unittest.TestCase):
+    def test_tile_sets_are_built(self):
+        tiles = poissonlab.tiles.build("corner", colors=2, points=16, relative_radius=0.6, engine="reference", rng=3)
+        self.assertEqual(tiles.certificate.points_per_tile, 16)
+        self.assertGreaterEqual(tiles.certificate.relative_radius, 0.6)
+        with self.assertRaisesRegex(poissonlab.InputError, r"tiles = 3: is for template tiles"):
+            poissonlab.tiles.build("corner", colors=2, points=16, tiles=3)
+
+    def test_tilings_and_packings_have_tiles(self):
+        tiling = poissonlab.tilings.tiling(kind="wang", colors=3, window=[-2, 5, 4, 3])
+        self.assertEqual(tiling.tiles.shape, (3, 4))
+        packing = poissonlab.tilings.packing(kind="corner", colors=2)
+        self.assertEqual(sorted(packing.tiles.ravel()), list(range(16)))
+
+    def test_textures_are_built(self):
+        made = poissonlab.texture.build("wang", pattern="noise", pattern_size=64, size=16, colors=2, attempts=2,
+                                        show=["tiling"], engine="reference")
+        self.assertEqual(made.numbers["tiles"], 16)
+        self.assertIn("tiling", made.pictures)
+
+    def test_schemes_and_constructions_are_drawn(self):
+        self.assertTrue(poissonlab.tilings.isohedral(type=16, random=True, rng=5).pictures)
+        self.assertTrue(poissonlab.tilings.set(show="lloyd", points=9).pictures)
+        with self.assertRaisesRegex(poissonlab.InputError, r"type = 94: must be an integer from 1 to 93"):
+            poissonlab.tilings.isohedral(type=94)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -246,6 +246,7 @@ Keys::Said Keys::whole_numbers(const std::string& key, std::vector<std::int64_t>
                                                       : ""));
     }
     resolve(key, fmt::format("{}", values));
+    if (!values.empty()) spec.value.otherwise = fmt::format("{}", values);
     return describe(std::move(spec));
 }
 
@@ -311,9 +312,7 @@ Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std:
     specs_.back().is_file = true;
     if (!is_given(key)) return said;
     value = named_file(text);
-    if (const std::string lack = lack_of_file(value); !lack.empty())
-        throw invalid(key, fmt::format("{}: must be {}{}", lack, what,
-                                       where_.is_argument ? "" : ", by its path from the config's folder"));
+    if (const std::string lack = lack_of_file(value); !lack.empty()) throw invalid(key, lack + ": must be " + what);
     return said;
 }
 

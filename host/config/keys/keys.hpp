@@ -140,7 +140,8 @@ public:
               const std::string& what = "a file");
     Said picture(const std::string& key, std::filesystem::path& value, std::string help)
     {
-        return file(key, value, std::move(help), "a picture's file");
+        return file(key, value, std::move(help),
+                    where_.is_argument ? "a picture's file" : "a picture's file, by its path from the config's folder");
     }
 
     /// A picture's file, or a formula, and the key `KEY_from`, which says what of the picture is meant.

@@ -45,7 +45,7 @@ void name_foreign_keys(Keys& keys, const std::vector<ParameterSpec>& own)
             if (find_spec(own, spec.key) || !named.insert(spec.key).second) continue;
             Parameters unused;
             const auto said = keys.parameter(spec, unused);
-            Keys::Said(said).only_if(false, owners_of(spec.key));
+            Keys::Said(said).only_if(false, owners_of(spec.key)).otherwise("needed by tiles that have it");
         }
 }
 
@@ -69,6 +69,7 @@ void tile_set_keys(Keys& keys, AskedTileSet& set, const TileSetDefaults& default
         if (has_all && owners_of(spec.key) != owners_of("points_per_tile")) said.only_if(true, owners_of(spec.key));
         const bool needs = !spec.otherwise && spec.unless_given.empty();
         if (needs && (!has_all || keys.is_read())) said.required();
+        if (needs && has_all && !keys.is_read()) said.otherwise("needed by tiles that have it");
         if (has_all && spec.key == "points_per_tile") said.required();
     }
     if (keys.is_read()) keys.check([&] { check(set.parameters(1)); });
