@@ -1,6 +1,6 @@
 #include "app/man_page.hpp"
 
-#include "app/option_words.hpp"
+#include "app/commands/option_words.hpp"
 #include "version.hpp"
 
 #include <fmt/format.h>

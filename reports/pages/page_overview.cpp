@@ -55,8 +55,9 @@ PageData figures(const Site& site)
 /// Empties the parts that a page over several runs has not got of its own.
 void clear_run_parts(PageData& page)
 {
-    for (const char* part : {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions",
-                             "has_textures", "has_packings", "has_distributions", "has_schemes", "gallery", "has_glance"})
+    for (const char* part :
+         {"compared", "integrated", "has_cards", "has_matrices", "has_tilings", "has_constructions", "has_textures",
+          "has_packings", "has_distributions", "has_schemes", "gallery", "has_glance"})
         page.set(part, false);
     page.set("content", "");
 }

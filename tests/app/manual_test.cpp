@@ -1,5 +1,6 @@
 // The pages of the documentation that the program writes.
-#include "app/manual/manual.hpp"
+#include "app/commands/manual/manual.hpp"
+#include "app/commands/manual/sampler_guide.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "results/measures.hpp"
 #include "tests/support/places.hpp"
@@ -36,6 +37,17 @@ TEST(Manual, EveryMethodHasAPageWithItsParametersAndStoredPictures)
             EXPECT_TRUE(!is_shown || std::filesystem::exists(source_folder() + "/docs/methods/" + file)) << file;
         }
         EXPECT_THAT(pages.at("methods.md"), HasSubstr("(methods/" + spec.name + ".md)"));
+    }
+}
+
+TEST(Manual, EverySamplerHasAGuide)
+{
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        SCOPED_TRACE(sampler.name);
+        ASSERT_NO_THROW(sampler_guide(sampler.name));
+        for (const std::string& text :
+             {sampler_guide(sampler.name).source, sampler_guide(sampler.name).use, sampler_guide(sampler.name).avoid})
+            EXPECT_TRUE(text.ends_with(".")) << text;
     }
 }
 

@@ -2,7 +2,6 @@
 #include "host/config/sampler_help.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/config/sampler_guide.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "tests/support/places.hpp"
 
@@ -31,17 +30,6 @@ TEST(SamplerHelp, SaysWhatHoldsWhereNothingIsGiven)
     EXPECT_THAT(text, HasSubstr("rho that every tiling has at least; default 0.75\n"));
     EXPECT_THAT(text, HasSubstr("the method that makes the sets to begin with; default random\n"));
     EXPECT_THAT(text, HasSubstr("in units of the torus' side; by default what gives about analysis.points points\n"));
-}
-
-TEST(SamplerHelp, EverySamplerHasAGuide)
-{
-    for (const SamplerSpec& sampler : sampler_registry()) {
-        SCOPED_TRACE(sampler.name);
-        ASSERT_NO_THROW(sampler_guide(sampler.name));
-        for (const std::string& text :
-             {sampler_guide(sampler.name).source, sampler_guide(sampler.name).use, sampler_guide(sampler.name).avoid})
-            EXPECT_TRUE(text.ends_with(".")) << text;
-    }
 }
 
 TEST(SamplerHelp, OptionsOfCommandsSayTheSame)

@@ -1,5 +1,5 @@
 // The page of measures: what each means, and which methods of the gallery are good and bad at it.
-#include "app/manual/manual.hpp"
+#include "app/commands/manual/manual.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "reports/words/measure_words.hpp"
 #include "results/measures.hpp"

@@ -1,4 +1,4 @@
-#include "app/option_words.hpp"
+#include "app/commands/option_words.hpp"
 
 #include <type_traits>
 

@@ -1,4 +1,4 @@
-#include "app/manual/manual.hpp"
+#include "app/commands/manual/manual.hpp"
 
 #include "base/files/whole_file.hpp"
 #include "host/config/sampler_registry.hpp"

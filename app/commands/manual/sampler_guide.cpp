@@ -1,4 +1,4 @@
-#include "host/config/sampler_guide.hpp"
+#include "app/commands/manual/sampler_guide.hpp"
 
 #include <algorithm>
 #include <stdexcept>

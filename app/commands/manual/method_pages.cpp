@@ -1,7 +1,7 @@
 // Pages of methods: pictures, parameters, advice, and what the gallery measured.
-#include "app/manual/manual.hpp"
+#include "app/commands/manual/manual.hpp"
+#include "app/commands/manual/sampler_guide.hpp"
 #include "host/config/parameter_values.hpp"
-#include "host/config/sampler_guide.hpp"
 #include "host/config/sampler_help.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "reports/gallery/gallery.hpp"

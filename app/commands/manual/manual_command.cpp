@@ -1,6 +1,6 @@
 // poissonlab manual: the pages of the documentation that follow from descriptions.
 #include "app/commands/command.hpp"
-#include "app/manual/manual.hpp"
+#include "app/commands/manual/manual.hpp"
 #include "base/errors/errors.hpp"
 
 #include <fmt/format.h>
