@@ -98,7 +98,8 @@ TEST_F(ReportTest, ShowsTheStoredNumbers)
     const auto text = page();
     for (const auto& series : results()["series"]) {
         const auto name = series["name"].get<std::string>();
-        const auto begin = text.find(fmt::format("<a href=\"{}/index.html\">", name));
+        const auto begin =
+            text.find(fmt::format("<a href=\"{}/index.html\">", name), text.find("<table id=\"ranking\">"));
         const auto row = text.substr(begin, text.find("</tr>", begin) - begin);
         const auto own = page(name + "/index.html");
         const auto shows = [&](const std::string& key, double exact, const std::string& words) {
