@@ -231,7 +231,7 @@ int main(int argc, char** argv)
 {
     using namespace poissonlab::bench;
     const std::string key = "--benchmark_filter=";
-    std::regex filter;
+    std::regex filter{""}; // which all names match
     bool is_table = false;
     for (int i = 1; i < argc; ++i) {
         if (std::string(argv[i]).starts_with(key)) filter = argv[i] + key.size();

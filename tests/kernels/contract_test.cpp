@@ -101,8 +101,8 @@ TEST(Contract, OfTileFilling)
     EXPECT_THAT(on_device(file, layout_of("Darts", "attempts")), ElementsAreArray(darts));
     const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_moving)};
     EXPECT_THAT(on_device(file, layout_of("Relaxation", "max_moving")), ElementsAreArray(relaxation));
-    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, unused)};
-    EXPECT_THAT(on_device(file, layout_of("Repulsion", "unused")), ElementsAreArray(repulsion));
+    const std::size_t repulsion[] = {LAYOUT_OF(Repulsion, monomials)};
+    EXPECT_THAT(on_device(file, layout_of("Repulsion", "monomials")), ElementsAreArray(repulsion));
 }
 
 TEST(Contract, OfTilePoints)
