@@ -134,7 +134,8 @@ def build(kind="corner", /, **keys):
     kind: "corner", "edge", "template" or "sphere". Other parameters are those of `poissonlab tiles build`: help(tiles.keys)
     has them all. Returns a TileSet; rng, engine and device: see Sampler.
     """
-    return TileSet(_build(kind=kind, **keys).files[0])
+    made = _build(kind=kind, **keys)  # its file is there as long as it is
+    return TileSet(made.files[0])
 
 
 #: The function that build() calls, with all keys: help(tiles.keys).

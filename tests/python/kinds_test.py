@@ -46,8 +46,8 @@ class Kinds(unittest.TestCase):
 class OtherKinds(unittest.TestCase):
     def test_tile_sets_are_built(self):
         tiles = poissonlab.tiles.build("corner", colors=2, points=16, relative_radius=0.6, engine="reference", rng=3)
-        self.assertEqual(tiles.certificate.points_per_tile, 16)
-        self.assertGreaterEqual(tiles.certificate.relative_radius, 0.6)
+        self.assertEqual((tiles.kind, tiles.colors, tiles.tiles, tiles.points_per_tile), ("corner", 2, 16, 16))
+        self.assertGreaterEqual(tiles.verify().relative_radius, 0.6)
         with self.assertRaisesRegex(poissonlab.InputError, r"tiles = 3: is for template tiles"):
             poissonlab.tiles.build("corner", colors=2, points=16, tiles=3)
 

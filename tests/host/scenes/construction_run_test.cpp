@@ -174,7 +174,8 @@ TEST_F(ConstructionRun, SaysWhichTableCannotBeMade)
                             "relative_radius = 0.97\nlloyd_iterations = 0\nrepulsion = false\n");
     const Outcome outcome = run_program(folder_.path(), {"run", "c.toml", "--out", "out"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.error, testing::HasSubstr("c.toml:2: [[construction]]: relative_radius = 0.97: one of the corners"));
+    EXPECT_THAT(outcome.error,
+                testing::HasSubstr("c.toml:2: [[construction]]: relative_radius = 0.97: one of the corners"));
 }
 
 }
