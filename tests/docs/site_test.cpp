@@ -52,6 +52,14 @@ TEST_F(DocumentationSite, HasNoDeadLinksAndNothingFromTheNet)
     EXPECT_EQ(checked.status, 0) << checked.out << checked.error;
 }
 
+/// Misspellings that people often make; the pages that follow from descriptions, such as all help, are among these.
+TEST_F(DocumentationSite, IsSpelledWell)
+{
+    const Outcome checked = run_in_shell(folder_->path(), "find work -name '*.md' -exec codespell {} +");
+    EXPECT_EQ(checked.status, 0) << checked.error;
+    EXPECT_EQ(checked.out, "");
+}
+
 /// A reader's first page decides whether pages are dark, and all others follow: each theme has a browser of its own.
 void look_at_pages(const std::filesystem::path& site, bool dark)
 {
