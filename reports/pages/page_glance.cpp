@@ -17,6 +17,9 @@ namespace {
 /// More series would push everything else off the page: they are cards.
 constexpr std::size_t most_at_a_glance = 12;
 
+/// The series of smaller runs are all shown large, those of tables of pictures as well.
+constexpr std::size_t most_in_small_run = 6;
+
 /// The limits of the sentence.
 constexpr double glance_far_apart = 0.65, glance_near = 0.4; ///< relative radius
 constexpr double glance_quiet = 0.02, glance_noisy = 0.5;    ///< mean power at low frequencies
@@ -105,11 +108,16 @@ PageData glance_pictures(const ReportSeries& series, const std::filesystem::path
     return list;
 }
 
+bool is_at_a_glance(const ReportRun& run, const ReportSeries& series)
+{
+    return run.series.size() <= most_in_small_run || !is_in_matrix(series);
+}
+
 }
 
 bool has_glance(const ReportRun& run)
 {
-    const auto shown = std::ranges::count_if(run.series, [](const ReportSeries& s) { return !is_in_matrix(s); });
+    const auto shown = std::ranges::count_if(run.series, [&](const auto& s) { return is_at_a_glance(run, s); });
     return shown > 0 && static_cast<std::size_t>(shown) <= most_at_a_glance;
 }
 
@@ -118,7 +126,7 @@ PageData glance(const ReportRun& run, const std::filesystem::path& page_folder)
     PageData list{PageData::type::list};
     for (std::size_t i = 0; i < run.series.size(); ++i) {
         const ReportSeries& series = run.series[i];
-        if (is_in_matrix(series)) continue;
+        if (!is_at_a_glance(run, series)) continue;
         PageData row = series_identity(series, i);
         row.set("link", relative_link(page_folder, page_of(series)));
         row.set("pictures", glance_pictures(series, page_folder));

@@ -81,7 +81,7 @@ PageData matrices(const ReportRun& run, const std::filesystem::path& page_folder
 /// True if a series is in one of these tables.
 bool is_in_matrix(const ReportSeries& series);
 
-/// True if the series of a run that are in no matrix are few enough to be shown large.
+/// True if the series of a run, in large runs those that are in no matrix, are few enough to be shown large.
 bool has_glance(const ReportRun& run);
 
 /// These series: points and spectrum beside each other, and a sentence on what is good and wrong.

@@ -92,7 +92,22 @@ TEST_F(SiteTest, AGridIsATableOfPictures)
     EXPECT_LT(table.find("<td></td>"), table.find("regular/index.html"));
     EXPECT_EQ(test::count_of(table, "<img "), 3 * 3) << "spectrum, radial power and points";
     EXPECT_EQ(test::count_of(table, " hidden=\"hidden\""), 3 * 2) << "but for the spectra";
-    EXPECT_THAT(text, Not(HasSubstr("Series by series"))) << "no cards of what is in a table";
+    EXPECT_EQ(test::count_of(text, "<article class=\"glance\">"), 3) << "small runs show all series large as well";
+}
+
+TEST_F(SiteTest, LargeRunsShowSeriesOfTablesOnlyThere)
+{
+    repeat_series(std::vector<std::string>(7, "corner-tiles"));
+    std::vector<std::string> values;
+    for (int i = 0; i < 7; ++i) {
+        json_["series"][i]["method"] = 0;
+        json_["series"][i]["place"] = {i};
+        values.push_back(fmt::format("{}", i));
+    }
+    json_["methods"] = {
+        {{"sampler", "corner-tiles"}, {"label", ""}, {"axes", {{{"key", "c"}, {"symbol", "C"}, {"values", values}}}}}};
+    page();
+    EXPECT_THAT(file("index.html"), Not(HasSubstr("Series by series")));
 }
 
 TEST_F(SiteTest, ATableIsCalledWhatItsSeriesHaveInCommon)
@@ -115,7 +130,7 @@ TEST_F(SiteTest, OneAxisIsARow)
     const auto text = file("index.html");
     EXPECT_THAT(text, HasSubstr("<h2>Darts</h2>"));
     EXPECT_EQ(test::count_of(text, "<th scope=\"col\">ρ = "), 2);
-    EXPECT_EQ(test::count_of(text, "<article class=\"glance\">"), 1) << "of the series that is in no grid";
+    EXPECT_EQ(test::count_of(text, "<article class=\"glance\">"), 3);
 }
 
 TEST_F(SiteTest, FurtherAxesMakeATableForEachOfTheirValues)
