@@ -54,6 +54,21 @@ TEST_F(TilesPointsCommand, WritesAWindowInEveryFormat)
                 StartsWith("# domain 0:8\n# poissonlab tiles points tiles."));
 }
 
+/// The same bytes, of windows, tori and parts of the points.
+TEST_F(TilesPointsCommand, EitherEngineMakesTheSameFile)
+{
+    write_tile_set(folder_.path() / "spheres.ptiles", random_tile_set(PoissonTileKind::corner, 3, 2, 8));
+    for (const std::string arguments :
+         {"tiles.ptiles --window -3 5 4 7", "tiles.ptiles --torus 5", "tiles.ptiles --window 0 0 9 9 --density 0.4",
+          "spheres.ptiles --window -1 -2 3 4 2 3", "spheres.ptiles --torus 3"}) {
+        ASSERT_EQ(run(arguments + " --out device.npy").status, 0) << arguments;
+        ASSERT_EQ(run(arguments + " --engine reference --out reference.npy").status, 0) << arguments;
+        EXPECT_EQ(content_of(folder_.path() / "device.npy"), content_of(folder_.path() / "reference.npy")) << arguments;
+    }
+    expect_error("tiles.ptiles --torus 5 --engine foo --out x.npy",
+                 "--engine foo: must be one of \"opencl\", \"reference\"");
+}
+
 TEST_F(TilesPointsCommand, WritesSpheres)
 {
     const PoissonTileSet spheres = random_tile_set(PoissonTileKind::corner, 3, 2, 8);
