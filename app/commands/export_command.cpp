@@ -19,14 +19,16 @@ struct ExportOptions
     bool plots = false;
     bool points = false;
     bool gallery = false;
+    bool claims = false;
     bool quiet = false;
 };
 
 void export_files(const ExportOptions& options)
 {
     Progress progress(Progress::detect(options.quiet));
-    const bool all = !options.plots && !options.points && !options.gallery;
-    export_results(options.folders, options.out, {all || options.plots, all || options.points, options.gallery},
+    const bool all = !options.plots && !options.points && !options.gallery && !options.claims;
+    export_results(options.folders, options.out,
+                   {all || options.plots, all || options.points, options.gallery, options.claims},
                    [&](const std::string& step) { progress.step("export: " + step); });
     progress.report(options.out.string());
 }
@@ -43,6 +45,7 @@ Command export_command()
              {"--plots", &o->plots, "Only plots"},
              {"--points", &o->points, "Only point sets"},
              {"--gallery", &o->gallery, "The tables of a gallery of reference curves instead"},
+             {"--claims", &o->claims, "What papers claim and what the results say of it, as claims.csv, instead"},
              {"--quiet", &o->quiet, "Print nothing but errors and the path"}},
             export_notes,
             action_on(o, export_files)};

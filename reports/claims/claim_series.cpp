@@ -101,8 +101,14 @@ std::optional<Estimate> estimate_in(const DistributionResult& distribution, cons
     return Estimate{found->value, found->standard_error};
 }
 
+void ClaimSeries::note(const SeriesQuery& query) const
+{
+    if (std::ranges::find(asked_, query.sampler) == asked_.end()) asked_.push_back(query.sampler);
+}
+
 std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) const
 {
+    note(query);
     std::vector<const ReportSeries*> found;
     std::ranges::copy_if(series_, std::back_inserter(found), [&](const auto* series) { return fits(*series, query); });
     return found;
@@ -110,6 +116,7 @@ std::vector<const ReportSeries*> ClaimSeries::all(const SeriesQuery& query) cons
 
 const ReportSeries* ClaimSeries::one(const SeriesQuery& query) const
 {
+    note(query);
     const auto found = std::ranges::find_if(series_, [&](const auto* series) { return fits(*series, query); });
     return found == series_.end() ? nullptr : *found;
 }

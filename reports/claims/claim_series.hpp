@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace poissonlab {
@@ -56,6 +57,9 @@ public:
     /// A number of the first scheme of a kind that has it.
     std::optional<double> scheme_number(const std::string& kind, const std::string& key) const;
 
+    /// The samplers whose series were asked for since this was called last, in that order, each once.
+    std::vector<std::string> take_asked() const { return std::exchange(asked_, {}); }
+
     /// The strength of the false rings in the zone plate of a series; empty where there is no plate of enough pixels.
     struct Rings
     {
@@ -64,9 +68,13 @@ public:
     std::optional<Rings> false_rings(const ReportSeries& series) const;
 
 private:
+    /// Notes the sampler of a query: so the methods that a claim is about follow from what it looks at.
+    void note(const SeriesQuery& query) const;
+
     std::vector<const ReportSeries*> series_;
     std::vector<const DistributionResult*> distributions_;
     std::map<const ReportSeries*, Rings> rings_;
+    mutable std::vector<std::string> asked_;
 };
 
 /// A number of a distribution by its key; with its error, where it is a mean over several sets.

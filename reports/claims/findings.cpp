@@ -22,6 +22,23 @@ std::optional<double> joint_error(const std::optional<double>& first, const std:
 
 }
 
+const char* name_of(Agreement agreement)
+{
+    switch (agreement) {
+    case Agreement::agrees:
+        return "agrees";
+    case Agreement::partly:
+        return "partly";
+    case Agreement::disagrees:
+        return "disagrees";
+    case Agreement::open:
+        return "open";
+    case Agreement::shown:
+        break;
+    }
+    return "shown";
+}
+
 Agreement agreement_of(Finding finding)
 {
     return finding == Finding::open ? Agreement::open : agreement_if(finding == Finding::holds);

@@ -16,6 +16,9 @@ enum class Agreement
     shown, ///< not judged: no result could refute it, or it depends on the machine
 };
 
+/// "agrees", "partly", "disagrees", "open", "shown".
+const char* name_of(Agreement agreement);
+
 inline Agreement agreement_if(bool holds) { return holds ? Agreement::agrees : Agreement::disagrees; }
 
 /// One case of a claim.

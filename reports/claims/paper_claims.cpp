@@ -56,8 +56,11 @@ std::vector<JudgedClaim> judge_claims(const std::vector<const ReportSeries*>& se
     const ClaimSeries finder(series, distributions);
     std::vector<JudgedClaim> judged;
     for (const Paper& paper : papers())
-        for (const PaperClaim& claim : paper.claims)
-            if (auto outcome = claim.measure(finder)) judged.push_back({&paper, &claim, std::move(*outcome)});
+        for (const PaperClaim& claim : paper.claims) {
+            auto outcome = claim.measure(finder);
+            auto samplers = finder.take_asked();
+            if (outcome) judged.push_back({&paper, &claim, std::move(*outcome), std::move(samplers)});
+        }
     return judged;
 }
 

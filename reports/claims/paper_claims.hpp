@@ -50,6 +50,7 @@ struct JudgedClaim
     const Paper* paper = nullptr;
     const PaperClaim* claim = nullptr;
     ClaimOutcome outcome;
+    std::vector<std::string> samplers = {}; ///< of the methods that it looked for
 };
 
 /// The claims that series, distributions and schemes can answer, paper by paper. Throws InputError for pictures of the

@@ -2,10 +2,9 @@
 
 #include "analysis/spectra/radial_statistics.hpp"
 #include "analysis/statistics/jackknife.hpp"
-#include "base/errors/errors.hpp"
 #include "base/files/csv_fields.hpp"
-#include "base/files/text_lines.hpp"
 #include "reports/gallery/gallery_file.hpp"
+#include "reports/gallery/table_reader.hpp"
 #include "results/measures.hpp"
 
 #include <fmt/format.h>
@@ -80,45 +79,7 @@ void add_gallery_method(const GallerySource& source, GalleryTables& tables)
                        bin.power, bin.power_error, bin.anisotropy_db);
 }
 
-/// Goes through the lines of a table below its header.
-class GalleryReader
-{
-public:
-    GalleryReader(std::string_view text, std::string_view file, std::string_view header)
-        : file_(file), columns_(static_cast<std::size_t>(std::ranges::count(header, ',')) + 1), lines_(text)
-    {
-        if (!lines_.next() || lines_.line() != header) throw error("must be the header " + std::string(header));
-    }
-
-    bool next()
-    {
-        if (!lines_.next()) return false;
-        auto fields = csv_fields(lines_.line());
-        if (!fields) throw error("must close its quotes, with a comma behind");
-        if (fields->size() != columns_) throw error(fmt::format("must have {} columns", columns_));
-        fields_ = std::move(*fields);
-        return true;
-    }
-
-    const std::string& text(std::size_t column) const { return fields_[column]; }
-
-    double number(std::size_t column) const
-    {
-        double value = 0;
-        if (!parse_number(fields_[column], value)) throw error(fmt::format("\"{}\" must be a number", fields_[column]));
-        return value;
-    }
-
-    InputError error(const std::string& why) const { return InputError::at({file_, lines_.number()}, why); }
-
-private:
-    std::string file_;
-    std::size_t columns_;
-    LineReader lines_;
-    std::vector<std::string> fields_;
-};
-
-GalleryMethod gallery_method_of(const GalleryReader& line)
+GalleryMethod gallery_method_of(const TableReader& line)
 {
     GalleryMethod method;
     method.name = line.text(0);
@@ -136,7 +97,7 @@ GalleryMethod gallery_method_of(const GalleryReader& line)
 }
 
 /// The method that a line of another table is about.
-GalleryMethod& method_named(std::vector<GalleryMethod>& methods, const GalleryReader& line)
+GalleryMethod& method_named(std::vector<GalleryMethod>& methods, const TableReader& line)
 {
     const auto found = std::ranges::find(methods, line.text(0), &GalleryMethod::name);
     if (found == methods.end()) throw line.error(line.text(0) + " is no method of " + std::string(methods_file));
@@ -161,14 +122,14 @@ GalleryTables gallery_tables(const std::vector<GallerySource>& sources)
 std::vector<GalleryMethod> read_gallery(const GalleryTables& tables)
 {
     std::vector<GalleryMethod> gallery;
-    for (GalleryReader line(tables.methods, methods_file, methods_header); line.next();)
+    for (TableReader line(tables.methods, methods_file, methods_header); line.next();)
         gallery.push_back(gallery_method_of(line));
-    for (GalleryReader line(tables.measures, measures_file, measures_header); line.next();) {
+    for (TableReader line(tables.measures, measures_file, measures_header); line.next();) {
         Estimate& estimate = method_named(gallery, line).measures[line.text(1)];
         estimate.value = line.number(2);
         if (!line.text(3).empty()) estimate.standard_error = line.number(3);
     }
-    for (GalleryReader line(tables.curves, curves_file, curves_header); line.next();) {
+    for (TableReader line(tables.curves, curves_file, curves_header); line.next();) {
         Curve& curve = method_named(gallery, line).curve;
         curve.bins.push_back({line.number(1), line.number(2), line.number(4), 0, line.number(3)});
         curve.max_frequency = line.number(1);

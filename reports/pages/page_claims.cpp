@@ -12,42 +12,35 @@ namespace poissonlab {
 
 namespace {
 
-struct AgreementWords
-{
-    const char* name; ///< of the CSS class
-    const char* text;
-    const char* mark; ///< for those who do not see colours
-};
-
-AgreementWords words_of(Agreement agreement)
+/// For those who do not see colours.
+const char* mark_of(Agreement agreement)
 {
     switch (agreement) {
     case Agreement::agrees:
-        return {"agrees", "agrees", "✓"};
+        return "✓";
     case Agreement::partly:
-        return {"partly", "partly", "◐"};
+        return "◐";
     case Agreement::disagrees:
-        return {"disagrees", "disagrees", "✗"};
+        return "✗";
     case Agreement::open:
-        return {"open", "open", "?"};
+        return "?";
     case Agreement::shown:
         break;
     }
-    return {"shown", "shown", "–"};
+    return "–";
 }
 
 PageData row(const JudgedClaim& judged)
 {
-    const auto words = words_of(judged.outcome.agreement);
+    const Agreement agreement = judged.outcome.agreement;
     PageData data;
     data.set("id", "claim-" + judged.claim->id);
     data.set("section", judged.claim->section);
     data.set("says", judged.claim->says);
     data.set("criterion", judged.claim->criterion);
     data.set("measured", judged.outcome.measured);
-    data.set("agreement", words.text);
-    data.set("class", words.name);
-    data.set("mark", words.mark);
+    data.set("agreement", name_of(agreement));
+    data.set("mark", mark_of(agreement));
     return data;
 }
 

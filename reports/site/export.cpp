@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "base/points/point_file.hpp"
 #include "base/programs/interrupt.hpp"
+#include "reports/claims/claim_table.hpp"
 #include "reports/layout/site.hpp"
 #include "reports/plots/plot_export.hpp"
 #include "results/collection_file.hpp"
@@ -115,6 +116,10 @@ void export_results(const std::vector<fs::path>& result_folders, const fs::path&
     if (parts.gallery) {
         say("writing the tables of a gallery");
         export_gallery(site, exporter);
+    }
+    if (parts.claims) {
+        say("judging the papers' claims");
+        exporter.write(site.out / "claims.csv", claims_csv(judge_claims(site.series(), site.distributions())));
     }
     for (const ReportSeries* series : site.series()) {
         if (!parts.points) break;

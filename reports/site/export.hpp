@@ -14,6 +14,7 @@ struct ExportParts
     bool plots = true;    ///< each as .csv and .tex
     bool points = true;   ///< each stored set as .csv and .usda
     bool gallery = false; ///< the tables of a gallery of reference curves: methods.csv, measures.csv, curves.csv
+    bool claims = false;  ///< claims.csv: what papers claim, and what the results say of it
 };
 
 /// Writes files below `out`, in folders as a report there would have them, and named as its pictures and as the stored

@@ -71,4 +71,14 @@ TEST_F(ExportCommand, RefusesFoldersWithoutResults)
 }
 
 }
+TEST_F(ExportCommand, WritesWhatPapersClaimAndWhatWasMeasured)
+{
+    const Outcome outcome = run_program(folder_.path(), {"export", "results", "--out", "out", "--claims", "--quiet"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const std::string table = content_of(folder_.path() / "out/claims.csv");
+    EXPECT_THAT(table, StartsWith("paper,section,claim,samplers,agreement,says,criterion,measured\n\"Ares Lagae"));
+    EXPECT_THAT(table, HasSubstr(",dart-throwing"));
+    EXPECT_EQ(count(".tex"), 0U);
+}
+
 }

@@ -1,6 +1,7 @@
 // The pages of the documentation that the program writes.
 #include "app/commands/manual/manual.hpp"
 #include "app/commands/manual/sampler_guide.hpp"
+#include "base/errors/errors.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "results/measures.hpp"
 #include "tests/support/places.hpp"
@@ -13,14 +14,40 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Manual, TheTableOfResultsIsTheOneThatIsPrinted)
+TEST(Manual, PagesHaveTheResultsThatAreStored)
 {
-    const std::string page = content_of(source_folder() + "/docs/results.md");
-    const std::string begin = "<!-- printed by `poissonlab manual --scale` -->\n", end = "<!-- end of the scale -->";
-    const std::size_t from = page.find(begin), to = page.find(end);
-    ASSERT_NE(from, std::string::npos);
-    ASSERT_NE(to, std::string::npos);
-    EXPECT_EQ(page.substr(from + begin.size(), to - from - begin.size()), scale_table());
+    for (const char* name : {"/docs/results.md", "/docs/chain-tiles.md"}) {
+        const std::string page = content_of(source_folder() + name);
+        EXPECT_NE(page.find("<!--= "), std::string::npos) << name;
+        EXPECT_EQ(with_stored_results(page, name), page) << "poissonlab manual --results docs/results.md "
+                                                            "docs/chain-tiles.md puts them in anew";
+    }
+}
+
+TEST(Manual, StoredResultsArePutInByName)
+{
+    const auto filled = [](const std::string& page) { return with_stored_results(page, "p.md"); };
+    EXPECT_EQ(filled("at <!--= value regular relative_radius 4 -->0.5<!--/--> it is"),
+              "at <!--= value regular relative_radius 4 -->0.9306<!--/--> it is");
+    EXPECT_THAT(filled("<!--= measure random mean_nearest_distance 4 --><!--/-->"), HasSubstr("0.4658 ± 0.0007"));
+    EXPECT_THAT(filled("<!--= scale -->\n<!--/-->"), HasSubstr("| Random |"));
+    const std::vector<std::pair<const char*, const char*>> wrong = {
+        {"a\n<!--= value random relative_radius 4 -->", "p.md:2: <!--= must be closed by <!--/-->"},
+        {"<!--= value nobody relative_radius 4 --><!--/-->", "p.md:1: the gallery has no method nobody"},
+        {"<!--= value random beauty 4 --><!--/-->", "p.md:1: random has no measure beauty"},
+        {"<!--= words --><!--/-->", "p.md:1: \"words\": must be measure, value, scale, seams or claims"}};
+    for (const auto& [page, problem] : wrong) {
+        const auto fill = [&filled, &text = page] { filled(text); };
+        EXPECT_THAT(fill, testing::ThrowsMessage<InputError>(HasSubstr(problem)));
+    }
+}
+
+TEST(Manual, PagesOfMethodsHaveTheClaimsAboutThem)
+{
+    const ManualPages pages = method_pages();
+    EXPECT_THAT(pages.at("methods/farthest-point.md"), HasSubstr("The nearest two points come to have 0.925"));
+    EXPECT_THAT(pages.at("methods/dart-throwing.md"), HasSubstr("## What papers say"));
+    EXPECT_THAT(pages.at("methods/random.md"), testing::Not(HasSubstr("0.925 of the largest")));
 }
 
 TEST(Manual, EveryMethodHasAPageWithItsParametersAndStoredPictures)

@@ -17,8 +17,14 @@ using ManualPages = std::map<std::string, std::string>;
 /// A page a method, methods/NAME.md, and methods.md, which helps to choose one.
 ManualPages method_pages();
 
-/// The table of docs/results.md: all methods of the gallery in the plane, by the measures that methods are chosen by.
+/// All methods of the gallery in the plane, by the measures that methods are chosen by.
 std::string scale_table();
+
+/// The text of a page with what stands between `<!--= SOURCE -->` and `<!--/-->` put in anew from the tables that come
+/// with the program. Sources: `measure NAME KEY DECIMALS`, of a method of the gallery, with its error; `value NAME KEY
+/// DECIMALS`, without; the tables `scale`, `seams`, and `claims AGREEMENT`. Throws InputError with the line of a source
+/// that is not there, or of a marker that is not closed.
+std::string with_stored_results(const std::string& page, const std::string& file);
 
 /// measures.md: every measure, what it means, and what is good and bad of it.
 std::string measure_page();

@@ -4,6 +4,7 @@
 #include "host/config/parameter_values.hpp"
 #include "host/config/sampler_help.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "reports/claims/claim_table.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -126,6 +128,23 @@ std::string cost_of(const SamplerSpec& spec)
                       .substr(0, sentence(memory_growths[spec.memory_growth]).size() - 1));
 }
 
+/// Sentences of papers that looked at sets of a sampler here; more of them disagree than one would think.
+std::string claims_about(const SamplerSpec& spec)
+{
+    std::string text;
+    for (const StoredClaim& claim : reference_claims()) {
+        if (std::ranges::find(claim.samplers, spec.name) == claim.samplers.end()) continue;
+        text += fmt::format("- *{}* {}{}<br>**{}**: {}\n", claim.says, claim.paper,
+                            claim.section.empty() ? "" : ", " + claim.section, claim.agreement, claim.measured);
+    }
+    if (text.empty()) return "";
+    return "\n## What papers say\n\nEach sentence with what was measured here, judged by a criterion that reports "
+           "state; "
+           "*open*: within two standard errors, *shown*: nothing could refute it. The methods that it names are "
+           "compared, so it may stand on several pages.\n\n" +
+           text;
+}
+
 std::string method_page(const SamplerSpec& spec)
 {
     const SamplerGuide& guide = sampler_guide(spec.name);
@@ -138,7 +157,7 @@ std::string method_page(const SamplerSpec& spec)
                         guide.source);
     text += use_of(spec);
     if (!spec.parameters.empty()) text += "\n## Parameters\n\n" + parameters_markdown(spec);
-    return text + cost_of(spec) + gallery_rows(spec.name);
+    return text + cost_of(spec) + gallery_rows(spec.name) + claims_about(spec);
 }
 
 std::string choice_page()

@@ -1,0 +1,123 @@
+// Numbers and tables of pages that are written by hand, put in from the tables that come with the program.
+#include "app/commands/manual/manual.hpp"
+#include "base/errors/errors.hpp"
+#include "reports/claims/claim_table.hpp"
+#include "reports/gallery/gallery.hpp"
+#include "reports/gallery/gallery_file.hpp"
+#include "reports/gallery/table_reader.hpp"
+#include "reports/words/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::string_view marker = "<!--= ", marker_end = " -->", results_end = "<!--/-->";
+
+/// An estimate of the gallery by the words "NAME KEY DECIMALS" of a source.
+std::string gallery_number(std::istream& words, bool with_its_error)
+{
+    std::string name, key;
+    int decimals = 0;
+    words >> name >> key >> decimals;
+    const auto& gallery = reference_gallery();
+    const auto method = std::ranges::find(gallery, name, &GalleryMethod::name);
+    if (method == gallery.end()) throw InputError("the gallery has no method " + name);
+    const auto found = method->measures.find(key);
+    if (found == method->measures.end()) throw InputError(fmt::format("{} has no measure {}", name, key));
+    const Estimate& estimate = found->second;
+    const std::string value = format_fixed(estimate.value, decimals);
+    if (!with_its_error || !estimate.standard_error) return value;
+    return fmt::format("{} ± {}", value, format_fixed(*estimate.standard_error, decimals));
+}
+
+/// Measures of the seams of tilings, by the names of series and keys: docs/gallery/seams.csv.
+std::map<std::pair<std::string, std::string>, double> seam_measures()
+{
+    std::map<std::pair<std::string, std::string>, double> measures;
+    for (TableReader line(gallery_file("seams.csv"), "seams.csv", "name,measure,value,standard_error"); line.next();)
+        measures[{line.text(0), line.text(1)}] = line.number(2);
+    return measures;
+}
+
+std::string seam_table()
+{
+    const auto measures = seam_measures();
+    std::string text =
+        "| colours | tiles | strips: mean peak | share | strips together: mean peak | share | chains: mean "
+        "peak | share |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+    for (const int colors : {2, 3, 4, 6}) {
+        text += fmt::format(
+            "| {} | {} |", colors,
+            format_count(static_cast<std::uint64_t>(colors * colors) * static_cast<std::uint64_t>(colors * colors)));
+        for (const char* border : {"repulsion", "repulsion-joint-20", "border-chain"}) {
+            const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-4", colors, border);
+            const double peak = measures.at({name, "near_lattice_peaks"});
+            text += fmt::format(" {} | {} % |", format_significant(peak, peak < 100 ? 2 : 3),
+                                format_significant(100 * measures.at({name, "lattice_excess"}), 2));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+/// A cell of a table in Markdown.
+std::string cell(std::string text)
+{
+    for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
+    return text;
+}
+
+std::string claim_table(const std::string& agreement)
+{
+    std::string text = "| paper | section | says | agrees if | measured here |\n| --- | --- | --- | --- | --- |\n";
+    for (const StoredClaim& claim : reference_claims())
+        if (claim.agreement == agreement)
+            text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.paper), claim.section, cell(claim.says),
+                                cell(claim.criterion), cell(claim.measured));
+    return text;
+}
+
+std::string stored_result(const std::string& source)
+{
+    std::istringstream words(source);
+    std::string kind, agreement;
+    words >> kind;
+    if (kind == "measure" || kind == "value") return gallery_number(words, kind == "measure");
+    if (kind == "scale") return "\n" + scale_table();
+    if (kind == "seams") return "\n" + seam_table();
+    if (kind == "claims" && words >> agreement) return "\n" + claim_table(agreement);
+    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams or claims", source));
+}
+
+}
+
+std::string with_stored_results(const std::string& page, const std::string& file)
+{
+    std::string text;
+    std::size_t from = 0;
+    for (std::size_t at = 0; (at = page.find(marker, from)) != page.npos;) {
+        const int line =
+            1 + static_cast<int>(std::count(page.begin(), page.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+        const std::size_t source = at + marker.size(), source_end = page.find(marker_end, source),
+                          end = page.find(results_end, source);
+        if (source_end == page.npos || end == page.npos || end < source_end)
+            throw InputError::at({file, line}, fmt::format("<!--= must be closed by {}", results_end));
+        text += page.substr(from, source_end + marker_end.size() - from);
+        try {
+            text += stored_result(page.substr(source, source_end - source));
+        } catch (const InputError& error) {
+            throw InputError::at({file, line}, error.what());
+        }
+        text += results_end;
+        from = end + results_end.size();
+    }
+    return text + page.substr(from);
+}
+
+}
