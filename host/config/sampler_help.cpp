@@ -3,6 +3,7 @@
 #include "host/config/parameter_values.hpp"
 #include "host/config/sampler_registry.hpp"
 #include "host/config/sampler_table.hpp"
+#include "host/sampling/guide/sampler_guide.hpp"
 #include "host/sampling/optimized/ordered_sampler.hpp"
 
 #include <fmt/format.h>
@@ -71,8 +72,10 @@ std::string samplers_text()
                        "series\n" +
                        parameter_text(points_parameter()) + parameter_text(order_parameter());
     for (const SamplerSpec& sampler : sampler_registry()) {
-        text +=
-            fmt::format("\n{}: {} ({})\n    {}\n", sampler.name, sampler.title, traits_of(sampler), sampler.summary);
+        const SamplerGuide& guide = sampler_guide(sampler.name);
+        text += fmt::format("\n{}: {} ({})\n    {}\n    Source: {}\n    When to use it: {}\n    When not: {}\n",
+                            sampler.name, sampler.title, traits_of(sampler), sampler.summary, guide.source, guide.use,
+                            guide.avoid);
         for (const ParameterSpec& parameter : sampler.parameters) text += parameter_text(parameter);
     }
     return text;

@@ -4,6 +4,7 @@
 // a config of the program.
 #include "host/config/sampler_help.hpp"
 #include "host/run/make_experiment.hpp"
+#include "host/sampling/guide/sampler_guide.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "python/module/work.hpp"
@@ -78,6 +79,10 @@ py::dict description_of(const SamplerSpec& sampler)
     description["name"] = sampler.name;
     description["title"] = sampler.title;
     description["summary"] = sampler.summary;
+    const SamplerGuide& guide = sampler_guide(sampler.name);
+    description["source"] = guide.source;
+    description["use"] = guide.use;
+    description["avoid"] = guide.avoid;
     description["dimensions"] = sampler.dimensions;
     description["deterministic"] = sampler.deterministic;
     description["has_own_points"] = sampler.has_own_points;

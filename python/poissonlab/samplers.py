@@ -196,6 +196,8 @@ def documentation_of(description):
     """The text of a method's class: what it makes, in which dimensions, and its parameters."""
     dimensions = " or ".join(str(d) for d in description["dimensions"])
     lines = [f"{description['title']}: {description['summary']}.", "",
+             f"When to use it: {description['use']}", f"When not: {description['avoid']}",
+             f"Source: {description['source']}", "",
              f"d: {dimensions}; rng, engine and device: see Sampler."
              + (" All realizations are one set." if description["deterministic"] else "")]
     for parameter in description["parameters"]:

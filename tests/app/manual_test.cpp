@@ -1,8 +1,8 @@
 // The pages of the documentation that the program writes.
 #include "app/commands/manual/manual.hpp"
-#include "app/commands/manual/sampler_guide.hpp"
 #include "base/errors/errors.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "host/sampling/guide/sampler_guide.hpp"
 #include "results/measures.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/manual/sampler_guide.hpp"
+#include "host/sampling/guide/sampler_guide.hpp"
 
 #include <algorithm>
 #include <stdexcept>
