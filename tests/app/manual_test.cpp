@@ -16,11 +16,11 @@ using testing::HasSubstr;
 
 TEST(Manual, PagesHaveTheResultsThatAreStored)
 {
-    for (const char* name : {"/docs/results.md", "/docs/chain-tiles.md"}) {
+    for (const char* name : {"/docs/results.md", "/docs/chain-tiles.md", "/docs/scale.md"}) {
         const std::string page = content_of(source_folder() + name);
         EXPECT_NE(page.find("<!--= "), std::string::npos) << name;
         EXPECT_EQ(with_stored_results(page, name), page) << "poissonlab manual --results docs/results.md "
-                                                            "docs/chain-tiles.md puts them in anew";
+                                                            "docs/chain-tiles.md docs/scale.md puts them in anew";
     }
 }
 
@@ -35,7 +35,7 @@ TEST(Manual, StoredResultsArePutInByName)
         {"a\n<!--= value random relative_radius 4 -->", "p.md:2: <!--= must be closed by <!--/-->"},
         {"<!--= value nobody relative_radius 4 --><!--/-->", "p.md:1: the gallery has no method nobody"},
         {"<!--= value random beauty 4 --><!--/-->", "p.md:1: random has no measure beauty"},
-        {"<!--= words --><!--/-->", "p.md:1: \"words\": must be measure, value, scale, seams or claims"}};
+        {"<!--= words --><!--/-->", "p.md:1: \"words\": must be measure, value, scale, seams, sizes or claims"}};
     for (const auto& [page, problem] : wrong) {
         const auto fill = [&filled, &text = page] { filled(text); };
         EXPECT_THAT(fill, testing::ThrowsMessage<InputError>(HasSubstr(problem)));

@@ -7,7 +7,7 @@
 // two sizes, whose logarithms' ratio is 20 / 18, which is an exponent of 1.08. Numbers of moves are small: they are the
 // same at each size, and a method's time is their number times that of one.
 //
-// With --table: the rows of docs/scale.md, at 10^4 to 10^7 points, as far as sets are expected within half a minute.
+// With --csv: docs/gallery/sizes.csv, at 10^4 to 10^7 points, as far as sets are expected within half a minute.
 #include "host/config/config.hpp"
 #include "host/config/plan.hpp"
 #include "host/device/device.hpp"
@@ -39,7 +39,7 @@ struct Method
 {
     int dimension;
     std::string name;
-    std::string table; ///< its keys beside the name
+    std::string table; ///< its keys beside the name, with commas between them
 };
 
 const std::vector<Method> methods = {
@@ -63,6 +63,10 @@ const std::vector<Method> methods = {
     {2, "penrose", ""},
     {2, "polyominoes", ""},
     {2, "isohedral-tiles", ""},
+    {2, "corner-tiles", "colors = 3, points_per_tile = 32, border = \"chain\""},
+    {2, "edge-tiles", "colors = 2, points_per_tile = 32"},
+    {2, "template-tiles", "tiles = 64, points_per_tile = 32"},
+    {2, "recursive-wang-tiles", ""},
     {3, "random", ""},
     {3, "bridson", ""},
     {3, "dart-throwing", "relative_radius = 0.65"},
@@ -71,6 +75,7 @@ const std::vector<Method> methods = {
     {3, "lloyd", "iterations = 2"},
     {3, "sample-elimination", ""},
     {3, "gaussian-blue-noise", "iterations = 5"},
+    {3, "sphere-tiles", "colors = 2, points_per_tile = 128"},
 };
 
 struct Figures
@@ -99,9 +104,10 @@ double processor_seconds()
 
 PointSet set_of(const Method& method, std::size_t points)
 {
+    const std::string keys = std::regex_replace(method.table, std::regex(", "), "\n");
     const std::string config = "seed = 1\n[analysis]\npoints = " + std::to_string(points) +
                                "\ndimension = " + std::to_string(method.dimension) + "\n[[method]]\nsampler = \"" +
-                               method.name + "\"\n" + method.table + "\n";
+                               method.name + "\"\n" + keys + "\n";
     const std::vector<SeriesPlan> plan = make_plan(parse_config(config, "bench_scale"));
     const SeriesPlan& series = plan.front();
     Device device = Device::open();
@@ -193,55 +199,46 @@ bool tell_growth(const Method& method)
     return is_reached;
 }
 
-/// A line of the table in the manual.
-void print_row(const Method& method)
+/// The lines of docs/gallery/sizes.csv of a method.
+void print_rows(const Method& method)
 {
     constexpr double most_growth = 13; // in time, where points become ten times as many
     constexpr double most_expected = 30;
-    std::string cells;
-    std::optional<Figures> before;
-    std::string exponent = "";
+    std::string keys = method.table;
+    for (std::size_t at = 0; (at = keys.find('"', at)) != keys.npos; at += 2) keys.insert(at, "\"");
+    double before = 0;
     for (const std::size_t size : {10'000, 100'000, 1'000'000, 10'000'000}) {
-        std::string why = "expected to take too long";
-        const bool is_tried = size == 10'000 || (before && before->processor_seconds * most_growth < most_expected);
-        const auto figures = is_tried ? figures_of(method, size, why) : std::nullopt;
-        char cell[64] = " | ";
-        if (figures)
-            std::snprintf(cell, sizeof cell, " | %.3g s, %.2g GB", figures->processor_seconds,
-                          figures->peak_mebibytes * 1.048576e-3);
-        cells += cell;
-        if (figures && before && before->processor_seconds > 0.01) {
-            char text[16];
-            std::snprintf(text, sizeof text, "%.2f", exponent_between(*before, *figures));
-            exponent = text;
-        }
-        before = figures;
+        if (before * most_growth > most_expected) return;
+        std::string why;
+        const auto figures = figures_of(method, size, why);
+        if (!figures) return;
+        std::printf("%s,\"%s\",%d,%zu,%.3g,%.2g\n", method.name.c_str(), keys.c_str(), method.dimension, size,
+                    figures->processor_seconds, figures->peak_mebibytes * 1.048576e-3);
+        std::fflush(stdout);
+        before = figures->processor_seconds;
     }
-    const std::string keys = method.table.empty() ? "" : ", `" + method.table + "`";
-    std::printf("| `%s`%s | %dD%s | %s |\n", method.name.c_str(), keys.c_str(), method.dimension, cells.c_str(),
-                exponent.c_str());
-    std::fflush(stdout);
 }
 
 }
 }
 
-/// --benchmark_filter=REGEX: only methods whose names it finds. --table: for the manual.
+/// --benchmark_filter=REGEX: only methods whose names it finds. --csv: for the manual.
 int main(int argc, char** argv)
 {
     using namespace poissonlab::bench;
     const std::string key = "--benchmark_filter=";
     std::regex filter{""}; // which all names match
-    bool is_table = false;
+    bool is_csv = false;
     for (int i = 1; i < argc; ++i) {
         if (std::string(argv[i]).starts_with(key)) filter = argv[i] + key.size();
-        is_table = is_table || std::string(argv[i]) == "--table";
+        is_csv = is_csv || std::string(argv[i]) == "--csv";
     }
     bool are_reached = true;
+    if (is_csv) std::puts("sampler,keys,dimension,points,seconds,gigabytes");
     for (const Method& method : methods) {
         if (!std::regex_search(name_of(method), filter)) continue;
-        if (is_table)
-            print_row(method);
+        if (is_csv)
+            print_rows(method);
         else
             are_reached = tell_growth(method) && are_reached;
     }

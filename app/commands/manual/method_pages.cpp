@@ -6,6 +6,7 @@
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "reports/claims/claim_table.hpp"
 #include "reports/gallery/gallery.hpp"
+#include "reports/gallery/sizes.hpp"
 #include "reports/words/measure_words.hpp"
 #include "reports/words/number_format.hpp"
 #include "results/measures.hpp"
@@ -120,12 +121,17 @@ std::string use_of(const SamplerSpec& spec)
 std::string cost_of(const SamplerSpec& spec)
 {
     const bool on_host = spec.memory_growth == MemoryGrowth::none;
-    return fmt::format(
-        "\n## Cost\n\n{}, where N is the number of points of a set. Times by size, with the command that "
-        "measures them on your machine: [performance](../performance.md).\n",
-        on_host ? "It works on the host and takes no device memory"
-                : sentence(memory_growths[spec.memory_growth])
-                      .substr(0, sentence(memory_growths[spec.memory_growth]).size() - 1));
+    const std::string memory =
+        on_host ? "It works on the host and takes no device memory."
+                : sentence(memory_growths[spec.memory_growth]) + " N is the number of points of a set.";
+    const std::string sizes = size_table(spec.name);
+    return "\n## Cost\n\n" + memory +
+           (sizes.empty()
+                ? ""
+                : " Time of all processor cores together, and the most memory of the process, on the machine of "
+                  "[sizes](../scale.md):\n\n" +
+                      sizes) +
+           "\nRatios to other programs: [performance](../performance.md).\n";
 }
 
 /// Sentences of papers that looked at sets of a sampler here; more of them disagree than one would think.

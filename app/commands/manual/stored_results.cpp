@@ -4,6 +4,7 @@
 #include "reports/claims/claim_table.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "reports/gallery/gallery_file.hpp"
+#include "reports/gallery/sizes.hpp"
 #include "reports/gallery/table_reader.hpp"
 #include "reports/words/number_format.hpp"
 
@@ -91,8 +92,9 @@ std::string stored_result(const std::string& source)
     if (kind == "measure" || kind == "value") return gallery_number(words, kind == "measure");
     if (kind == "scale") return "\n" + scale_table();
     if (kind == "seams") return "\n" + seam_table();
+    if (kind == "sizes") return "\n" + size_table();
     if (kind == "claims" && words >> agreement) return "\n" + claim_table(agreement);
-    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams or claims", source));
+    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams, sizes or claims", source));
 }
 
 }
