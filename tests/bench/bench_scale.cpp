@@ -75,7 +75,7 @@ const std::vector<Method> methods = {
     {3, "lloyd", "iterations = 2"},
     {3, "sample-elimination", ""},
     {3, "gaussian-blue-noise", "iterations = 5"},
-    {3, "sphere-tiles", "colors = 2, points_per_tile = 128"},
+    {3, "sphere-tiles", "colors = 2, points_per_tile = 64, relative_radius = 0.65"},
 };
 
 struct Figures
