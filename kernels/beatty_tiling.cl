@@ -1,5 +1,5 @@
 // Tilings by Beatty sequences: see tiles/aperiodic/beatty_tiling.hpp.
-#include "kernels/common/beatty_tiling.h"
+#include "kernels/common/tiles/beatty_tiling.h"
 
 /// A number of 128 bits.
 struct Wide

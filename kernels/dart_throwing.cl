@@ -7,9 +7,9 @@
 // and then those of darts_in_order.cl or of darts_in_rounds.cl, which settle the darts of the batch among themselves.
 // Lists are filled through atomic counters, so their order may differ from run to run; no result depends on it.
 //
-// Needs what common/dart_grid.clh needs.
+// Needs what common/darts/dart_grid.clh needs.
 
-#include "kernels/common/dart_grid.clh"
+#include "kernels/common/darts/dart_grid.clh"
 #include "kernels/common/philox.clh"
 
 #define CHILDREN (1 << DIMENSION)

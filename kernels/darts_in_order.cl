@@ -10,13 +10,13 @@
 // does every later dart that is too near to one that waits. What was decided is then what throwing all darts one by one
 // would give, and a second launch, of one slab that is the whole torus, settles the rest.
 //
-// Beside the arrays of common/dart_grid.clh, each row of level 0 cells has a bit in `accepted` for each of its cells:
+// Beside the arrays of common/darts/dart_grid.clh, each row of level 0 cells has a bit in `accepted` for each of its cells:
 // set where a dart of this batch was accepted. The first REACH cells come again after the last, and the last before the
 // first, so that a window around any cell is a run of bits.
 //
-// Needs what common/dart_grid.clh needs.
+// Needs what common/darts/dart_grid.clh needs.
 
-#include "kernels/common/dart_grid.clh"
+#include "kernels/common/darts/dart_grid.clh"
 
 #define ROWS (MAX_NEAR / WINDOW) // of a window
 

@@ -6,13 +6,13 @@
 //                      accepted when all its rivals are rejected: exactly what throwing them one by one would give
 //   insert_points      put the accepted darts into the grid and into the output
 //
-// Beside the arrays of common/dart_grid.clh, each level 0 cell has in `slots` 1 + the number of the first dart in its
+// Beside the arrays of common/darts/dart_grid.clh, each level 0 cell has in `slots` 1 + the number of the first dart in its
 // chain. Darts are numbered through all batches, so that numbers of earlier batches stand for an empty chain, and
 // nothing needs clearing.
 //
-// Needs what common/dart_grid.clh needs.
+// Needs what common/darts/dart_grid.clh needs.
 
-#include "kernels/common/dart_grid.clh"
+#include "kernels/common/darts/dart_grid.clh"
 
 /// One work-item owns one dart. `first` is the number of the batch's first dart. Also clears the counters of the batch,
 /// which the host has read.

@@ -9,7 +9,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/farthest_point.h"
+#include "kernels/common/optimized/farthest_point.h"
 #include "kernels/common/polygon.clh"
 
 #define WINDOW_SIDE (2 * NEIGHBOUR_REACH + 1)

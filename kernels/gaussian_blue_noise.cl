@@ -12,10 +12,10 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/gaussian_blue_noise.h"
+#include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #if ADAPTIVE
-#include "kernels/common/density_field.clh"
+#include "kernels/common/optimized/density_field.clh"
 #endif
 
 #define ALWAYS_INLINE __attribute__((always_inline))

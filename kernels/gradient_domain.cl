@@ -4,7 +4,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/gradient_domain.h"
+#include "kernels/common/fields/gradient_domain.h"
 
 kernel void relax_gradient_domain(struct GradientDomainSizes sizes, global const uchar* inside, global double* values)
 {

@@ -11,8 +11,8 @@
 
 #include "runtime/object_distribution_gpu.h"
 
-#include "kernels/common/instances.h"
-#include "kernels/common/object_looks.h"
+#include "kernels/common/fields/instances.h"
+#include "kernels/common/fields/object_looks.h"
 
 double instance_scale(const struct InstanceScene* scene, uint id)
 {

@@ -7,7 +7,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/joint_nulling.h"
+#include "kernels/common/tiles/joint_nulling.h"
 
 /// exp(-2 pi i k.x)
 double2 wave(global const double2* circle, global const int* frequency, global const int* position)

@@ -1,7 +1,7 @@
 // Sums of squared differences between a piece and every window of an exemplar, over a mask: all products, one by one.
 //
 // host/texture/masked_squares.cpp has the same by Fourier transforms, and plain C++: integers, equal in all three.
-#include "kernels/common/masked_squares.h"
+#include "kernels/common/fields/masked_squares.h"
 
 /// A work-item a window.
 kernel void sum_masked_squares(global const uchar* exemplar, global const uchar* mask, global const uchar* piece,

@@ -6,7 +6,7 @@
 
 #include "runtime/object_distribution_gpu.h"
 
-#include "kernels/common/object_looks.h"
+#include "kernels/common/fields/object_looks.h"
 
 /// A place in tiles: a whole tile and what is beyond its lowest corner.
 struct TilePlace

@@ -12,7 +12,7 @@
 #pragma OPENCL FP_CONTRACT OFF
 
 #include "kernels/common/polygon.clh"
-#include "kernels/common/power_cells.h"
+#include "kernels/common/optimized/power_cells.h"
 
 /// The number of a neighbour with the turns of its image.
 uint label_of(uint index, int turns_x, int turns_y)

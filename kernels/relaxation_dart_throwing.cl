@@ -27,8 +27,8 @@
 // Needs DIMENSION (2 or 3) and COVER_BITS (2 or 3).
 
 #include "kernels/common/philox.clh"
-#include "kernels/common/relaxation_dart_throwing.h"
-#include "kernels/common/relaxing_grid.clh"
+#include "kernels/common/darts/relaxation_dart_throwing.h"
+#include "kernels/common/darts/relaxing_grid.clh"
 
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
 

@@ -19,7 +19,7 @@
 
 #define LARGE_DISKS 0
 
-#include "kernels/common/sample_elimination.h"
+#include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/torus.clh"
 
 typedef struct Elimination Elimination;

@@ -5,7 +5,7 @@
 // beyond; the host decides by integers.
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/self_similar.h"
+#include "kernels/common/tiles/self_similar.h"
 
 /// The distance of two numbers on the circle of `turn`.
 float around(float a, float b, float turn)

@@ -13,7 +13,7 @@
 
 #include "runtime/texture_tiles.h"
 
-#include "kernels/common/texture_map.h"
+#include "kernels/common/fields/texture_map.h"
 
 /// A tile's column and row in the atlas.
 typedef struct

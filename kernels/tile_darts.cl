@@ -10,7 +10,7 @@
 // Needs DIMENSION (2 or 3).
 
 #include "kernels/common/philox.clh"
-#include "kernels/common/tile_torus.clh"
+#include "kernels/common/tiles/tile_torus.clh"
 
 #define DARTS_AT_ONCE 8 // that are drawn as vectors
 

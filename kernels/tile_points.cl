@@ -3,7 +3,7 @@
 // Constants: KIND, DIMENSION, COLORS, TILES and POINTS (per tile) of the tile set; LOW and STEP: a stored number n is
 // at LOW + STEP n units; VALUE, the type of positions: float, in tiles, or uint, in units of 1/65,536 of a tile, modulo
 // 2^32.
-#include "kernels/common/tile_points.h"
+#include "kernels/common/tiles/tile_points.h"
 #include "runtime/poisson_tiles_gpu.h"
 
 #define VALUES (POINTS * DIMENSION) // of a tile

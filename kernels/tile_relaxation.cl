@@ -11,11 +11,11 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/tile_torus.clh"
+#include "kernels/common/tiles/tile_torus.clh"
 #if DIMENSION == 2
-#include "kernels/common/voronoi_2d.clh"
+#include "kernels/common/voronoi/voronoi_2d.clh"
 #else
-#include "kernels/common/voronoi_3d_window.clh"
+#include "kernels/common/voronoi/voronoi_3d_window.clh"
 #endif
 
 #define MAX_LISTED (LIST_WORDS - 1)
@@ -337,7 +337,7 @@ Position limited_movement(const double* sum, double limit)
     return movement;
 }
 
-#include "kernels/common/moment_step.clh"
+#include "kernels/common/tiles/moment_step.clh"
 
 /// The movement of a point by repulsion: away from all that are closer than `distance`, by what they lack of it, half
 /// of it where the other moves as well. Lowers `nearest` to the squared distance of the nearest point.

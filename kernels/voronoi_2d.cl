@@ -19,12 +19,12 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/voronoi_2d.clh"
-#include "kernels/common/voronoi_2d_window.clh"
-#include "kernels/common/voronoi_2d_batch.clh"
-#include "kernels/common/voronoi_2d_batch_cells.clh"
-#include "kernels/common/voronoi_2d_wide.clh"
-#include "kernels/common/voronoi_2d_slow.clh"
+#include "kernels/common/voronoi/voronoi_2d.clh"
+#include "kernels/common/voronoi/voronoi_2d_window.clh"
+#include "kernels/common/voronoi/voronoi_2d_batch.clh"
+#include "kernels/common/voronoi/voronoi_2d_batch_cells.clh"
+#include "kernels/common/voronoi/voronoi_2d_wide.clh"
+#include "kernels/common/voronoi/voronoi_2d_slow.clh"
 
 /// The results, a value a site.
 typedef struct

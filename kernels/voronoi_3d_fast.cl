@@ -15,7 +15,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/voronoi_3d_window.clh"
+#include "kernels/common/voronoi/voronoi_3d_window.clh"
 
 /// Appends a row's points. Copies whole vectors; what is too much is overwritten by the next row.
 ALWAYS_INLINE void append_row(Window* window, global const int* fixed_point, uint stride, uint begin, uint end)

@@ -7,7 +7,7 @@
 
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/voronoi_3d.clh"
+#include "kernels/common/voronoi/voronoi_3d.clh"
 
 
 #define SLOW_FACES 128

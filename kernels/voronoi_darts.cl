@@ -23,7 +23,7 @@
 #include "kernels/common/philox.clh"
 #include "kernels/common/polygon.clh"
 #include "kernels/common/torus.clh"
-#include "kernels/common/voronoi_darts.h"
+#include "kernels/common/darts/voronoi_darts.h"
 
 #define UNITS 4294967296.0
 #define QUARTER_TURN 1.5707963267948966

@@ -7,7 +7,7 @@
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #pragma OPENCL FP_CONTRACT OFF
 
-#include "kernels/common/warp.h"
+#include "kernels/common/fields/warp.h"
 
 /// total * u / 2^32, rounded down; total < 2^63.
 ulong part_of(ulong total, uint u)

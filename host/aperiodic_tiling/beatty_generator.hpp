@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/device/needed_buffers.hpp"
-#include "kernels/common/beatty_tiling.h"
+#include "kernels/common/tiles/beatty_tiling.h"
 #include "tiles/aperiodic/beatty_tiling.hpp"
 
 #include <cstddef>

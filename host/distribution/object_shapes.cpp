@@ -96,7 +96,7 @@ std::vector<std::function<double(double)>> shape_functions()
     return shapes;
 }
 
-/// The direction of a step: see shape_radius() in kernels/common/object_looks.h.
+/// The direction of a step: see shape_radius() in kernels/common/fields/object_looks.h.
 double angle_of_step(int step)
 {
     const double around = 4.0 * step / int{SHAPE_STEPS}, part = around - std::floor(around);

@@ -6,7 +6,7 @@
 #include "host/device/needed_buffers.hpp"
 #include "tiles/objects/object_lookup.hpp"
 
-#include "kernels/common/object_looks.h"
+#include "kernels/common/fields/object_looks.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,7 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "host/device/needed_buffers.hpp"
-#include "kernels/common/self_similar.h"
+#include "kernels/common/tiles/self_similar.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
-#include "kernels/common/dart_throwing.h"
+#include "kernels/common/darts/dart_throwing.h"
 
 #include <tbb/parallel_sort.h>
 

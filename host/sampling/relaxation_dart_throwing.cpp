@@ -5,7 +5,7 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
-#include "kernels/common/relaxation_dart_throwing.h"
+#include "kernels/common/darts/relaxation_dart_throwing.h"
 
 #include <algorithm>
 #include <bit>

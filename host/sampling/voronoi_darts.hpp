@@ -8,7 +8,7 @@
 #pragma once
 
 #include "host/sampling/dart_throwing.hpp"
-#include "kernels/common/voronoi_darts.h"
+#include "kernels/common/darts/voronoi_darts.h"
 
 #include <cstddef>
 #include <cstdint>

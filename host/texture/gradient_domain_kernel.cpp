@@ -2,7 +2,7 @@
 #include "host/device/device.hpp"
 #include "host/device/kernel_program.hpp"
 #include "host/texture/gradient_domain.hpp"
-#include "kernels/common/gradient_domain.h"
+#include "kernels/common/fields/gradient_domain.h"
 
 namespace poissonlab {
 

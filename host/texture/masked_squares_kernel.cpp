@@ -2,7 +2,7 @@
 #include "host/device/device.hpp"
 #include "host/device/kernel_program.hpp"
 #include "host/texture/masked_squares.hpp"
-#include "kernels/common/masked_squares.h"
+#include "kernels/common/fields/masked_squares.h"
 
 #include <stdexcept>
 

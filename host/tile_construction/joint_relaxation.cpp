@@ -2,7 +2,7 @@
 
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
-#include "kernels/common/joint_nulling.h"
+#include "kernels/common/tiles/joint_nulling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "host/tile_points/tile_points.hpp"
 
 #include "base/errors/errors.hpp"
-#include "kernels/common/tile_points.h"
+#include "kernels/common/tiles/tile_points.h"
 
 #include <fmt/format.h>
 

@@ -1,25 +1,25 @@
 // Structs that kernels are told by value have the same layout on the device, and constants the same values.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
-#include "kernels/common/dart_throwing.h"
-#include "kernels/common/gaussian_blue_noise.h"
-#include "kernels/common/gradient_domain.h"
-#include "kernels/common/instances.h"
-#include "kernels/common/masked_squares.h"
-#include "kernels/common/relaxation_dart_throwing.h"
-#include "kernels/common/sample_elimination.h"
+#include "kernels/common/darts/dart_throwing.h"
+#include "kernels/common/darts/relaxation_dart_throwing.h"
+#include "kernels/common/darts/voronoi_darts.h"
+#include "kernels/common/fields/gradient_domain.h"
+#include "kernels/common/fields/instances.h"
+#include "kernels/common/fields/masked_squares.h"
+#include "kernels/common/fields/texture_map.h"
+#include "kernels/common/fields/warp.h"
+#include "kernels/common/optimized/gaussian_blue_noise.h"
+#include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/sectors/sector_darts.h"
-#include "kernels/common/self_similar.h"
-#include "kernels/common/texture_map.h"
-#include "kernels/common/tile_filling.h"
-#include "kernels/common/tile_points.h"
 #include "kernels/common/tile_sampling/averaged_tiles.h"
 #include "kernels/common/tile_sampling/recursive_tiles.h"
-#include "kernels/common/voronoi_darts.h"
-#include "kernels/common/warp.h"
+#include "kernels/common/tiles/self_similar.h"
+#include "kernels/common/tiles/tile_filling.h"
+#include "kernels/common/tiles/tile_points.h"
 #include "tiles/objects/object_lookup.hpp"
 
-#include "kernels/common/object_looks.h"
+#include "kernels/common/fields/object_looks.h"
 
 #include <gmock/gmock.h>
 
@@ -53,12 +53,13 @@ TEST(Contract, OfDartThrowing)
 {
     using namespace contract::dart_throwing;
     const std::size_t layout[] = {LAYOUT_OF(Batch, staged_capacity)};
-    EXPECT_THAT(on_device("kernels/common/dart_throwing.h", layout_of("Batch", "staged_capacity")),
+    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h", layout_of("Batch", "staged_capacity")),
                 ElementsAreArray(layout));
     const std::size_t slabs[] = {LAYOUT_OF(Slabs, is_rest)};
-    EXPECT_THAT(on_device("kernels/common/dart_throwing.h", layout_of("Slabs", "is_rest")), ElementsAreArray(slabs));
+    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h", layout_of("Slabs", "is_rest")),
+                ElementsAreArray(slabs));
     const std::size_t constants[] = {DART_WORDS(3), POINT_WORDS(3), MASK_WORDS(3, 2), RIVAL_WORDS, COUNTERS};
-    EXPECT_THAT(on_device("kernels/common/dart_throwing.h",
+    EXPECT_THAT(on_device("kernels/common/darts/dart_throwing.h",
                           {"DART_WORDS", "POINT_WORDS", "MASK_WORDS", "RIVAL_WORDS", "COUNTERS"}),
                 ElementsAreArray(constants));
 }
@@ -66,37 +67,38 @@ TEST(Contract, OfDartThrowing)
 TEST(Contract, OfGradientDomain)
 {
     const std::size_t layout[] = {LAYOUT_OF(contract::gradient_domain::GradientDomainSizes, relaxation)};
-    EXPECT_THAT(on_device("kernels/common/gradient_domain.h", layout_of("GradientDomainSizes", "relaxation")),
+    EXPECT_THAT(on_device("kernels/common/fields/gradient_domain.h", layout_of("GradientDomainSizes", "relaxation")),
                 ElementsAreArray(layout));
 }
 
 TEST(Contract, OfMaskedSquares)
 {
     const std::size_t layout[] = {LAYOUT_OF(contract::masked_squares::MaskedSquaresSizes, rows)};
-    EXPECT_THAT(on_device("kernels/common/masked_squares.h", layout_of("MaskedSquaresSizes", "rows")),
+    EXPECT_THAT(on_device("kernels/common/fields/masked_squares.h", layout_of("MaskedSquaresSizes", "rows")),
                 ElementsAreArray(layout));
 }
 
 TEST(Contract, OfTextureMap)
 {
     const std::size_t view[] = {LAYOUT_OF(contract::texture_map::TextureView, filter)};
-    EXPECT_THAT(on_device("kernels/common/texture_map.h", layout_of("TextureView", "filter")), ElementsAreArray(view));
+    EXPECT_THAT(on_device("kernels/common/fields/texture_map.h", layout_of("TextureView", "filter")),
+                ElementsAreArray(view));
     const std::size_t levels[] = {LAYOUT_OF(contract::texture_map::TextureLevels, offsets)};
-    EXPECT_THAT(on_device("kernels/common/texture_map.h", layout_of("TextureLevels", "offsets")),
+    EXPECT_THAT(on_device("kernels/common/fields/texture_map.h", layout_of("TextureLevels", "offsets")),
                 ElementsAreArray(levels));
 }
 
 TEST(Contract, OfRelaxationDartThrowing)
 {
     const std::size_t layout[] = {LAYOUT_OF(contract::relaxation_dart_throwing::Settling, grid_bits)};
-    EXPECT_THAT(on_device("kernels/common/relaxation_dart_throwing.h", layout_of("Settling", "grid_bits")),
+    EXPECT_THAT(on_device("kernels/common/darts/relaxation_dart_throwing.h", layout_of("Settling", "grid_bits")),
                 ElementsAreArray(layout));
 }
 
 TEST(Contract, OfTileFilling)
 {
     using namespace contract::tile_filling;
-    const std::string file = "kernels/common/tile_filling.h";
+    const std::string file = "kernels/common/tiles/tile_filling.h";
     const std::size_t darts[] = {LAYOUT_OF(Darts, attempts)};
     EXPECT_THAT(on_device(file, layout_of("Darts", "attempts")), ElementsAreArray(darts));
     const std::size_t relaxation[] = {LAYOUT_OF(Relaxation, max_moving)};
@@ -108,15 +110,16 @@ TEST(Contract, OfTileFilling)
 TEST(Contract, OfTilePoints)
 {
     const std::size_t run[] = {LAYOUT_OF(contract::tile_points::Run, shift)};
-    EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Run", "shift")), ElementsAreArray(run));
+    EXPECT_THAT(on_device("kernels/common/tiles/tile_points.h", layout_of("Run", "shift")), ElementsAreArray(run));
     const std::size_t window[] = {LAYOUT_OF(contract::tile_points::Window, bottom)};
-    EXPECT_THAT(on_device("kernels/common/tile_points.h", layout_of("Window", "bottom")), ElementsAreArray(window));
+    EXPECT_THAT(on_device("kernels/common/tiles/tile_points.h", layout_of("Window", "bottom")),
+                ElementsAreArray(window));
 }
 
 TEST(Contract, OfVoronoiDarts)
 {
     using namespace contract::voronoi_darts;
-    const std::string file = "kernels/common/voronoi_darts.h";
+    const std::string file = "kernels/common/darts/voronoi_darts.h";
     const std::size_t torus[] = {LAYOUT_OF(Torus, near_offsets)};
     EXPECT_THAT(on_device(file, layout_of("Torus", "near_offsets")), ElementsAreArray(torus));
     const std::size_t batch[] = {LAYOUT_OF(Batch, key_y)};
@@ -153,18 +156,18 @@ TEST(Contract, OfGaussianBlueNoise)
 {
     using contract::gaussian_blue_noise::Gaussians;
     const std::size_t layout[] = {LAYOUT_OF(Gaussians, stride)};
-    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("Gaussians", "stride")),
+    EXPECT_THAT(on_device("kernels/common/optimized/gaussian_blue_noise.h", layout_of("Gaussians", "stride")),
                 ElementsAreArray(layout));
     using contract::gaussian_blue_noise::DensityCell;
     const std::size_t cell[] = {LAYOUT_OF(DensityCell, is_empty)};
-    EXPECT_THAT(on_device("kernels/common/gaussian_blue_noise.h", layout_of("DensityCell", "is_empty")),
+    EXPECT_THAT(on_device("kernels/common/optimized/gaussian_blue_noise.h", layout_of("DensityCell", "is_empty")),
                 ElementsAreArray(cell));
 }
 
 TEST(Contract, OfSampleElimination)
 {
     using namespace contract::sample_elimination;
-    const std::string file = "kernels/common/sample_elimination.h";
+    const std::string file = "kernels/common/optimized/sample_elimination.h";
     const std::size_t elimination[] = {LAYOUT_OF(Elimination, stride)};
     EXPECT_THAT(on_device(file, layout_of("Elimination", "stride")), ElementsAreArray(elimination));
     const std::size_t counts[] = {LAYOUT_OF(EliminationCounts, of_round)};
@@ -174,18 +177,18 @@ TEST(Contract, OfSampleElimination)
 TEST(Contract, OfDistributions)
 {
     const std::size_t warping[] = {LAYOUT_OF(contract::warp::Warping, height)};
-    EXPECT_THAT(on_device("kernels/common/warp.h", layout_of("Warping", "height")), ElementsAreArray(warping));
+    EXPECT_THAT(on_device("kernels/common/fields/warp.h", layout_of("Warping", "height")), ElementsAreArray(warping));
     const std::size_t search[] = {LAYOUT_OF(contract::self_similar::StartSearch, capacity)};
-    EXPECT_THAT(on_device("kernels/common/self_similar.h", layout_of("StartSearch", "capacity")),
+    EXPECT_THAT(on_device("kernels/common/tiles/self_similar.h", layout_of("StartSearch", "capacity")),
                 ElementsAreArray(search));
     const std::size_t instance_scene[] = {LAYOUT_OF(contract::instances::InstanceScene, models)};
-    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("InstanceScene", "models")),
+    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("InstanceScene", "models")),
                 ElementsAreArray(instance_scene));
     const std::size_t instance_tiles[] = {LAYOUT_OF(contract::instances::InstanceTiles, below)};
-    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("InstanceTiles", "below")),
+    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("InstanceTiles", "below")),
                 ElementsAreArray(instance_tiles));
     const std::size_t placed[] = {LAYOUT_OF(contract::instances::PlacedInstance, is_inside)};
-    EXPECT_THAT(on_device("kernels/common/instances.h", layout_of("PlacedInstance", "is_inside")),
+    EXPECT_THAT(on_device("kernels/common/fields/instances.h", layout_of("PlacedInstance", "is_inside")),
                 ElementsAreArray(placed));
     const std::size_t tiles[] = {LAYOUT_OF(contract::objects::ObjectTiles, above)};
     EXPECT_THAT(on_device("kernels/objects.cl", layout_of("ObjectTiles", "above")), ElementsAreArray(tiles));

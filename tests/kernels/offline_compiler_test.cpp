@@ -56,7 +56,7 @@ TEST_P(OfflineCompiler, TakesEveryKernel)
 
 TEST_P(OfflineCompiler, TakesHeadersForOtherPrograms)
 {
-    for (const char* file : {"kernels/common/tiling.clh", "runtime/poisson_tiles_gpu.h"})
+    for (const char* file : {"kernels/common/tiles/tiling.clh", "runtime/poisson_tiles_gpu.h"})
         EXPECT_THAT(errors_of(file, "", GetParam()), IsEmpty());
 }
 

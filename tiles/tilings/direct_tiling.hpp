@@ -3,7 +3,7 @@
 // D. = Lagae, Tile-Based Methods in Computer Graphics, 2007, section 3.3. A hash function gives a colour for
 // the coordinates of a lattice point; colours of tiles are those of lattice points or sums of them, so that
 // neighbours agree. A tile's coordinates are those of its lower left (bottom) corner. `lattice` is a Plane or
-// a Torus. kernels/common/tiling.clh has the same functions.
+// a Torus. kernels/common/tiles/tiling.clh has the same functions.
 #pragma once
 
 #include "tiles/tilings/tile_index.hpp"

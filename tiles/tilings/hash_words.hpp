@@ -1,4 +1,4 @@
-// Hash functions as kernels/common/tiling.clh takes them: an array of words, of which the first is a tag.
+// Hash functions as kernels/common/tiles/tiling.clh takes them: an array of words, of which the first is a tag.
 #pragma once
 
 #include <cstdint>

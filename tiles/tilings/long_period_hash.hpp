@@ -57,7 +57,7 @@ public:
     /// The colours at (x, y), (x + step, y), (x + 2 step, y), ...; step >= 1.
     void fill_row(std::int64_t x, std::int64_t step, std::int64_t y, std::span<std::uint8_t> row) const;
 
-    /// The words that hash_color_... of kernels/common/tiling.clh takes.
+    /// The words that hash_color_... of kernels/common/tiles/tiling.clh takes.
     std::vector<std::uint32_t> device_words() const;
 
 private:

@@ -61,7 +61,7 @@ public:
         }
     }
 
-    /// The words that hash_color_... of kernels/common/tiling.clh takes.
+    /// The words that hash_color_... of kernels/common/tiles/tiling.clh takes.
     std::vector<std::uint32_t> device_words() const
     {
         return {xxh64_hash_tag, colors_, static_cast<std::uint32_t>(seed_), static_cast<std::uint32_t>(seed_ >> 32)};

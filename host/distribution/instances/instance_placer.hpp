@@ -4,7 +4,7 @@
 #include "host/device/needed_buffers.hpp"
 #include "host/distribution/instances/instances.hpp"
 
-#include "kernels/common/instances.h"
+#include "kernels/common/fields/instances.h"
 
 namespace poissonlab {
 

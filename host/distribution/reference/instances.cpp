@@ -2,7 +2,7 @@
 #include "host/distribution/instances/instances.hpp"
 
 #include "base/programs/interrupt.hpp"
-#include "kernels/common/instances.h"
+#include "kernels/common/fields/instances.h"
 
 #include <algorithm>
 #include <numbers>

@@ -1,6 +1,6 @@
 #include "host/sampling/optimized/area_exchange.hpp"
 
-#include "kernels/common/power_cells.h"
+#include "kernels/common/optimized/power_cells.h"
 
 #include <algorithm>
 #include <cmath>

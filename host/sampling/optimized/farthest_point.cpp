@@ -6,7 +6,7 @@
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "host/sampling/point_summary.hpp"
-#include "kernels/common/farthest_point.h"
+#include "kernels/common/optimized/farthest_point.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 
 #include "host/sampling/lloyd_relaxation.hpp"
 #include "host/sampling/optimized/gaussian_field.hpp"
-#include "kernels/common/gaussian_blue_noise.h"
+#include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "base/densities/density.hpp"
-#include "kernels/common/gaussian_blue_noise.h"
+#include "kernels/common/optimized/gaussian_blue_noise.h"
 
 #include <cstddef>
 #include <cstdint>

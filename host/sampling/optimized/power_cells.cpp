@@ -3,7 +3,7 @@
 
 #include "host/device/kernel.hpp"
 #include "host/sampling/cells/point_grid.hpp"
-#include "kernels/common/power_cells.h"
+#include "kernels/common/optimized/power_cells.h"
 
 #include <algorithm>
 #include <cmath>

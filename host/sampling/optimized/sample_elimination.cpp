@@ -6,7 +6,7 @@
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/point_grid.hpp"
-#include "kernels/common/sample_elimination.h"
+#include "kernels/common/optimized/sample_elimination.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "host/sampling/warp/warp.hpp"
 
-#include "kernels/common/warp.h"
+#include "kernels/common/fields/warp.h"
 
 namespace poissonlab {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "base/word_table.hpp"
 #include "host/device/device_memory.hpp"
-#include "kernels/common/texture_map.h"
+#include "kernels/common/fields/texture_map.h"
 #include "tiles/texture/texture_set.hpp"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include "host/tile_construction/filling/tile_filling.hpp"
 
 #include "host/device/needed_buffers.hpp"
-#include "kernels/common/tile_filling.h"
+#include "kernels/common/tiles/tile_filling.h"
 #include "kernels/common/vectors.h"
 #include "tiles/poisson/tile_moments.hpp"
 

@@ -1,7 +1,7 @@
 // The torus of two tiles a side on which tiles are filled with points: its cells, and movement among them.
 //
 // Two tiles a side are enough that the points of a piece do not see themselves around the torus. Coordinates
-// are whole units, 65,536 to a tile's side. kernels/common/tile_torus.clh makes the same decisions.
+// are whole units, 65,536 to a tile's side. kernels/common/tiles/tile_torus.clh makes the same decisions.
 #pragma once
 
 #include "tiles/poisson/tile_position.hpp"

@@ -1,6 +1,6 @@
 #include "host/tile_construction/moments/moment_step.hpp"
 
-#include "kernels/common/tile_filling.h"
+#include "kernels/common/tiles/tile_filling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // The least movement of points that gives them the moments that they should have: docs/chain-tiles.md.
 //
-// The plain twin of kernels/common/moment_step.clh. Sums are of whole numbers, so that their order does not matter;
-// what is computed from them in floating point is computed by both in the same order.
+// The plain twin of kernels/common/tiles/moment_step.clh. Sums are of whole numbers, so that their order does not
+// matter; what is computed from them in floating point is computed by both in the same order.
 #pragma once
 
 #include "tiles/poisson/tile_moments.hpp"

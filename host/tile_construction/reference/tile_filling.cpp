@@ -3,7 +3,7 @@
 #include "base/geometry/point_set.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/tile_construction/moments/moment_step.hpp"
-#include "kernels/common/tile_filling.h"
+#include "kernels/common/tiles/tile_filling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// kernels/common/tiling.clh against the host, at millions of places.
+// kernels/common/tiles/tiling.clh against the host, at millions of places.
 #include "host/device/device.hpp"
 #include "host/device/kernel_source.hpp"
 #include "tiles/tilings/cube_tiling.hpp"
@@ -60,7 +60,9 @@ protected:
             return buffer;
         };
         auto tiles = device_.buffer<TileIndex>(count);
-        device_.kernel_from_text(kernel_source("kernels/common/tiling.clh") + kernels, "tiling_kernel_test.cl", kernel)
+        device_
+            .kernel_from_text(kernel_source("kernels/common/tiles/tiling.clh") + kernels, "tiling_kernel_test.cl",
+                              kernel)
             .run(count, 64, words(horizontal), words(vertical), places_buffer_, period.x, period.y, period.z,
                  static_cast<std::uint32_t>(count), tiles);
         return tiles.read(0, count);

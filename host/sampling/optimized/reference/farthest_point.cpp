@@ -5,7 +5,7 @@
 #include "host/sampling/cells/voronoi_cells.hpp"
 #include "host/sampling/lloyd_iteration.hpp"
 #include "host/sampling/reference/plain_cells.hpp"
-#include "kernels/common/farthest_point.h"
+#include "kernels/common/optimized/farthest_point.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 
 #include "host/sampling/cells/cut_polygon.hpp"
 #include "host/sampling/reference/plain_cells.hpp"
-#include "kernels/common/power_cells.h"
+#include "kernels/common/optimized/power_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/sampling/classics/torus_grid.hpp"
-#include "kernels/common/sample_elimination.h"
+#include "kernels/common/optimized/sample_elimination.h"
 
 #include <algorithm>
 #include <cmath>

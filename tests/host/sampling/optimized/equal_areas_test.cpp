@@ -3,7 +3,7 @@
 
 #include "host/config/sampler_registry.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
-#include "kernels/common/power_cells.h"
+#include "kernels/common/optimized/power_cells.h"
 #include "tests/support/point_patterns.hpp"
 
 #include <gtest/gtest.h>

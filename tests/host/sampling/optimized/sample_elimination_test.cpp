@@ -3,7 +3,7 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/config/sampler_registry.hpp"
-#include "kernels/common/sample_elimination.h"
+#include "kernels/common/optimized/sample_elimination.h"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/set_features.hpp"
