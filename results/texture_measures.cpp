@@ -63,6 +63,12 @@ const std::vector<Measure>& texture_measures()
             "lattice_power", "repetition at 1/T", "of the power", lower, three,
             "The part of the power of a tiling of 16 x 16 tiles at whole multiples of one over the side of a tile. "
             "Independent tiles have 1/256; one tile again and again has 1."),
+        texture_row(
+            "exemplar_power", "the exemplar's own", "of the power", neither, three,
+            "The same of the exemplar itself, which has fewer tiles: chance alone gives one over their number."),
+        texture_row("repetition", "repetition", "times the exemplar's own", lower, three,
+                    "Repetition at 1/T of windows that are as large as the exemplar, over the exemplar's own: 1 is "
+                    "natural. Of exemplars of 2 x 2 tiles and more."),
         texture_row("double_lattice_power", "repetition at 1/2T", "of the power", lower, three,
                     "The same for two tiles: sets whose colours alternate hide at 1/T. Independent tiles have 1/64."),
         texture_row(

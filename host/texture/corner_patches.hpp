@@ -11,8 +11,12 @@ namespace poissonlab {
 /// The patches of all colours, T x T.
 using Patches = std::vector<ExemplarWindow>;
 
-/// The best of several sets of random patches: those that misfit least where they meet at the middles of edges, and
-/// have about the exemplar's colours. Patches of marked corners come from their exemplar.
+/// Patches are drawn from this part of all windows, those whose middles stand out least (salience.hpp).
+inline constexpr double most_salience = 0.25;
+
+/// The best of several sets of random patches that do not stand out: those that misfit least where they meet at the
+/// middles of edges, have about the exemplar's colours, and give a tiling little power at multiples of 1/T. Patches of
+/// marked corners come from their exemplar.
 Patches chosen_patches(const PngPixels& exemplar, const TextureRequest& request, int distance);
 
 /// Where a piece over patches of these colours comes from: the exemplar of most of them, or either. Empty where there

@@ -27,6 +27,8 @@ inline constexpr int most_texture_colors = 32; ///< of compact Wang tiles; of ot
 inline constexpr int most_texture_candidates = 256;
 inline constexpr int most_texture_attempts = 100'000;
 
+inline constexpr double default_core = 0.36;
+
 struct TextureRequest
 {
     TextureKind kind = TextureKind::corner;
@@ -37,15 +39,16 @@ struct TextureRequest
     int stages = 3;               ///< corner and omega: 3, 1 as Ng and others have it, or 0: no new piece in a tile
     int candidates = 8;           ///< windows that are cut for a piece
     std::optional<int> diversity; ///< pixels between any two windows; T / 4 or what fits unless given
-    SeamWeight weight = SeamWeight::gradient;
+    SeamWeight weight = SeamWeight::plain;
     QuiltingCut cut = QuiltingCut::minimum_cut; ///< wang
     /// Part of T: half of the width of the band in which two samples overlap and are cut; Wang tiles, and corner tiles
     /// without new pieces. 0.125 is like Cohen's placement, 0.5 Burke's: samples overlap everywhere (D. figure 5.4).
     double overlap = 0.125;
     int attempts = 100; ///< sets of patches or samples that are drawn, of which the best is taken
-    /// Part of T: the radius of a disk that the middle of a tile covers in any case, and twice that of the disk
-    /// that a piece around the middle of an edge does. A minimum cut likes to be short, and would leave of a piece no
-    /// more than what hides the joint. Unless given 0.3 with three stages, 0 with one.
+    /// Part of T: half of the side of a rounded square (with one stage: the radius of a disk) that the middle of a tile
+    /// covers in any case; what pieces around the middles of edges do follows from it. A minimum cut likes to be short,
+    /// and would leave of a piece no more than what hides the joint. Unless given default_core with three stages, 0
+    /// with one.
     std::optional<double> core;
     /// The exemplar's column where that of marked corners begins; 0: no corners are marked. Corner: the second half of
     /// the colours is theirs, and their patches come from there; a new piece comes from the exemplar of most of its
@@ -59,7 +62,7 @@ struct TextureRequest
     int classes() const { return split > 0 ? 2 : 1; }
     /// The colours as the set counts them: those of edges with marks, if there are marks.
     WangColors set_colors() const { return classes() == 2 && !has_corners() ? marked_colors(colors) : colors; }
-    double core_radius() const { return core.value_or(stages == 3 ? 0.3 : 0); }
+    double core_radius() const { return core.value_or(stages == 3 ? default_core : 0); }
     int ring_pixels() const { return ring.value_or(std::max(1, size / 16)); }
     int band() const { return std::max(2, static_cast<int>(overlap * size)); }
     bool has_corners() const { return kind != TextureKind::wang; }

@@ -16,8 +16,8 @@ namespace poissonlab {
 namespace {
 
 /// The numbers that stand under a tiling.
-constexpr std::array tiling_measures = {"seam_mismatch", "longest_run", "border_exceptions", "lattice_power",
-                                        "color_distance"};
+constexpr std::array tiling_measures = {"seam_mismatch",  "longest_run", "border_exceptions", "lattice_power",
+                                        "exemplar_power", "repetition",  "color_distance"};
 
 /// Tables with more textures would be wider than pages: the others go into tables of their own.
 constexpr std::size_t textures_in_a_table = 6;

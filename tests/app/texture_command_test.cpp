@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <random>
 #include <sstream>
@@ -44,6 +45,22 @@ TEST_F(TextureCommand, BuildsVerifiesAndTiles)
     printed("tile corner --window -7 1000000000000 2 2 --seed 5 --out far.png");
     expect_error("tile omega --window 1 0 2 2 --out a.png",
                  "texture tile: a window at 1 0: must be at 0 0, since these tiles are laid in scanlines");
+}
+
+/// The picture's own value stands beside; white noise has 1 / 42, by its 7 x 6 squares.
+TEST_F(TextureCommand, SaysWhatRepeats)
+{
+    const std::string build = "build corner --colors 2 --exemplar noise.png --size 16 --attempts 3 --out tiles";
+    EXPECT_THAT(printed(build), HasSubstr("times as much as the picture itself: "));
+    const auto told = nlohmann::json::parse(printed(build + " --json"));
+    // 3 channels of 256 sums: a relative standard error of sqrt(2 / 768).
+    EXPECT_NEAR(told["exemplar_power"].get<double>(), 1.0 / 42, 5 * std::sqrt(2.0 / 768) / 42);
+    EXPECT_GT(told["repetition"].get<double>(), 2);
+    EXPECT_EQ(printed(build + " --quiet"), "");
+    // Of an exemplar with less than two tiles to a side nothing can be said.
+    EXPECT_FALSE(nlohmann::json::parse(printed("build corner --colors 2 --exemplar noise.png --size 64 --attempts 1 "
+                                               "--candidates 1 --out large --json"))
+                     .contains("repetition"));
 }
 
 TEST_F(TextureCommand, MapsThePlane)
@@ -111,7 +128,7 @@ TEST_F(TextureCommand, WrongArguments)
     expect_error(corner + "--colors 2 --size 16 --ring 9", "texture build: --ring 9: must be an integer from 1 to 2");
     expect_error(
         corner + "--colors 2 --size 16 --weight gradeint",
-        "texture build: --weight gradeint: must be one of \"gradient\", \"plain\"; did you mean \"gradient\"?");
+        "texture build: --weight gradeint: must be one of \"plain\", \"gradient\"; did you mean \"gradient\"?");
     expect_error("build corner --colors 2 --size 16 --exemplar none.png --out o",
                  "texture build: --exemplar none.png: no such file: must be a picture's file");
     expect_error("build corner --colors 2 --size 16 --exemplar noise.png --out noise.png",

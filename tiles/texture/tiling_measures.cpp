@@ -51,6 +51,16 @@ double line_mean(const std::vector<double>& means, std::size_t side, std::size_t
     return sum / static_cast<double>(side);
 }
 
+PngPixels part_of(const PngPixels& picture, int left, int top, int width, int height)
+{
+    PngPixels part{width, height, picture.channels, {}};
+    for (int y = top; y < top + height; ++y) {
+        const auto first = picture.values.begin() + static_cast<std::ptrdiff_t>(picture.at(left, y, 0));
+        part.values.insert(part.values.end(), first, first + static_cast<std::ptrdiff_t>(width) * picture.channels);
+    }
+    return part;
+}
+
 std::array<double, 256> cumulative(const PngPixels& picture, int channel)
 {
     std::array<double, 256> shares{};
@@ -99,6 +109,20 @@ double lattice_power(const PngPixels& tiling, int size)
         all += squares / pixels - mean * mean;
     }
     return all > 0 ? lattice / all : 0;
+}
+
+std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& exemplar, int size)
+{
+    const int width = exemplar.width / size * size, height = exemplar.height / size * size;
+    if (width < 2 * size || height < 2 * size || tiling.width < width || tiling.height < height) return std::nullopt;
+    const double own = lattice_power(exemplar, size);
+    if (own == 0) return std::nullopt;
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y + height <= tiling.height; y += height)
+        for (int x = 0; x + width <= tiling.width; x += width, ++count)
+            sum += lattice_power(part_of(tiling, x, y, width, height), size);
+    return Repetition{own, sum / count / own};
 }
 
 double color_distance(const PngPixels& one, const PngPixels& other)

@@ -4,6 +4,7 @@
 
 #include "base/images/png_file.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace poissonlab {
@@ -24,6 +25,17 @@ StepMap step_map(const PngPixels& tiling, const PngPixels& exemplar, int size);
 /// by Parseval's theorem the variance of the mean over all squares of this size, over that of all pixels. Sums over
 /// channels. Squares that are independent have 1 over their number.
 double lattice_power(const PngPixels& tiling, int size);
+
+/// By how many times more a tiling repeats than its exemplar does: lattice_power() of windows that are as large as the
+/// exemplar, mean over as many as the tiling holds side by side, over the exemplar's own. Both have as many squares, so
+/// that chance adds as much to either. Nothing where the exemplar has fewer than 2 x 2 squares, or the tiling is
+/// smaller, or the exemplar has no power there.
+struct Repetition
+{
+    double exemplar_power = 0; ///< lattice_power() of the exemplar
+    double times = 0;
+};
+std::optional<Repetition> repetition(const PngPixels& tiling, const PngPixels& exemplar, int size);
 
 /// The mean over channels of the area between the cumulative distributions of two pictures' values: by how many levels
 /// out of 255 pixels of one must change on average to have the other's colours.

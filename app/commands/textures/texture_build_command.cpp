@@ -9,6 +9,8 @@
 #include "host/texture/exemplar.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tiles/texture/texture_certificate.hpp"
+#include "tiles/texture/texture_tiling.hpp"
+#include "tiles/texture/tiling_measures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,23 +46,37 @@ void check_folder(const std::filesystem::path& folder)
         throw InputError(fmt::format("texture build: --out {}: is no folder", folder.string()));
 }
 
+/// Of the tiling by the set's own seed that tables [[texture]] measure.
+std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t seed)
+{
+    if (set.classes > 1) return std::nullopt;
+    constexpr std::uint64_t side = 16;
+    const TextureWindow window = texture_window(set, {0, 0, side, side}, seed);
+    return repetition(texture_window_pixels(set, window, set.values, set.exemplar.channels), set.exemplar, set.size);
+}
+
 void print_built(const TextureBuildOptions& options, const BuiltTexture& built, double seconds)
 {
+    if (options.is_quiet() && !options.as_json) return;
     const TextureSet& set = built.set;
     const TextureCertificate proof = certify_texture(set);
+    const std::optional<Repetition> repeated = repetition_of(set, options.seed());
     if (options.as_json) {
-        const nlohmann::ordered_json json{{"folder", printable(options.out.string())},
-                                          {"tiles", set.tiles.size()},
-                                          {"tile_size", set.size},
-                                          {"windows", built.windows.size()},
-                                          {"tile_pairs", proof.tile_pairs},
-                                          {"joints", proof.joints},
-                                          {"exceptions", proof.exceptions},
-                                          {"seconds", seconds}};
+        nlohmann::ordered_json json{{"folder", printable(options.out.string())},
+                                    {"tiles", set.tiles.size()},
+                                    {"tile_size", set.size},
+                                    {"windows", built.windows.size()},
+                                    {"tile_pairs", proof.tile_pairs},
+                                    {"joints", proof.joints},
+                                    {"exceptions", proof.exceptions},
+                                    {"seconds", seconds}};
+        if (repeated) {
+            json["exemplar_power"] = repeated->exemplar_power;
+            json["repetition"] = repeated->times;
+        }
         fmt::print("{}\n", json.dump(2));
         return;
     }
-    if (options.is_quiet()) return;
     fmt::print("{}: {} tiles of {} x {} pixels from {} windows, {}\n", printable(options.out.string()),
                set.tiles.size(), set.size, set.size, built.windows.size(), duration_text(seconds));
     fmt::print("{} pairs of tiles fit: {:.2f} joints a pair across their borders{}\n", proof.tile_pairs,
@@ -69,6 +85,10 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                    ? ""
                    : fmt::format(", {:.2f} pixels a pair beside corners that do not fit",
                                  static_cast<double>(proof.exceptions) / static_cast<double>(proof.tile_pairs)));
+    if (repeated)
+        fmt::print("A tiling repeats {:.1f} times as much as the picture itself: {:.1f} % of its power recur with each "
+                   "tile, of the picture's {:.1f} %\n",
+                   repeated->times, 100 * repeated->times * repeated->exemplar_power, 100 * repeated->exemplar_power);
 }
 
 /// Smoothing is what a device does here: without it, none is opened.

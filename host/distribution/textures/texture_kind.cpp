@@ -69,8 +69,10 @@ void request_keys(Keys& keys, TextureRequest& r, bool is_built = false)
     keys.word("cut", r.cut, quilting_cuts, "of Wang tiles");
     keys.number("overlap", r.overlap, {0.03, 0.5},
                 "of Wang tiles and of 0 stages: half of the band in which samples overlap, in tiles");
-    keys.number("core", r.core, {0, 0.4}, "the radius of a disk that the middle of a tile covers, in tiles")
-        .otherwise("0.3, with one stage 0");
+    keys.number("core", r.core, {0, 0.4},
+                "half of the side of a rounded square that the middle of a tile covers, in tiles; with one stage the "
+                "radius of a disk")
+        .otherwise("0.36, with one stage 0");
     keys.flag("smooth", r.smooth, "give new pieces the colours around them; Wang tiles get seams from it");
 }
 
@@ -156,7 +158,7 @@ std::string texture_label(const TextureSettings& settings)
     if (!settings.marked_exemplar.empty())
         label += fmt::format(", {} at marked corners", printable(settings.marked_exemplar.stem().string()));
     if (request.smooth) label += ", smoothed";
-    if (request.weight == SeamWeight::plain) label += ", plain weights";
+    if (request.weight == SeamWeight::gradient) label += ", gradient weights";
     if (!request.has_corners() && request.cut == QuiltingCut::path) label += ", paths";
     return label;
 }

@@ -39,21 +39,27 @@ TextureValues values_of(const TextureSet& set, std::uint64_t seed)
     const PngPixels tiling = texture_window_pixels(set, texture_window(set, {0, 0, measured_side, measured_side}, seed),
                                                    set.values, set.exemplar.channels);
     const StepMap steps = step_map(tiling, set.exemplar, set.size);
-    return {{"tiles", static_cast<double>(set.tiles.size())},
-            {"atlas_pixels", static_cast<double>(set.tiles.size() * set.pixels_a_tile())},
-            {"seam_pairs", seams.pairs_a_tile},
-            {"seam_mismatch", seams.mismatch},
-            {"seam_excess", seams.excess},
-            {"conspicuous_seams", seams.conspicuous},
-            {"longest_run", seams.longest_run},
-            {"border_joints", static_cast<double>(proof.joints) / pairs},
-            {"border_exceptions", static_cast<double>(proof.exceptions) / pairs},
-            {"border_step", steps.border},
-            {"largest_step", steps.largest},
-            {"coverage", seams.coverage},
-            {"lattice_power", lattice_power(tiling, set.size)},
-            {"double_lattice_power", lattice_power(tiling, 2 * set.size)},
-            {"color_distance", color_distance(tiling, set.exemplar)}};
+    TextureValues values{{"tiles", static_cast<double>(set.tiles.size())},
+                         {"atlas_pixels", static_cast<double>(set.tiles.size() * set.pixels_a_tile())},
+                         {"seam_pairs", seams.pairs_a_tile},
+                         {"seam_mismatch", seams.mismatch},
+                         {"seam_excess", seams.excess},
+                         {"conspicuous_seams", seams.conspicuous},
+                         {"longest_run", seams.longest_run},
+                         {"border_joints", static_cast<double>(proof.joints) / pairs},
+                         {"border_exceptions", static_cast<double>(proof.exceptions) / pairs},
+                         {"border_step", steps.border},
+                         {"largest_step", steps.largest},
+                         {"coverage", seams.coverage},
+                         {"lattice_power", lattice_power(tiling, set.size)},
+                         {"double_lattice_power", lattice_power(tiling, 2 * set.size)},
+                         {"color_distance", color_distance(tiling, set.exemplar)}};
+    const auto repeated = repetition(tiling, set.exemplar, set.size);
+    if (repeated && set.classes == 1) { // two exemplars side by side have no repetition of their own
+        values["exemplar_power"] = repeated->exemplar_power;
+        values["repetition"] = repeated->times;
+    }
+    return values;
 }
 
 /// Means over sets, with standard errors where there are several and values differ.

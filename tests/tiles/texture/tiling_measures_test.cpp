@@ -59,6 +59,42 @@ TEST(TilingMeasures, LatticePowerIsOneOfOneTileAndSmallOfNoise)
     EXPECT_EQ(lattice_power({16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8), 0);
 }
 
+TEST(TilingMeasures, RepetitionIsOneOfNoiseAndOfTheExemplarItself)
+{
+    const PngPixels exemplar = test::random_picture(37, 34, 1, 8);
+    const auto cut = [](const PngPixels& picture, int width, int height) {
+        PngPixels part{width, height, 1, {}};
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) part.values.push_back(picture.values[picture.at(x, y, 0)]);
+        return part;
+    };
+    // 4 x 4 squares of 8: what is left over takes no part, and copies of what is measured are the same.
+    const PngPixels squares = cut(exemplar, 32, 32);
+    const auto own = repetition(repeated_picture(squares, 3, 2), exemplar, 8);
+    ASSERT_TRUE(own);
+    EXPECT_NEAR(own->times, lattice_power(squares, 8) / lattice_power(exemplar, 8), 1e-12);
+    EXPECT_NEAR(own->exemplar_power, lattice_power(exemplar, 8), 1e-15);
+    // Independent noise: 1/16 with 64 squares' Gaussian sums in the exemplar, 32 times as many in the tiling.
+    const auto noise = repetition(test::random_picture(256, 128, 1, 9), exemplar, 8);
+    ASSERT_TRUE(noise);
+    EXPECT_NEAR(noise->times, 1, 5 * std::sqrt(2.0 / 63 * (1 + 1.0 / 32)));
+}
+
+TEST(TilingMeasures, RepetitionOfOneTileIsOneOverTheExemplarsOwn)
+{
+    const PngPixels exemplar = test::random_picture(32, 32, 3, 10), tile = test::random_picture(8, 8, 3, 11);
+    EXPECT_NEAR(repetition(repeated_picture(tile, 8, 8), exemplar, 8)->times, 1 / lattice_power(exemplar, 8), 1e-9);
+}
+
+TEST(TilingMeasures, RepetitionNeedsAnExemplarOfSeveralTiles)
+{
+    const PngPixels noise = test::random_picture(64, 64, 1, 12);
+    EXPECT_FALSE(repetition(noise, test::random_picture(32, 15, 1, 13), 8));
+    EXPECT_FALSE(repetition(noise, test::random_picture(80, 16, 1, 13), 8)) << "the tiling is smaller";
+    EXPECT_FALSE(repetition(noise, {16, 16, 1, std::vector<std::uint8_t>(256, 9)}, 8)) << "no power";
+    EXPECT_TRUE(repetition(noise, test::random_picture(16, 16, 1, 13), 8));
+}
+
 /// Two pictures with as many pixels: the distance is the mean difference of their sorted values.
 TEST(TilingMeasures, ColorDistanceIsThatOfSortedValues)
 {
