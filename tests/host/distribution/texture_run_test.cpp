@@ -117,15 +117,15 @@ TEST_F(TextureRun, FindsNoSeamsInNoise)
 {
     TextureSettings settings = noise_settings();
     settings.show = {"exemplar"};
-    settings.sets = 2;
+    settings.sets = 13;
     // Chosen windows and cuts make seams smaller than chance, never larger.
     const DistributionResult result = make(settings);
     EXPECT_LT(number(result, "conspicuous_seams"), 0.05);
     EXPECT_LT(number(result, "seam_mismatch"), 1.05);
-    // Four edges in both directions with 32 steps each, in two sets: differences of evenly distributed numbers have a
-    // relative standard deviation of sqrt(1/18) / (1/3).
-    EXPECT_NEAR(number(result, "border_step"), 1, 4 * std::sqrt(0.5 / (2 * 2 * 4 * 32)));
-    EXPECT_EQ(number(result, "sets"), 2);
+    // Four edges in both directions with 32 steps each, in so many sets: differences of evenly distributed numbers have
+    // a relative standard deviation of sqrt(1/18) / (1/3), so that this is four standard errors.
+    EXPECT_NEAR(number(result, "border_step"), 1, 4 * std::sqrt(0.5 / (13 * 2 * 4 * 32)));
+    EXPECT_EQ(number(result, "sets"), 13);
     EXPECT_TRUE(result.numbers[3].standard_error);
 }
 
