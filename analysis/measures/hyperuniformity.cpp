@@ -39,6 +39,19 @@ std::vector<PowerShell> shells_above(std::vector<PowerShell> shells, double leas
     return shells;
 }
 
+/// The shells without the longest beginning of which half or more have no power above `least`. Where power goes down
+/// to rounding, its curve ends: shells below would have it level out.
+std::vector<PowerShell> shells_above_rounding(std::vector<PowerShell> shells, double least)
+{
+    std::size_t begin = 0, empty = 0;
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        empty += !(shells[i].power > least);
+        if (2 * empty > i) begin = i + 1;
+    }
+    shells.erase(shells.begin(), shells.begin() + static_cast<std::ptrdiff_t>(begin));
+    return shells_above(std::move(shells), least);
+}
+
 double total_pairs(const std::vector<PowerShell>& shells)
 {
     double pairs = 0;
@@ -214,7 +227,7 @@ FrequencyRange hyperuniformity_test_range(std::size_t points, int dimension, int
 std::optional<HyperuniformityExponent> hyperuniformity_exponent(const std::vector<PowerShell>& measured,
                                                                 int realizations, double least)
 {
-    const std::vector<PowerShell> shells = shells_above(measured, least);
+    const std::vector<PowerShell> shells = shells_above_rounding(measured, least);
     if (shells.empty()) return std::nullopt;
     const std::vector<double> x = centred_logarithms(shells);
     HyperuniformityExponent exponent{root_of_tilt(shells, x), 0};

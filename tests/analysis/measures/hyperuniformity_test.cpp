@@ -160,6 +160,20 @@ TEST(HyperuniformityExponent, GrowsItsErrorWherePowersScatterMoreThanChance)
               3 * hyperuniformity_exponent(alike, 100, nothing)->standard_error);
 }
 
+/// A steep curve that ends in rounding keeps its slope: of f^6 with chance, all below 3 lost.
+TEST(HyperuniformityExponent, LeavesOutWhereRoundingBegins)
+{
+    const auto shells =
+        shells_up_to_6([](double squared, double) { return squared < 9 ? 1e-16 : 1e-12 * std::pow(squared, 3); });
+    const auto exponent = hyperuniformity_exponent(shells, 10, 1e-10);
+    ASSERT_TRUE(exponent);
+    EXPECT_NEAR(exponent->value, 6, 1e-6);
+    std::mt19937_64 random(7);
+    const auto noisy = hyperuniformity_exponent(drawn(shells, 10, random), 10, 1e-10);
+    ASSERT_TRUE(noisy);
+    EXPECT_NEAR(noisy->value, 6, 4 * noisy->standard_error);
+}
+
 TEST(HyperuniformityExponent, NeedsPower)
 {
     const auto none = shells_up_to_6([](double, double) { return 1e-25; });
