@@ -105,6 +105,8 @@ void construction_keys(Keys& keys, ShownConstruction& s)
     tile_set_keys(keys, s.tiles, drawn_sizes(s.tiles.family));
     keys.integer("seed", s.seed, 0, any_integer, "of the tile set").otherwise("that of the config");
     s.parameters = s.tiles.parameters(s.seed.value_or(1));
+    if (keys.is_given("border") && s.parameters.border == TileBorder::chain && !s.is_tiling())
+        throw keys.invalid("border", "must be strip, or show must be tiling or points: chains have no pieces to show");
     piece_keys(keys, s);
     if (s.parameters.dimension == 3)
         keys.flag("modified", s.modified, "whether regions are those that tiles need, or those around corners alone")

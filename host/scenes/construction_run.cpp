@@ -2,7 +2,7 @@
 
 #include "base/programs/interrupt.hpp"
 #include "host/device/device.hpp"
-#include "host/tile_construction/tile_construction.hpp"
+#include "host/tile_sampling/tile_set_cache.hpp"
 
 #include <fmt/format.h>
 
@@ -37,10 +37,7 @@ MadeTiles make_tiles(const ShownConstruction& shown, const DistributionPlace& pl
         if (!shown.is_tiling() && made.pieces.size() == wanted.size()) throw AllIsMade{};
     };
     try {
-        const FillSettings fill = fill_settings(parameters);
-        const auto filler =
-            place.engine == Engine::opencl ? make_tile_filler(fill, place.device()) : reference::make_tile_filler(fill);
-        made.set = construct_tile_set(parameters, *filler, options).set;
+        made.set = build_tile_set(parameters, place.engine, place.device, options).set;
     } catch (const AllIsMade&) {
     }
     return made;

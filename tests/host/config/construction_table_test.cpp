@@ -3,6 +3,7 @@
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,6 +35,15 @@ TEST(ConstructionTable, HasDefaults)
     EXPECT_EQ(all[3].parameters.tiles, 4096u);
     EXPECT_EQ(all[3].count, 16u);
     EXPECT_TRUE(all[3].is_list());
+}
+
+TEST(ConstructionTable, ChainsAreShownInTilingsAlone)
+{
+    EXPECT_NO_THROW(constructions_of("[[construction]]\nshow = \"points\"\nborder = \"chain\"\n"));
+    for (const char* show : {"regions", "tile", "corners"})
+        EXPECT_THAT(
+            [&] { constructions_of(fmt::format("[[construction]]\nshow = \"{}\"\nborder = \"chain\"\n", show)); },
+            testing::ThrowsMessage<InputError>(HasSubstr("must be strip, or show must be tiling or points")));
 }
 
 TEST(ConstructionTable, TakesEveryKey)

@@ -52,6 +52,21 @@ protected:
     fs::path out_ = folder_.path() / "out";
 };
 
+/// Tilings are made as samplers make them, whatever relaxes their tiles together.
+TEST_F(ConstructionRun, TilingsShowTilesThatAreRelaxedTogether)
+{
+    const std::string tiling = plane + "show = \"points\"\nwindow = [0, 0, 3, 2]\n";
+    const json root = results(table(tiling + "border = \"chain\"\njoint_iterations = 2\n") +
+                              table(tiling + "joint_iterations = 2\n") + table(tiling + "equal_moments = 1\n"));
+    for (const std::size_t number : {0, 1, 2}) {
+        SCOPED_TRACE(number);
+        const Scene shown = scene(root, number);
+        std::size_t points = 0;
+        for (const auto& of_class : shown.panels.front().points) points += of_class.size();
+        EXPECT_EQ(points, 6u * 16u);
+    }
+}
+
 TEST_F(ConstructionRun, StagesOfAPieceKeepTheirPoints)
 {
     const json root = results(table(plane + "show = \"edge\"\nalong = \"y\"\nvariant = 2\n"));
