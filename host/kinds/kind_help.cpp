@@ -55,6 +55,13 @@ std::string kinds_text()
     return text;
 }
 
+std::string keys_markdown(const Kind& kind)
+{
+    std::string text = "| key | | default | |\n| --- | --- | --- | --- |\n";
+    for (const KeySpec& spec : kind.keys()) text += key_row(spec);
+    return text;
+}
+
 std::string kinds_markdown()
 {
     std::string text = "# Keys of configs\n\n"
@@ -65,8 +72,7 @@ std::string kinds_markdown()
         text += fmt::format("\n## {}: {}\n\n{}.", kind.title, table_in_markdown(kind), kind.summary);
         const bool has_command = !kind.command.empty() && !kind.table.empty();
         text += has_command ? fmt::format(" On the command line: `poissonlab {}`.\n", kind.command) : "\n";
-        text += "\n| key | | default | |\n| --- | --- | --- | --- |\n";
-        for (const KeySpec& spec : kind.keys()) text += key_row(spec);
+        text += "\n" + keys_markdown(kind);
     }
     return text;
 }

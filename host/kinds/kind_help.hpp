@@ -1,6 +1,8 @@
 // What the tables of configs can say, from the kinds' own descriptions.
 #pragma once
 
+#include "host/kinds/kind.hpp"
+
 #include <string>
 
 namespace poissonlab {
@@ -8,7 +10,10 @@ namespace poissonlab {
 /// All kinds with their keys, for a terminal.
 std::string kinds_text();
 
-/// The same as docs/kinds.md.
+/// The keys of one, as a table of Markdown.
+std::string keys_markdown(const Kind& kind);
+
+/// All kinds with their keys as docs/kinds.md.
 std::string kinds_markdown();
 
 }

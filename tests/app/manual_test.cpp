@@ -1,7 +1,10 @@
 // The pages of the documentation that the program writes.
 #include "app/commands/manual/manual.hpp"
 #include "base/errors/errors.hpp"
+#include "host/config/config.hpp"
 #include "host/config/sampler_registry.hpp"
+#include "host/kinds/exhibit.hpp"
+#include "host/kinds/kinds.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
 #include "results/measures.hpp"
 #include "tests/support/places.hpp"
@@ -9,10 +12,23 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
+#include <set>
+
 namespace poissonlab {
 namespace {
 
 using testing::HasSubstr;
+
+/// The words that a pattern's first group finds in a text.
+std::set<std::string> words_in(const std::string& text, const std::string& pattern)
+{
+    const std::regex expression(pattern);
+    std::set<std::string> words;
+    for (std::sregex_iterator found(text.begin(), text.end(), expression), end; found != end; ++found)
+        words.insert((*found)[1]);
+    return words;
+}
 
 TEST(Manual, PagesHaveTheResultsThatAreStored)
 {
@@ -64,6 +80,29 @@ TEST(Manual, EveryMethodHasAPageWithItsParametersAndStoredPictures)
             EXPECT_TRUE(!is_shown || std::filesystem::exists(source_folder() + "/docs/methods/" + file)) << file;
         }
         EXPECT_THAT(pages.at("methods.md"), HasSubstr("(methods/" + spec.name + ".md)"));
+    }
+}
+
+TEST(Manual, EveryKindHasAPageWithItsKeysAnExampleAndAPicture)
+{
+    const ManualPages pages = kind_pages();
+    const std::filesystem::path folder = source_folder() + "/docs/kinds";
+    const Config examples = read_config(folder / "examples.toml");
+    std::set<const Kind*> with_example;
+    for (const Exhibit& exhibit : read_exhibits(examples)) with_example.insert(exhibit.kind);
+    for (const Kind& kind : all_kinds()) {
+        if (kind.table.empty()) continue;
+        const std::string name = kind.word.empty() ? kind.table : kind.table + "-" + kind.word;
+        SCOPED_TRACE(name);
+        EXPECT_TRUE(with_example.contains(&kind));
+        const std::string& page = pages.at("kinds/" + name + ".md");
+        EXPECT_THAT(page, HasSubstr("    [[" + kind.table + "]]\n"));
+        for (const KeySpec& key : kind.keys()) EXPECT_THAT(page, HasSubstr("| `" + key.value.key + "`"));
+        // Costs of tilings are numbers.
+        EXPECT_EQ(page.find("src=\"pictures/" + name) != page.npos, name != "scheme-tiling-costs");
+        for (const std::string& picture : words_in(page, "src=\"(pictures/[^\"]*)\""))
+            EXPECT_TRUE(std::filesystem::exists(folder / picture)) << picture;
+        EXPECT_THAT(pages.at("beside-methods.md"), HasSubstr("(kinds/" + name + ".md)"));
     }
 }
 

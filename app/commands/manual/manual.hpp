@@ -1,4 +1,5 @@
-// The pages of the documentation that follow from the program's own descriptions: of methods, measures and commands.
+// The pages of the documentation that follow from the program's own descriptions: of methods, kinds of
+// work, measures and commands.
 #pragma once
 
 #include "app/commands/command.hpp"
@@ -16,6 +17,10 @@ using ManualPages = std::map<std::string, std::string>;
 
 /// A page a method, methods/NAME.md, and methods.md, which helps to choose one.
 ManualPages method_pages();
+
+/// A page a kind of work beside methods, kinds/TABLE-WORD.md, and beside-methods.md, which lists them. Pictures and
+/// examples are those of docs/kinds.
+ManualPages kind_pages();
 
 /// All methods of the gallery in the plane, by the measures that methods are chosen by.
 std::string scale_table();

@@ -26,7 +26,7 @@ Command manual_command(std::function<std::vector<Command>()> all_commands)
     const auto o = std::make_shared<ManualOptions>();
     return {
         "manual",
-        "Write the pages of the documentation that follow from descriptions: methods, measures, commands",
+        "Write the pages of the documentation that follow from descriptions: methods, kinds, measures, commands",
         {{"--out", &o->out, "Where the pages and their curves go", "DIR"},
          {"--results", &o->pages, "Put the stored results into these pages, such as docs/results.md, anew", "FILE"}},
         "",

@@ -41,8 +41,9 @@ void draw_curves(const fs::path& folder)
 
 void write_manual(const fs::path& folder, const std::vector<Command>& commands)
 {
-    fs::create_directories(folder / "methods");
+    for (const char* part : {"methods", "kinds"}) fs::create_directories(folder / part);
     ManualPages pages = method_pages();
+    pages.merge(kind_pages());
     pages["measures.md"] = measure_page();
     pages["commands.md"] = command_page(commands);
     for (const auto& [name, text] : pages) write_whole_file(folder / name, text);
