@@ -110,6 +110,7 @@ private:
                 add_points(panel, tile, {x, y, 0});
                 if (!with_regions) continue;
                 panel.tiles.push_back({x, y, 0});
+                if (p_.border == TileBorder::chain) continue; // which have no regions
                 // The tiles of a template have their own colours.
                 if (p_.kind == PoissonTileKind::frame) panel.pieces.push_back({all_axes(d_), {x, y, 0}, {tile}, false});
                 for (ScenePiece piece : pieces_of_a_tile(tile)) {
@@ -125,9 +126,12 @@ private:
     void add_points(ScenePanel& panel, std::uint32_t tile, const std::array<std::int32_t, 3>& place) const
     {
         const std::span<const std::uint16_t> points = made_.set.tile(tile);
+        const StoredScale scale = stored_scale(p_.border);
+        const auto at = [&](std::int32_t cell, std::uint16_t stored) {
+            return cell * tile_units + scale.position(stored);
+        };
         for (std::size_t i = 0; i < points.size(); i += 2)
-            panel.of(PointClass::held)
-                .push_back({place[0] * tile_units + points[i], place[1] * tile_units + points[i + 1], 0});
+            panel.of(PointClass::held).push_back({at(place[0], points[i]), at(place[1], points[i + 1]), 0});
     }
 };
 

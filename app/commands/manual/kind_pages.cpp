@@ -83,7 +83,7 @@ std::string kind_list()
         "a command or Python can ask for is a kind of work, with a page, a picture and an example; "
         "[keys of configs](kinds.md) has all keys on one page.\n";
     for (const auto& [table, title, python] : tables) {
-        text += fmt::format("\n## {}: `[[{}]]`\n\n| | |\n| --- | --- |\n", title, table);
+        text += fmt::format("\n## {}: `[[{}]]`\n\n| kind | |\n| --- | --- |\n", title, table);
         for (const Kind& kind : all_kinds())
             if (kind.table == table)
                 text += fmt::format("| [{}](kinds/{}.md) | {}. |\n", kind.title, page_name(kind), kind.summary);
