@@ -4,6 +4,7 @@
 #include "host/tile_construction/chain_choice.hpp"
 #include "host/tile_construction/chain_corners.hpp"
 #include "host/tile_construction/chain_relaxation.hpp"
+#include "host/tile_construction/chains/chain_filling.hpp"
 #include "host/tile_construction/fill_stages.hpp"
 #include "host/tile_construction/moments/equal_moments.hpp"
 #include "tiles/poisson/chain_geometry.hpp"
@@ -36,7 +37,7 @@ public:
     ChainConstruction(const PoissonTileParameters& parameters, const ChainEngines& engines,
                       const ConstructionOptions& options)
         : p_(parameters), engines_(engines), options_(options), pieces_(p_.colors, p_.tiles), saved_(pieces_),
-          choice_(p_, engines.tori, options_, report_), wanted_(chain_interior_settings(p_).wanted)
+          choice_(p_, engines.tori, options_, report_), filler_(pieces_, p_, engines.interiors, options_, report_)
     {}
 
     ConstructedTileSet run()
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    using Tiles = std::vector<std::uint32_t>;
+    using Tiles = ChainFiller::Tiles;
 
     // Filling.
 
@@ -59,109 +60,11 @@ private:
         Tiles open(p_.tiles);
         std::iota(open.begin(), open.end(), 0u);
         for (std::uint32_t round = 0; !open.empty(); ++round) {
-            const Tiles failed = fill_anew(open, inside_stage, round);
+            const Tiles failed = filler_.fill_anew(open, inside_stage, round);
             if (failed.empty()) return;
             if (round + 1 == max_rounds) give_up(failed);
             open = with_other_chains(failed, round);
         }
-    }
-
-    /// Returns those that could not be filled.
-    Tiles fill_anew(Tiles open, std::uint32_t stage_number, std::uint32_t round)
-    {
-        const std::size_t total = open.size();
-        Tiles hopeless;
-        std::erase_if(open, [&](std::uint32_t tile) {
-            const bool has_room =
-                interior_size(pieces_, tile, p_.points_per_tile) >= 0 && is_simple(border_polygon(pieces_, tile));
-            if (!has_room) hopeless.push_back(tile);
-            return !has_room;
-        });
-        for (std::uint32_t attempt = 0; attempt < patient_tile_attempts && !open.empty(); ++attempt) {
-            std::vector<FillProblem> problems;
-            for (const std::uint32_t tile : open) problems.push_back(problem_of(tile));
-            open = fill(open, problems, stage_number, round * attempts_a_round + attempt);
-            if (options_.progress) options_.progress("tiles", total - open.size(), total);
-        }
-        open.insert(open.end(), hopeless.begin(), hopeless.end());
-        std::ranges::sort(open);
-        return open;
-    }
-
-    /// Pushes the points of tiles apart, each tile on its own. Returns those that do not get the minimum distance.
-    Tiles repel(const Tiles& open)
-    {
-        Tiles failed, possible;
-        std::vector<FillProblem> problems;
-        for (const std::uint32_t tile : open) {
-            const auto border = border_polygon(pieces_, tile);
-            const auto is_inside = [&](const UnitPosition& point) { return is_strictly_inside(border, point); };
-            if (!is_simple(border) || !std::ranges::all_of(pieces_.interiors[tile], is_inside)) {
-                failed.push_back(tile);
-                continue;
-            }
-            possible.push_back(tile);
-            problems.push_back(problem_of(tile));
-            for (const UnitPosition& point : pieces_.interiors[tile])
-                problems.back().given.push_back({wrapped(point[0]), wrapped(point[1]), 0});
-        }
-        const Tiles left = fill(possible, problems, repair_stage, 0);
-        failed.insert(failed.end(), left.begin(), left.end());
-        std::ranges::sort(failed);
-        return failed;
-    }
-
-    FillProblem problem_of(std::uint32_t tile) const
-    {
-        FillProblem problem;
-        for (const UnitPosition& point : border_polygon(pieces_, tile))
-            problem.held.push_back({wrapped(point[0]), wrapped(point[1]), 0});
-        problem.active = static_cast<std::uint32_t>(interior_size(pieces_, tile, p_.points_per_tile));
-        problem.stream = tile;
-        if (targets_) problem.moments = targets_->left_in_units(own_border_points(tile));
-        return problem;
-    }
-
-    /// The corner point and the chains that tilings take from a tile.
-    std::vector<UnitPosition> own_border_points(std::uint32_t tile) const
-    {
-        const auto chains = chains_around(tile, p_.colors);
-        std::vector<UnitPosition> points{pieces_.corners[chains.front().lower]};
-        for (const PlacedChain& own : {chains.front(), chains.back()}) {
-            const Chain& chain = pieces_.chains[own.direction][own.number(p_.colors)];
-            points.insert(points.end(), chain.begin(), chain.end());
-        }
-        return points;
-    }
-
-    /// Returns the tiles whose points did not get the distance; those of the others are taken over.
-    Tiles fill(const Tiles& tiles, const std::vector<FillProblem>& problems, std::uint32_t stage_number,
-               std::uint32_t attempt)
-    {
-        FillStage stage{.regions = regions_of(p_), .number = stage_number};
-        stage.active = {0, -tile_units / 2, torus_units};
-        stage.in_polygon = true;
-        stage.equal_moments = targets_ ? targets_->order() : 0;
-        const std::vector<FilledTorus> filled = engines_.interiors.fill(stage, problems, attempt);
-        report_.tori += filled.size();
-        Tiles failed;
-        for (std::size_t i = 0; i < tiles.size(); ++i) {
-            const bool is_good = filled[i].active.size() == problems[i].active &&
-                                 (problems[i].active == 0 || filled[i].squared_min_distance >= wanted_);
-            if (!is_good) {
-                ++report_.failures;
-                failed.push_back(tiles[i]);
-                continue;
-            }
-            auto& interior = pieces_.interiors[tiles[i]];
-            interior.clear();
-            for (const TilePosition& point : filled[i].active) {
-                constexpr std::int32_t middle = tile_units / 2;
-                interior.push_back({storable(shortest(point[0] - middle) + middle),
-                                    storable(shortest(point[1] - middle) + middle), 0});
-            }
-        }
-        return failed;
     }
 
     /// Gives failed tiles another chain each. Returns all tiles that have one of these.
@@ -219,7 +122,7 @@ private:
         for (std::uint32_t iteration = first; iteration < p_.joint_iterations; ++iteration) {
             const auto before = pieces_.interiors;
             iterate(iteration, false);
-            for (const std::uint32_t tile : repel(all_tiles())) pieces_.interiors[tile] = before[tile];
+            for (const std::uint32_t tile : filler_.repel(all_tiles())) pieces_.interiors[tile] = before[tile];
         }
         if (p_.equal_moments > 0) equalize_moments();
     }
@@ -228,19 +131,11 @@ private:
 
     void equalize_moments()
     {
-        const auto using_targets = [this](const MomentTargets& targets, const auto& settle) {
-            targets_ = &targets;
-            const Tiles failed = settle();
-            targets_ = nullptr;
-            return failed;
-        };
         const EvenableTiles tiles{
             [&] { return tile_set_of(pieces_, p_); },
-            [&](const MomentTargets& targets, const Tiles& open) {
-                return using_targets(targets, [&] { return repel(open); });
-            },
+            [&](const MomentTargets& targets, const Tiles& open) { return filler_.repel(open, &targets); },
             [&](const MomentTargets& targets, const Tiles& open, std::uint32_t round) {
-                return using_targets(targets, [&] { return fill_anew(open, moment_stage, round); });
+                return filler_.fill_anew(open, moment_stage, round, &targets);
             },
             [&](const MomentTargets& targets, std::uint32_t tile) { return make_exact(targets, tile); },
             [&](const Tiles& failed) { return give_way(failed); },
@@ -253,7 +148,7 @@ private:
     bool make_exact(const MomentTargets& targets, std::uint32_t tile)
     {
         const auto border = border_polygon(pieces_, tile);
-        return targets.make_exact(pieces_.interiors[tile], own_border_points(tile)) &&
+        return targets.make_exact(pieces_.interiors[tile], own_border_points(pieces_, p_, tile)) &&
                std::ranges::all_of(pieces_.interiors[tile],
                                    [&](const UnitPosition& point) { return is_strictly_inside(border, point); });
     }
@@ -276,7 +171,7 @@ private:
     void mend_tiles(Tiles open)
     {
         for (std::uint32_t round = 0; !open.empty(); ++round) {
-            const Tiles failed = fill_anew(repel(open), repair_stage, round);
+            const Tiles failed = filler_.fill_anew(filler_.repel(open), repair_stage, round);
             if (failed.empty()) return;
             open = with_chains_back(failed);
         }
@@ -318,8 +213,7 @@ private:
     ChainPieces saved_; ///< as they were before joint relaxation
     Replaced back_;     ///< chains that are as they were then
     ChainChoice choice_;
-    const MomentTargets* targets_ = nullptr; ///< of the moments that fillings get, if they do
-    std::uint64_t wanted_;                   ///< squared distance of points before they are rounded
+    ChainFiller filler_;
 };
 
 }

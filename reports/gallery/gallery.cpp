@@ -124,11 +124,8 @@ std::vector<GalleryMethod> read_gallery(const GalleryTables& tables)
     std::vector<GalleryMethod> gallery;
     for (TableReader line(tables.methods, methods_file, methods_header); line.next();)
         gallery.push_back(gallery_method_of(line));
-    for (TableReader line(tables.measures, measures_file, measures_header); line.next();) {
-        Estimate& estimate = method_named(gallery, line).measures[line.text(1)];
-        estimate.value = line.number(2);
-        if (!line.text(3).empty()) estimate.standard_error = line.number(3);
-    }
+    for (TableReader line(tables.measures, measures_file, measures_header); line.next();)
+        method_named(gallery, line).measures[line.text(1)] = line.estimate(2, 3);
     for (TableReader line(tables.curves, curves_file, curves_header); line.next();) {
         Curve& curve = method_named(gallery, line).curve;
         curve.bins.push_back({line.number(1), line.number(2), line.number(4), 0, line.number(3)});

@@ -4,6 +4,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/csv_fields.hpp"
 #include "base/files/text_lines.hpp"
+#include "results/series.hpp"
 
 #include <fmt/format.h>
 
@@ -41,6 +42,14 @@ public:
         double value = 0;
         if (!parse_number(fields_[column], value)) throw error(fmt::format("\"{}\" must be a number", fields_[column]));
         return value;
+    }
+
+    /// The error's column is empty where none is known.
+    Estimate estimate(std::size_t column, std::size_t error_column) const
+    {
+        Estimate estimate{number(column), {}};
+        if (!fields_[error_column].empty()) estimate.standard_error = number(error_column);
+        return estimate;
     }
 
     InputError error(const std::string& why) const { return InputError::at({file_, lines_.number()}, why); }

@@ -96,6 +96,7 @@ void measure_evenness(benchmark::State& state, const PoissonTileParameters& para
     state.counters["quarter"] = quarter;
     state.counters["middle"] = middle;
     state.counters["exponent"] = exponent;
+    state.counters["short_of_six"] = 6 - exponent;
 }
 
 void add_evenness(const char* name, std::uint32_t equal_moments)
@@ -138,9 +139,14 @@ int main(int argc, char** argv)
     return run_benchmarks(
         argc, argv,
         {{"C = 4, N = 64: excess share of strips / of chains", "strips_4/", "chains_4/", 30, "excess"},
-         {"C = 3: mean peak of strips / of strips relaxed together", "strips_3/", "strips_together_3/", 2,
-          "mean_peak"}},
+         {"C = 3: mean peak of strips / of strips relaxed together", "strips_3/", "strips_together_3/", 2, "mean_peak"},
+         {"C = 3, chains: mean peak without / with equal second moments", "chains_3/", "even_3/", 1, "mean_peak"},
+         {"equal second moments: power from 0.6 to 1.5 of the tiles' frequency, without / with", "moments_0/",
+          "moments_2/", 1 / 1.2, "middle"}},
         {{"C = 3, chains: mean peak", "chains_3/", 1.8, "mean_peak"},
          {"C = 3, chains: excess share, %", "chains_3/", 0.6, "excess"},
-         {"C = 6, chains: mean peak", "chains_6/", 1.1, "mean_peak"}});
+         {"C = 6, chains: mean peak", "chains_6/", 1.1, "mean_peak"},
+         {"equal second moments: power at a twelfth of it, in millionths", "moments_2/", 1, "twelfth"},
+         {"equal second moments: power at a quarter of it, in ten thousandths", "moments_2/", 2, "quarter"},
+         {"equal second moments: exponent below 0.4 of it, short of 6 by", "moments_2/", 0.5, "short_of_six"}});
 }

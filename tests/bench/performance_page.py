@@ -27,7 +27,7 @@ SECTIONS = [
     ("Gaussian blue noise", "Gaussian"),
     ("Aperiodic tilings", "table 8|periods|Kari|Culik|tiles as SVG"),
     ("Building tile sets", "ms$|corner set of 8|one by one"),
-    ("What chains and joint relaxation gain", "chains: |excess share|mean peak"),
+    ("What chains and joint relaxation gain", "chains: |excess share|mean peak|second moments"),
     ("Points of tilings", "window of|nearest point|filling"),
     ("Look-ups of tiles: other kinds beside corner tiles with the same hash", "stream_rows|look_up"),
     ("Textures: one picture again and again, beside tiles that differ", "repeated /"),

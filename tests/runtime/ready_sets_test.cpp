@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -36,8 +37,12 @@ TEST(ReadyTileSets, KeepWhatTheyPromise)
         EXPECT_TRUE(set.parameters.ranked) << name;
         EXPECT_EQ(set.squared_min_distance, proof.squared_min_distance) << name;
         EXPECT_GE(proof.relative_radius, set.parameters.relative_radius) << name;
-        EXPECT_THAT(table, testing::HasSubstr(fmt::format("| [{0}]({0}) | {1:.4f} |", name,
-                                                          std::floor(proof.relative_radius * 1e4) / 1e4)));
+        EXPECT_THAT(table,
+                    testing::HasSubstr(fmt::format(
+                        "| [{0}]({0}) | {1:.4f} | {2:.5f} | {3} |", name, std::floor(proof.relative_radius * 1e4) / 1e4,
+                        std::floor(std::sqrt(static_cast<double>(proof.squared_min_distance)) / tile_units * 1e5) / 1e5,
+                        proof.moments.proven_exponent())));
+        EXPECT_GE(proof.moments.proven_exponent(), 4U) << name;
         kinds.insert(
             fmt::format("{} {} {}", kind_name(set.parameters), set.parameters.colors, set.parameters.relative_radius));
     }

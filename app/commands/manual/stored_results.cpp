@@ -20,6 +20,13 @@ namespace {
 
 constexpr std::string_view marker = "<!--= ", marker_end = " -->", results_end = "<!--/-->";
 
+std::string with_error(const Estimate& estimate, int decimals)
+{
+    const std::string value = format_fixed(estimate.value, decimals);
+    if (!estimate.standard_error) return value;
+    return fmt::format("{} ± {}", value, format_fixed(*estimate.standard_error, decimals));
+}
+
 /// An estimate of the gallery by the words "NAME KEY DECIMALS" of a source.
 std::string gallery_number(std::istream& words, bool with_its_error)
 {
@@ -31,24 +38,23 @@ std::string gallery_number(std::istream& words, bool with_its_error)
     if (method == gallery.end()) throw InputError("the gallery has no method " + name);
     const auto found = method->measures.find(key);
     if (found == method->measures.end()) throw InputError(fmt::format("{} has no measure {}", name, key));
-    const Estimate& estimate = found->second;
-    const std::string value = format_fixed(estimate.value, decimals);
-    if (!with_its_error || !estimate.standard_error) return value;
-    return fmt::format("{} ± {}", value, format_fixed(*estimate.standard_error, decimals));
+    return with_its_error ? with_error(found->second, decimals) : format_fixed(found->second.value, decimals);
 }
 
-/// Measures of the seams of tilings, by the names of series and keys: docs/gallery/seams.csv.
-std::map<std::pair<std::string, std::string>, double> seam_measures()
+using StoredMeasures = std::map<std::pair<std::string, std::string>, Estimate>;
+
+/// Measures of a table beside the gallery's own, by the names of series and keys.
+StoredMeasures stored_measures(const std::string& file)
 {
-    std::map<std::pair<std::string, std::string>, double> measures;
-    for (TableReader line(gallery_file("seams.csv"), "seams.csv", "name,measure,value,standard_error"); line.next();)
-        measures[{line.text(0), line.text(1)}] = line.number(2);
+    StoredMeasures measures;
+    for (TableReader line(gallery_file(file), file, "name,measure,value,standard_error"); line.next();)
+        measures[{line.text(0), line.text(1)}] = line.estimate(2, 3);
     return measures;
 }
 
 std::string seam_table()
 {
-    const auto measures = seam_measures();
+    const StoredMeasures measures = stored_measures("seams.csv");
     std::string text =
         "| colours | tiles | strips: mean peak | share | strips together: mean peak | share | chains: mean "
         "peak | share |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
@@ -58,12 +64,35 @@ std::string seam_table()
             format_count(static_cast<std::uint64_t>(colors * colors) * static_cast<std::uint64_t>(colors * colors)));
         for (const char* border : {"repulsion", "repulsion-joint-20", "border-chain"}) {
             const std::string name = fmt::format("corner-tiles-C-{}-N-32-{}-sets-4", colors, border);
-            const double peak = measures.at({name, "near_lattice_peaks"});
+            const double peak = measures.at({name, "near_lattice_peaks"}).value;
             text += fmt::format(" {} | {} % |", format_significant(peak, peak < 100 ? 2 : 3),
-                                format_significant(100 * measures.at({name, "lattice_excess"}), 2));
+                                format_significant(100 * measures.at({name, "lattice_excess"}).value, 2));
         }
         text += "\n";
     }
+    return text;
+}
+
+/// The exponents of configs/even.toml beside those that are proven.
+std::string even_table()
+{
+    struct Row
+    {
+        const char *name, *title, *proven;
+    };
+    constexpr std::array rows{
+        Row{"corner-tiles-C-3-N-32-repulsion", "strips, as in the papers", "2"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-0", "chains", "2"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-1", "chains, equal first moments", "4"},
+        Row{"corner-tiles-C-3-N-32-border-chain-moments-2", "chains, equal first and second moments", "6"},
+        Row{"lloyd-N-1000000-i-20", "Lloyd relaxation, no tiles", "none"},
+        Row{"gaussian-blue-noise-N-1000000-i-50-levels-6", "Gaussian blue noise, no tiles", "none"},
+    };
+    const StoredMeasures measures = stored_measures("even.csv");
+    std::string text = "| | proven exponent | measured |\n| --- | --- | --- |\n";
+    for (const Row& row : rows)
+        text += fmt::format("| {} | {} | {} |\n", row.title, row.proven,
+                            with_error(measures.at({row.name, "hyperuniformity_exponent"}), 2));
     return text;
 }
 
@@ -92,9 +121,10 @@ std::string stored_result(const std::string& source)
     if (kind == "measure" || kind == "value") return gallery_number(words, kind == "measure");
     if (kind == "scale") return "\n" + scale_table();
     if (kind == "seams") return "\n" + seam_table();
+    if (kind == "even") return "\n" + even_table();
     if (kind == "sizes") return "\n" + size_table();
     if (kind == "claims" && words >> agreement) return "\n" + claim_table(agreement);
-    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams, sizes or claims", source));
+    throw InputError(fmt::format("\"{}\": must be measure, value, scale, seams, even, sizes or claims", source));
 }
 
 }

@@ -5,22 +5,10 @@
 #pragma once
 
 #include "host/tile_construction/joint_relaxation.hpp"
-#include "host/tile_construction/piece_store.hpp"
+#include "host/tile_construction/strips/strip_pieces.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
-#include <vector>
-
 namespace poissonlab {
-
-/// All points of a tile set with strips.
-struct StripPieces
-{
-    PieceStore borders;
-    std::vector<PiecePoints> interiors; ///< by tile
-};
-
-/// The set with these pieces: each tile's points near corners, edges, (faces), then those inside. Not certified.
-PoissonTileSet tile_set_of(const StripPieces& pieces, const PoissonTileParameters& parameters);
 
 /// Makes the joint iterations that are asked for, with nulling and equal moments if these are. `pieces` have the
 /// minimum distance, and have it afterwards: what cannot be pushed apart goes back to where it was, at the latest with
