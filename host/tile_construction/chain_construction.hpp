@@ -4,7 +4,7 @@
 // tiles are relaxed together. Not of Lagae's dissertation, whose tiles have strips.
 #pragma once
 
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 namespace poissonlab {

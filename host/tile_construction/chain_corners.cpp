@@ -1,7 +1,7 @@
 #include "host/tile_construction/chain_corners.hpp"
 
 #include "base/random/random.hpp"
-#include "host/tile_construction/unit_circle.hpp"
+#include "host/tile_construction/joint/unit_circle.hpp"
 
 #include <array>
 #include <cmath>

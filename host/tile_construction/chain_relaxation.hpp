@@ -1,7 +1,7 @@
 // One iteration of relaxing all tiles of a set with chains together: docs/chain-tiles.md.
 #pragma once
 
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 #include "tiles/poisson/chain_pieces.hpp"
 
 #include <cstdint>

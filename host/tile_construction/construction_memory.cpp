@@ -3,7 +3,7 @@
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/chain_choice.hpp"
 #include "host/tile_construction/chain_construction.hpp"
-#include "host/tile_construction/joint_tiling.hpp"
+#include "host/tile_construction/joint/joint_tiling.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "host/tile_construction/moments/moment_targets.hpp"
 #include "host/tile_construction/piece_choice.hpp"
 #include "host/tile_construction/piece_store.hpp"
-#include "host/tile_construction/strips/strip_relaxation.hpp"
+#include "host/tile_construction/strip_relaxation.hpp"
 
 #include <fmt/format.h>
 

@@ -16,7 +16,7 @@
 #pragma once
 
 #include "host/tile_construction/filling/tile_filling.hpp"
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 

@@ -1,5 +1,5 @@
 // Relaxes tiles together sequentially: the plain twin of kernels/joint_nulling.cl, with Voronoi cells by CGAL.
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 
 #include "host/sampling/cells/voronoi_cells.hpp"
 

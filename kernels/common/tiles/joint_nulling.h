@@ -1,4 +1,4 @@
-// The contract of joint_nulling.cl and its host code, host/tile_construction/joint_relaxation.cpp.
+// The contract of joint_nulling.cl and its host code, host/tile_construction/joint/joint_relaxation.cpp.
 #pragma once
 
 #include "kernels/common/contract.h"

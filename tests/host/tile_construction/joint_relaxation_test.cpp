@@ -1,8 +1,8 @@
 // The torus on which all tiles of a set are relaxed together, and nulling: kernel against plain twin, and against
 // what the gradient of the mean tile's power is.
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 
-#include "host/tile_construction/joint_tiling.hpp"
+#include "host/tile_construction/joint/joint_tiling.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 

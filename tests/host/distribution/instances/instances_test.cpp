@@ -246,6 +246,12 @@ TEST(Instances, AreWrittenForOtherPrograms)
     EXPECT_EQ(std::ranges::count(usda, '['), std::ranges::count(usda, ']'));
 }
 
+std::array<std::uint8_t, 3> colour_at(const PngPixels& view, int column, int row)
+{
+    return {view.values[view.at(column, row, 0)], view.values[view.at(column, row, 1)],
+            view.values[view.at(column, row, 2)]};
+}
+
 TEST(Instances, AreSeenFromAbove)
 {
     InstanceSettings settings = some_trees({0, 0, 1, 0.5});
@@ -260,7 +266,7 @@ TEST(Instances, AreSeenFromAbove)
     const PngPixels empty = view_from_above({}, settings, 0.1);
     for (const Instance& i : instances) {
         const auto column = static_cast<int>(i.position[0] * 120), row = 59 - static_cast<int>(i.position[1] * 120);
-        EXPECT_NE(view.values[view.at(column, row, 1)], empty.values[empty.at(column, row, 1)]);
+        EXPECT_NE(colour_at(view, column, row), colour_at(empty, column, row));
     }
     settings.window = {0, 0, 0.01, 1};
     EXPECT_THAT(message_of([&] { view_from_above({}, settings, 0.1); }), testing::HasSubstr("at most 4096"));

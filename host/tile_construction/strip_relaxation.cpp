@@ -1,10 +1,10 @@
-#include "host/tile_construction/strips/strip_relaxation.hpp"
+#include "host/tile_construction/strip_relaxation.hpp"
 
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/fill_stages.hpp"
+#include "host/tile_construction/joint/stored_points.hpp"
 #include "host/tile_construction/moments/equal_moments.hpp"
-#include "host/tile_construction/stored_points.hpp"
-#include "host/tile_construction/strips/strip_mending.hpp"
+#include "host/tile_construction/strip_mending.hpp"
 
 #include <algorithm>
 #include <cmath>

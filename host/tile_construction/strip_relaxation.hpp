@@ -4,8 +4,8 @@
 // divide tiles into, so what the regions keep apart stays apart; the rest is pushed apart again at the end.
 #pragma once
 
-#include "host/tile_construction/joint_relaxation.hpp"
-#include "host/tile_construction/strips/strip_pieces.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
+#include "host/tile_construction/strip_pieces.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 namespace poissonlab {

@@ -1,7 +1,7 @@
 // The points of a tile set as they are stored, each once, however many tiles have it.
 #pragma once
 
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 
 #include <cstddef>
 #include <cstdint>

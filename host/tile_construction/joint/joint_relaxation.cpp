@@ -1,4 +1,4 @@
-#include "host/tile_construction/joint_relaxation.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
 
 #include "host/device/needed_buffers.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"

@@ -1,4 +1,4 @@
-#include "host/tile_construction/strips/strip_pieces.hpp"
+#include "host/tile_construction/strip_pieces.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "host/tile_construction/joint_tiling.hpp"
+#include "host/tile_construction/joint/joint_tiling.hpp"
 
 #include "base/geometry/lattice.hpp"
 #include "base/random/random.hpp"

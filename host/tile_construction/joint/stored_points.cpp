@@ -1,7 +1,7 @@
-#include "host/tile_construction/stored_points.hpp"
+#include "host/tile_construction/joint/stored_points.hpp"
 
-#include "host/tile_construction/joint_moments.hpp"
-#include "host/tile_construction/joint_tiling.hpp"
+#include "host/tile_construction/joint/joint_moments.hpp"
+#include "host/tile_construction/joint/joint_tiling.hpp"
 
 #include <cmath>
 

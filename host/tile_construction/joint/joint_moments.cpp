@@ -1,4 +1,4 @@
-#include "host/tile_construction/joint_moments.hpp"
+#include "host/tile_construction/joint/joint_moments.hpp"
 
 #include "host/tile_construction/moments/moment_step.hpp"
 

@@ -1,8 +1,8 @@
 // Bringing back the minimum distance to tiles with strips after points were moved.
 #pragma once
 
-#include "host/tile_construction/joint_relaxation.hpp"
-#include "host/tile_construction/strips/strip_pieces.hpp"
+#include "host/tile_construction/joint/joint_relaxation.hpp"
+#include "host/tile_construction/strip_pieces.hpp"
 #include "host/tile_construction/tile_construction.hpp"
 
 #include <compare>

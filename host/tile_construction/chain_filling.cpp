@@ -1,4 +1,4 @@
-#include "host/tile_construction/chains/chain_filling.hpp"
+#include "host/tile_construction/chain_filling.hpp"
 
 #include "host/tile_construction/fill_stages.hpp"
 #include "host/tile_construction/moments/equal_moments.hpp"

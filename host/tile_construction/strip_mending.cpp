@@ -1,4 +1,4 @@
-#include "host/tile_construction/strips/strip_mending.hpp"
+#include "host/tile_construction/strip_mending.hpp"
 
 #include "host/tile_construction/boundary_stages.hpp"
 #include "host/tile_construction/fill_stages.hpp"

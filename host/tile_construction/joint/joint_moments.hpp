@@ -4,7 +4,7 @@
 // gradients solve in a fixed order.
 #pragma once
 
-#include "host/tile_construction/stored_points.hpp"
+#include "host/tile_construction/joint/stored_points.hpp"
 
 namespace poissonlab {
 

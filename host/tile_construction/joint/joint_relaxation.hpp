@@ -7,7 +7,7 @@
 
 #include "base/geometry/point_set.hpp"
 #include "host/device/device.hpp"
-#include "host/tile_construction/unit_circle.hpp"
+#include "host/tile_construction/joint/unit_circle.hpp"
 #include "tiles/poisson/poisson_tile_set.hpp"
 
 #include <array>

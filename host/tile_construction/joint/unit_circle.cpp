@@ -1,4 +1,4 @@
-#include "host/tile_construction/unit_circle.hpp"
+#include "host/tile_construction/joint/unit_circle.hpp"
 
 #include <cmath>
 #include <numbers>
