@@ -1,0 +1,262 @@
+#include "base/regions/fixed_region.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// Cells of the grid for each edge, nearly, and the limits of its bits: small grids are of no use where regions have
+/// few edges but boxes are small.
+constexpr std::size_t cells_an_edge = 16;
+constexpr int least_grid_bits = 5;
+constexpr int most_grid_bits = 11;
+
+std::int64_t whole(std::uint32_t value) { return static_cast<std::int64_t>(value); }
+
+/// Positive on one side of the edge's line, negative on the other, and 0 on it.
+std::int64_t line_side(const FixedEdge& e, std::int64_t x, std::int64_t y)
+{
+    return (whole(e[2]) - whole(e[0])) * (y - whole(e[1])) - (whole(e[3]) - whole(e[1])) * (x - whole(e[0]));
+}
+
+/// Does an edge that goes through the height y + e cross it left of x + e^2? `side` is line_side(x, y).
+bool is_left(const FixedEdge& edge, std::int64_t side) { return side < 0 || (side == 0 && edge[2] <= edge[0]); }
+
+/// Does an edge that goes through x + e^2 cross that below y + e?
+bool is_below(const FixedEdge& edge, std::int64_t side) { return edge[2] > edge[0] ? side >= 0 : side <= 0; }
+
+bool spans_height(const FixedEdge& e, std::uint32_t y) { return e[1] <= y && y < e[3]; }
+bool spans_width(const FixedEdge& e, std::uint32_t x) { return (e[0] <= x) != (e[2] <= x); }
+
+/// Of a position on the edge's line.
+bool is_between(const FixedEdge& e, const TorusPoint<2>& p)
+{
+    return std::min(e[0], e[2]) <= p[0] && p[0] <= std::max(e[0], e[2]) && e[1] <= p[1] && p[1] <= e[3];
+}
+
+/// Does the edge have a point in the box, its border included?
+bool touches(const FixedEdge& e, const FixedBox& box)
+{
+    if (std::max(e[0], e[2]) < box.low[0] || std::min(e[0], e[2]) > box.high[0] || e[3] < box.low[1] ||
+        e[1] > box.high[1])
+        return false;
+    const bool goes_right = e[2] >= e[0];
+    const std::int64_t most = line_side(e, whole(box.low[0]), whole(goes_right ? box.high[1] : box.low[1]));
+    const std::int64_t least = line_side(e, whole(box.high[0]), whole(goes_right ? box.low[1] : box.high[1]));
+    return least <= 0 && most >= 0;
+}
+
+/// The box and what is so near to it along the axes, as far as coordinates go.
+FixedBox enlarged(const FixedBox& box, std::uint32_t margin)
+{
+    constexpr std::uint32_t most = (1u << FixedRegion::coordinate_bits) - 1;
+    FixedBox large;
+    for (std::size_t k = 0; k < 2; ++k) {
+        large.low[k] = box.low[k] - std::min(box.low[k], margin);
+        large.high[k] = box.high[k] + std::min(most - box.high[k], margin);
+    }
+    return large;
+}
+
+/// Is the squared distance from the edge less than that?
+bool is_near(const FixedEdge& e, const TorusPoint<2>& p, std::uint64_t squared)
+{
+    const std::int64_t dx = whole(e[2]) - whole(e[0]), dy = whole(e[3]) - whole(e[1]);
+    const std::int64_t x = whole(p[0]) - whole(e[0]), y = whole(p[1]) - whole(e[1]);
+    const std::int64_t along = dx * x + dy * y, squared_length = dx * dx + dy * dy;
+    if (along <= 0) return static_cast<std::uint64_t>(x * x + y * y) < squared;
+    if (along >= squared_length) return static_cast<std::uint64_t>((x - dx) * (x - dx) + (y - dy) * (y - dy)) < squared;
+    __extension__ using Wide = unsigned __int128;
+    const auto across = static_cast<Wide>(std::abs(dx * y - dy * x));
+    return across * across < static_cast<Wide>(squared) * static_cast<Wide>(squared_length);
+}
+
+/// Are all positions of a box so near to the edge? What is near is convex.
+bool is_all_near(const FixedEdge& e, const FixedBox& box, std::uint64_t squared)
+{
+    return is_near(e, box.low, squared) && is_near(e, {box.high[0], box.low[1]}, squared) &&
+           is_near(e, {box.low[0], box.high[1]}, squared) && is_near(e, box.high, squared);
+}
+
+}
+
+FixedRegion::FixedRegion(const PlaneRegion& region, double margin)
+    : box_(box_of(region)), unit_(torus_side(box_) * 0x1p-32), area_(area_of(region)),
+      margin_(static_cast<std::uint32_t>(std::ceil(margin * 0x1p32))), squared_margin_(squared_threshold(margin))
+{
+    for (const RegionPolygon& polygon : region.polygons) {
+        add_ring(polygon.outline);
+        for (const RegionRing& hole : polygon.holes) add_ring(hole);
+    }
+    const auto wanted = static_cast<int>(std::bit_width(cells_an_edge * edges_.size() - 1));
+    bits_ = std::clamp((wanted + 1) / 2, least_grid_bits, most_grid_bits);
+    // Cells no narrower than the margin, so that they are near few others.
+    while (bits_ > 0 && margin_ >> shift() != 0) --bits_;
+    list_edges();
+    find_corners();
+    count_filled();
+}
+
+void FixedRegion::add_ring(const RegionRing& ring)
+{
+    const auto rounded = [&](const std::array<double, 2>& corner) {
+        TorusPoint<2> position;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double exact = std::round((corner[k] - box_.low[k]) / unit_);
+            position[k] = static_cast<std::uint32_t>(std::clamp(exact, 0.0, 0x1p31 - 1));
+        }
+        return position;
+    };
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        TorusPoint<2> a = rounded(ring[i]), b = rounded(ring[(i + 1) % ring.size()]);
+        if (a == b) continue;
+        if (std::pair(b[1], b[0]) < std::pair(a[1], a[0])) std::swap(a, b);
+        edges_.push_back({a[0], a[1], b[0], b[1]});
+    }
+}
+
+/// The cells that an edge is near are found row by row, nearly, and then exactly.
+void FixedRegion::list_edges()
+{
+    const std::uint32_t width = 1u << shift();
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
+    for (std::uint32_t number = 0; number < edges_.size(); ++number) {
+        const FixedEdge& e = edges_[number];
+        const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin_);
+        const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
+        for (std::uint32_t row = box.low[1] >> shift(); row <= box.high[1] >> shift(); ++row) {
+            const std::uint32_t bottom = row << shift(), top = bottom + width - 1;
+            double first = box.low[0], last = box.high[0];
+            if (e[1] != e[3]) {
+                // Heights of the edge that are near the row, from its lower end.
+                const double below =
+                    std::clamp(double{1} * bottom - margin_, double{1} * e[1], double{1} * e[3]) - e[1];
+                const double above = std::clamp(double{1} * top + margin_, double{1} * e[1], double{1} * e[3]) - e[1];
+                const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
+                first = std::max(first, least - margin_ - 2);
+                last = std::min(last, most + margin_ + 2);
+            }
+            const auto last_column = static_cast<std::uint32_t>(last) >> shift();
+            for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift(); c <= last_column; ++c) {
+                const std::uint32_t left = c << shift();
+                if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin_)))
+                    found.emplace_back(static_cast<std::uint32_t>(cell_at(c, row)), number);
+            }
+        }
+    }
+    std::ranges::sort(found);
+    cells_.assign((std::size_t{1} << 2 * bits_) + 1, 0);
+    for (const auto& [cell, edge] : found) {
+        listed_.push_back(edges_[edge]);
+        cells_[cell + 1] += 2;
+    }
+    for (std::size_t i = 1; i < cells_.size(); ++i) cells_[i] += cells_[i - 1];
+}
+
+/// Along each row of corners, edges that go through its height turn outside into inside from some column on.
+void FixedRegion::find_corners()
+{
+    std::vector<bool> turns(std::size_t{1} << 2 * bits_);
+    for (const FixedEdge& e : edges_) {
+        if (e[1] == e[3]) continue;
+        const std::uint32_t width = 1u << shift();
+        for (std::uint32_t row = (e[1] + width - 1) >> shift(); row < size() && row << shift() < e[3]; ++row) {
+            const std::int64_t y = whole(row) << shift();
+            const double across = double{1} * static_cast<double>(y - whole(e[1])) / (double{1} * e[3] - e[1]);
+            const double x = e[0] + across * (double{1} * e[2] - e[0]);
+            const auto is_crossed_at = [&](std::uint32_t column) {
+                return is_left(e, line_side(e, whole(column) << shift(), y));
+            };
+            std::uint32_t column = std::min(static_cast<std::uint32_t>(std::max(0.0, x)) >> shift(), size());
+            while (column > 0 && is_crossed_at(column - 1)) --column;
+            while (column < size() && !is_crossed_at(column)) ++column;
+            if (column < size()) turns[cell_at(column, row)] = !turns[cell_at(column, row)];
+        }
+    }
+    for (std::uint32_t row = 0; row < size(); ++row) {
+        bool is_inside = false;
+        for (std::uint32_t column = 0; column < size(); ++column) {
+            is_inside ^= turns[cell_at(column, row)];
+            cells_[cell_at(column, row)] += is_inside;
+        }
+    }
+}
+
+void FixedRegion::count_filled()
+{
+    const std::size_t stride = size() + 1;
+    filled_.assign(stride * stride, 0);
+    for (std::uint32_t row = 0; row < size(); ++row)
+        for (std::uint32_t column = 0; column < size(); ++column) {
+            const std::size_t cell = cell_at(column, row), at = stride * row + column;
+            const bool is_filled = cells_[cell] % 2 == 1 || cells_[cell + 1] / 2 != cells_[cell] / 2;
+            filled_[at + stride + 1] = filled_[at + stride] + filled_[at + 1] - filled_[at] + is_filled;
+        }
+}
+
+bool FixedRegion::contains(const TorusPoint<2>& p, std::uint64_t squared_margin) const
+{
+    if ((p[0] | p[1]) >> coordinate_bits != 0) return false;
+    const TorusPoint<2> corner{p[0] >> shift() << shift(), p[1] >> shift() << shift()};
+    const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
+    bool is_inside = cells_[cell] % 2 == 1;
+    for (const FixedEdge& e : edges_of(cell)) {
+        const std::int64_t side = line_side(e, whole(p[0]), whole(p[1]));
+        if (squared_margin != 0 && is_near(e, p, squared_margin)) return false;
+        if (side == 0 && is_between(e, p)) return true;
+        const std::int64_t above_corner = line_side(e, whole(corner[0]), whole(p[1]));
+        if (spans_height(e, p[1])) is_inside ^= is_left(e, side) != is_left(e, above_corner);
+        if (spans_width(e, corner[0]))
+            is_inside ^= is_below(e, above_corner) != is_below(e, line_side(e, whole(corner[0]), whole(corner[1])));
+    }
+    return is_inside;
+}
+
+bool FixedRegion::contains_plainly(const TorusPoint<2>& p) const
+{
+    if ((p[0] | p[1]) >> coordinate_bits != 0) return false;
+    const auto is_edge_near = [&](const FixedEdge& e) { return is_near(e, p, squared_margin_); };
+    if (squared_margin_ != 0 && std::ranges::any_of(edges_, is_edge_near)) return false;
+    bool is_inside = false;
+    for (const FixedEdge& e : edges_) {
+        const std::int64_t side = line_side(e, whole(p[0]), whole(p[1]));
+        if (side == 0 && is_between(e, p)) return true;
+        if (spans_height(e, p[1])) is_inside ^= is_left(e, side);
+    }
+    return is_inside;
+}
+
+RegionSide FixedRegion::side_of(const FixedBox& box) const
+{
+    if ((box.low[0] | box.low[1]) >> coordinate_bits != 0) return RegionSide::outside;
+    constexpr std::uint32_t most = (1u << coordinate_bits) - 1;
+    const FixedBox cut{box.low, {std::min(box.high[0], most), std::min(box.high[1], most)}};
+    const std::uint32_t left = cut.low[0] >> shift(), right = cut.high[0] >> shift();
+    const std::uint32_t bottom = cut.low[1] >> shift(), top = cut.high[1] >> shift();
+    const std::size_t stride = size() + 1;
+    const std::uint32_t filled = filled_[stride * (top + 1) + right + 1] - filled_[stride * (top + 1) + left] -
+                                 filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
+    if (filled == 0) return RegionSide::outside;
+    if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
+    const FixedBox large = enlarged(cut, margin_);
+    bool is_crossed = false, is_near_edge = false;
+    for (std::uint32_t row = bottom; row <= top; ++row)
+        for (std::uint32_t column = left; column <= right; ++column)
+            for (const FixedEdge& e : edges_of(cell_at(column, row))) {
+                if (squared_margin_ != 0 && is_all_near(e, cut, squared_margin_)) return RegionSide::outside;
+                is_crossed |= touches(e, cut);
+                is_near_edge |= touches(e, large);
+            }
+    if (is_crossed) return RegionSide::crossed;
+    if (!contains(box.low, 0)) return RegionSide::outside;
+    return cut.high == box.high && !is_near_edge ? RegionSide::inside : RegionSide::crossed;
+}
+
+std::array<double, 2> FixedRegion::own(const TorusPoint<2>& position) const
+{
+    return {box_.low[0] + unit_ * position[0], box_.low[1] + unit_ * position[1]};
+}
+
+}

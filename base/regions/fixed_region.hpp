@@ -1,0 +1,110 @@
+// A region in whole numbers: exact and fast answers to what lies inside.
+//
+// Its corners are rounded to a grid of 2^31 positions along its longest side, a corner of the unit torus' fixed-point
+// coordinates: nothing in it is nearer to anything around the torus than within it, differences have 31 bits, and the
+// cross product of two of them fits into 64. What lies on an edge is inside.
+//
+// A grid of 2^bits cells along each axis covers these positions. A cell has the edges that touch it, and says whether
+// its lowest corner is inside. From there to a position one goes along y, then along x, and counts the edges that are
+// crossed. Corner and position are moved by (e^2, e) for that, with an e smaller than any number, so that no edge is
+// touched. kernels/common/regions/inside_region.clh does the same.
+//
+// With a margin positions that are nearer than it to an edge are outside as well, and cells have all edges that are so
+// near to them.
+#pragma once
+
+#include "base/geometry/torus.hpp"
+#include "base/regions/plane_region.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+/// An edge from its lower end to its upper one: x, y, x, y.
+using FixedEdge = std::array<std::uint32_t, 4>;
+
+/// Positions low, low + 1, ..., high along each axis.
+struct FixedBox
+{
+    TorusPoint<2> low{};
+    TorusPoint<2> high{};
+};
+
+/// What is known of the positions of a box. Boxes whose sides are much larger than cells are looked at roughly: they
+/// may be said to be crossed although they are not.
+enum class RegionSide
+{
+    outside, ///< all of them
+    crossed,
+    inside ///< all of them
+};
+
+class FixedRegion
+{
+public:
+    static constexpr int coordinate_bits = 31;
+
+    /// The side of the torus in units of a region in this box.
+    static double torus_side(const RegionBox& box) { return box.longest() / ((1u << coordinate_bits) - 1) * 0x1p32; }
+
+    /// Of a region that check_region() takes. `margin` in unit lengths of the torus, from 0 to 1/2.
+    explicit FixedRegion(const PlaneRegion& region, double margin = 0);
+
+    bool contains(const TorusPoint<2>& position) const { return contains(position, squared_margin_); }
+
+    /// The same without the grid, by all edges: to test it.
+    bool contains_plainly(const TorusPoint<2>& position) const;
+
+    RegionSide side_of(const FixedBox& box) const;
+
+    /// A position in the region's own units: its lowest corner and `unit` times the position, rounded once each.
+    std::array<double, 2> own(const TorusPoint<2>& position) const;
+
+    double unit() const { return unit_; }
+    double area() const { return area_; }         ///< in squares of its own units
+    const RegionBox& box() const { return box_; } ///< in its own units
+
+    // What the grid consists of.
+    int bits() const { return bits_; }
+    std::uint32_t margin() const { return margin_; }                 ///< in positions, rounded up
+    std::uint64_t squared_margin() const { return squared_margin_; } ///< in units of 2^-64, rounded up
+
+    /// For each cell, x fastest, twice the number of its first edge in edges(), plus 1 where its lowest corner is
+    /// inside; then the end of the last.
+    std::span<const std::uint32_t> cells() const { return cells_; }
+    std::span<const FixedEdge> edges() const { return listed_; }
+
+    /// The number of cells below and left of each corner of the grid that are not outside altogether.
+    std::span<const std::uint32_t> filled() const { return filled_; }
+
+private:
+    void add_ring(const RegionRing& ring);
+    /// Is the position inside and no nearer to an edge?
+    bool contains(const TorusPoint<2>& position, std::uint64_t squared_margin) const;
+
+    void list_edges();
+    void find_corners();
+    void count_filled();
+
+    std::uint32_t size() const { return 1u << bits_; }
+    int shift() const { return coordinate_bits - bits_; }
+    std::size_t cell_at(std::uint32_t column, std::uint32_t row) const { return std::size_t{row} << bits_ | column; }
+    std::span<const FixedEdge> edges_of(std::size_t cell) const
+    {
+        return std::span(listed_).subspan(cells_[cell] / 2, cells_[cell + 1] / 2 - cells_[cell] / 2);
+    }
+
+    RegionBox box_;
+    double unit_ = 1, area_ = 0;
+    int bits_ = 0;
+    std::uint32_t margin_ = 0;         ///< rounded up
+    std::uint64_t squared_margin_ = 0; ///< of the margin that is not rounded
+    std::vector<FixedEdge> edges_;     ///< each once
+    std::vector<FixedEdge> listed_;
+    std::vector<std::uint32_t> cells_, filled_;
+};
+
+}

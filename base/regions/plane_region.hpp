@@ -1,0 +1,50 @@
+// Regions of the plane in units of their own: polygons with holes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The corners of a closed line, in either direction; the first one does not come again at the end.
+using RegionRing = std::vector<std::array<double, 2>>;
+
+/// What lies within its outline and in none of its holes.
+struct RegionPolygon
+{
+    RegionRing outline;
+    std::vector<RegionRing> holes{};
+};
+
+struct PlaneRegion
+{
+    std::vector<RegionPolygon> polygons; ///< that touch each other in single points at most
+};
+
+/// The least rectangle around it.
+struct RegionBox
+{
+    std::array<double, 2> low{};
+    std::array<double, 2> high{};
+
+    double width() const { return high[0] - low[0]; }
+    double height() const { return high[1] - low[1]; }
+    double longest() const { return width() > height() ? width() : height(); }
+};
+
+RegionBox box_of(const PlaneRegion& region);
+
+/// In squares of its units.
+double area_of(const PlaneRegion& region);
+
+std::size_t corner_count(const PlaneRegion& region);
+
+/// Throws InputError, a line that begins with `name`, where there is no region: no polygon, fewer than three corners,
+/// coordinates that are no numbers, rings that cross or touch themselves, cross each other or share a piece of a line,
+/// holes outside their outline or inside another hole, polygons inside each other, and areas of nothing. By exact
+/// predicates.
+void check_region(const PlaneRegion& region, const std::string& name);
+
+}

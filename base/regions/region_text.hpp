@@ -1,0 +1,35 @@
+// Regions as they are typed, or as files hold them: GeoJSON, WKT, rectangles and disks.
+#pragma once
+
+#include "base/regions/plane_region.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace poissonlab {
+
+/// Corners of the polygon that stands for a disk; its area is 6.3e-6 of the disk's less.
+inline constexpr int disk_corners = 1024;
+
+/// Is this a region by itself? Any other text is the name of a file.
+bool is_region_text(std::string_view text);
+
+/// The region that a text describes, or the file of this name:
+///   rectangle X0 Y0 X1 Y1
+///   disk X Y RADIUS
+///   POLYGON ((...)), MULTIPOLYGON (((...)))    WKT
+///   {"type": ...}                              GeoJSON: Polygon, MultiPolygon, Feature, FeatureCollection,
+///                                              GeometryCollection
+/// Rings may go round in either direction. Throws InputError, a line that names the file or begins with the text, for
+/// whatever is none or not valid, see check_region(), and for longitudes and latitudes unless `is_planar`: what lies
+/// between them has other lengths along either axis.
+PlaneRegion read_region(const std::string& text, bool is_planar = false);
+
+/// The region of a GeoJSON text; `name` is what messages call it. It is not checked beyond its form. `says_metres` is
+/// set where its `crs` names a system of coordinates other than longitude and latitude.
+PlaneRegion region_of_geojson(std::string_view text, const std::string& name, bool& says_metres);
+
+/// The same of WKT.
+PlaneRegion region_of_wkt(const std::string& text, const std::string& name);
+
+}

@@ -1,0 +1,138 @@
+// Regions as they are typed and as files hold them: what is read, and what is refused in one line.
+#include "base/regions/region_text.hpp"
+
+#include "tests/support/errors.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string square_with_hole = "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 2 4, 4 4, 4 2, 2 2))";
+
+std::string refusal(const std::string& text, bool is_planar = false)
+{
+    return message_of([&] { read_region(text, is_planar); });
+}
+
+TEST(RegionTexts, HaveTheAreaAndTheBoxOfWhatTheySay)
+{
+    EXPECT_EQ(area_of(read_region("rectangle -3 1 5 4.5")), 28);
+    EXPECT_EQ(area_of(read_region(square_with_hole)), 96);
+    EXPECT_EQ(area_of(read_region("  multipolygon(((0 0,1 0,0 1,0 0)),((2 0,3 0,3 1,2 0)))")), 1);
+    const RegionBox box = box_of(read_region("rectangle -3 1 5 4.5"));
+    EXPECT_EQ(box.low, (std::array{-3.0, 1.0}));
+    EXPECT_EQ(box.high, (std::array{5.0, 4.5}));
+    // The inscribed polygon of n corners has n / 2 sin(2 pi / n) of the squared radius.
+    const double expected = disk_corners / 2.0 * std::sin(2 * std::numbers::pi / disk_corners) * 49;
+    EXPECT_NEAR(area_of(read_region("disk 100 -3 7")), expected, 1e-10);
+}
+
+TEST(RegionTexts, OfGeoJsonAreAllPolygonsWithin)
+{
+    const std::string polygon =
+        R"({"type": "Polygon", "coordinates": [[[0,0,7],[1000,0],[1000,1000],[0,1000],[0,0,7]]]})";
+    EXPECT_EQ(area_of(read_region(polygon)), 1e6);
+    EXPECT_EQ(area_of(read_region(R"({"type": "Feature", "properties": {}, "geometry": )" + polygon + "}")), 1e6);
+    const std::string two =
+        R"({"type": "MultiPolygon", "coordinates": [[[[2000,0],[3000,0],[3000,500],[2000,0]]],[[[4000,0],[4400,0],[4400,100],[4000,100],[4000,0]],[[4100,20],[4100,30],[4110,30],[4100,20]]]]})";
+    EXPECT_EQ(area_of(read_region(two)), 250'000 + 40'000 - 50);
+    EXPECT_EQ(read_region(two).polygons.at(1).holes.size(), 1U);
+    const std::string all = R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": )" + polygon +
+                            R"(}, {"type": "Feature", "geometry": null}, {"type": "Feature", "geometry": )" + two +
+                            "}]}";
+    EXPECT_EQ(read_region(all).polygons.size(), 3U);
+    EXPECT_EQ(area_of(read_region(all)), 1'289'950);
+}
+
+TEST(RegionFiles, AreKnownByWhatTheyHold)
+{
+    const TemporaryFolder folder;
+    const std::string geojson = folder.write("a.geojson",
+                                             R"({"type": "Polygon",
+ "coordinates": [[[0,0],[1000,0],[0,1000],[0,0]]]})");
+    EXPECT_EQ(area_of(read_region(geojson)), 500'000);
+    EXPECT_EQ(area_of(read_region(folder.write("b.txt", "\xef\xbb\xbf\n" + square_with_hole + "\n"))), 96);
+    EXPECT_EQ(area_of(read_region(folder.write("c", "rectangle 0 0 2 3\n"))), 6);
+    EXPECT_THAT(refusal(folder.write("d.csv", "x,y\n0,0\n")), HasSubstr("d.csv: is neither GeoJSON nor WKT"));
+    EXPECT_THAT(refusal(folder.write("e.geojson", "{\n\n\"type\": }")), HasSubstr("e.geojson:3: is not JSON"));
+    EXPECT_THAT(refusal((folder.path() / "none").string()), HasSubstr("none"));
+}
+
+TEST(RegionTexts, AreRefusedWhereTheyAreNoRegion)
+{
+    for (const auto& [text, words] : std::initializer_list<std::pair<std::string, std::string>>{
+             {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "the outline crosses or touches itself"},
+             {"POLYGON ((0 0, 10 0, 5 5, 10 10, 0 10, 5 5, 0 0))", "the outline crosses or touches itself"},
+             {"POLYGON ((0 0, 10 0, 10 5, 10 -1, 0 10, 0 0))", "the outline crosses or touches itself"},
+             {"POLYGON ((0 0, 5 0, 10 0, 3 0, 0 0))", "the outline crosses or touches itself"},
+             {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (20 20, 21 20, 21 21, 20 20))", "hole 1 lies outside the outline"},
+             {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (8 1, 12 1, 8 2, 8 1))", "the outline and hole 1 cross"},
+             {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 1, 1 1, 0 2, 0 1))", "share a piece of a line"},
+             {"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 1), (4 2, 6 2, 6 3, 4 2))",
+              "hole 2 lies inside hole 1"},
+             {"POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (5 5, 10 10, 15 5, 10 0, 5 5))",
+              "hole 1 and the outline cross"}, // through corners
+             {"MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((1 1, 2 1, 1 2, 1 1)))",
+              "polygon 2: the outline lies inside polygon 1: the outline"},
+             {"MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((8 8, 12 8, 12 12, 8 8)))", "cross"},
+             {"POLYGON ((0 0, 1 0, 1 1))", "is not closed"},
+             {"POLYGON ((0 0, 1 0, 0 0))", "is not closed: its last position must be its first, of four or more"},
+             {"POLYGON ((0 0, 1 1, 1 1, 0 0, 0 0))", "the outline has fewer than three corners"},
+             {"POLYGON ((0 0, 1000000000 0, 1000000000 0.001, 0 0))", "is nothing beside its extent"},
+             {"POLYGON ((1e9 1e9, 1000000000.1 1e9, 1e9 1000000000.1, 1e9 1e9))", "which doubles cannot resolve"},
+             {"POLYGON EMPTY", "is not closed"},
+             {"POLYGON (0 0, 1 0)", "is not WKT"},
+             {"rectangle 0 0 0 1", "must be rectangle X0 Y0 X1 Y1 with X0 < X1 and Y0 < Y1"},
+             {"rectangle 0 0 1", "must be rectangle"},
+             {"disk 0 0 -1", "must be disk X Y RADIUS with RADIUS > 0"},
+             {R"({"type": "LineString", "coordinates": [[0,0],[1,1]]})", "type: LineString: must be Polygon or"},
+             {R"({"type": "Polygon", "coordinates": [[[0,0],[500,0],[0,500],[0,400]]]})",
+              "coordinates[0]: is not closed"},
+             {R"({"type": "Polygon", "coordinates": [[[0,0],[500,0],["a",500],[0,0]]]})",
+              "coordinates[0][2]: must be a position: two numbers"},
+             {R"({"type": "Polygon"})", "coordinates: is missing"},
+             {R"({"type": "FeatureCollection", "features": []})", "has no polygon: the region is empty"},
+             {R"({"features": []})", "type: is missing: this is no GeoJSON"}})
+        EXPECT_THAT(refusal(text), HasSubstr(words)) << text;
+}
+
+/// Rings that touch in single points are valid, and so are islands in holes.
+TEST(RegionTexts, MayTouchInPoints)
+{
+    EXPECT_EQ(area_of(read_region("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 3 1, 1 3, 0 0))")), 77);
+    EXPECT_EQ(area_of(read_region("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0)), ((9 9, 10 9, 10 10, 9 9)))")), 81.5);
+    EXPECT_EQ(area_of(read_region("MULTIPOLYGON (((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1)), "
+                                  "((2 2, 3 2, 3 3, 2 3, 2 2)))")),
+              81 - 49 + 1);
+    // Corners that come twice do not matter, nor does the direction.
+    EXPECT_EQ(area_of(read_region("POLYGON ((0 0, 0 9, 0 9, 9 9, 9 0, 0 0))")), 81);
+}
+
+TEST(RegionTexts, InDegreesAreRefusedUnlessTheyAreSaidToBeLengths)
+{
+    const std::string park =
+        R"("type": "Polygon", "coordinates": [[[4.70,50.86],[4.71,50.86],[4.71,50.87],[4.70,50.86]]])";
+    EXPECT_THAT(refusal("{" + park + "}"), HasSubstr("look like longitude and latitude, whose degrees are no lengths"));
+    EXPECT_NEAR(area_of(read_region("{" + park + "}", true)), 5e-5, 1e-12);
+    const std::string belgian = R"("crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::31370"}})";
+    const std::string degrees = R"("crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}})";
+    EXPECT_NO_THROW(read_region("{" + belgian + ", " + park + "}"));
+    EXPECT_THAT(refusal("{" + degrees + ", " + park + "}"), HasSubstr("longitude and latitude"));
+    const std::string wkt = "POLYGON ((4.70 50.86, 4.71 50.86, 4.71 50.87, 4.70 50.86))";
+    EXPECT_THAT(refusal(wkt), HasSubstr("longitude and latitude"));
+    EXPECT_THAT(refusal("SRID=4326;POLYGON ((0 0, 90 0, 90 90, 0 0))"), HasSubstr("longitude and latitude"));
+    EXPECT_NO_THROW(read_region("SRID=31370;" + wkt));
+    EXPECT_NO_THROW(read_region(wkt, true));
+    EXPECT_NO_THROW(read_region(square_with_hole)) << "near 0, and as large as it is far from there";
+}
+
+}
+}
