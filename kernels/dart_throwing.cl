@@ -7,10 +7,14 @@
 // and then those of darts_in_order.cl or of darts_in_rounds.cl, which settle the darts of the batch among themselves.
 // Lists are filled through atomic counters, so their order may differ from run to run; no result depends on it.
 //
-// Needs what common/darts/dart_grid.clh needs.
+// With REGION darts fall into a region of the plane, whose coordinates are a quarter of the torus: cells outside are
+// closed, and darts outside are dropped.
+//
+// Needs what common/darts/dart_grid.clh needs, and REGION (1 or 0; see common/regions/inside_region.clh).
 
 #include "kernels/common/darts/dart_grid.clh"
 #include "kernels/common/philox.clh"
+#include "kernels/common/regions/inside_region.clh"
 
 #define CHILDREN (1 << DIMENSION)
 
@@ -31,6 +35,7 @@ typedef struct
     uint base;                 // the index of its level 0 cell
     uint near_begin, near_end; // the points that can matter to it
     uint open;                 // children, as bits
+    uint crossed;              // children that lie partly outside the region, as bits
 } Parent;
 
 /// The box of a parent in two halves along each axis, or in one, number 0.
@@ -113,14 +118,31 @@ ALWAYS_INLINE void close_covered(Parent* parent, const Halves* halves, const Nea
 
 /// At the last level a box has one or two coordinates along each axis, and each is looked at, so that saturation is
 /// exact.
-bool has_room(const Parent* parent, const Halves* halves, const Near* near, ulong squared_min_distance)
+bool has_room(const Parent* parent, const Halves* halves, const Near* near, const Region* region,
+              ulong squared_min_distance)
 {
     for (int corner = 0; corner < CHILDREN; ++corner) {
         Position position;
         FOR_EACH_AXIS(k) position.c[k] = halves->low[k][0] + ((corner >> k & 1) ? halves->extent[k][0] : 0u);
-        if (!conflicts(&position, parent, near, squared_min_distance)) return true;
+        if (!conflicts(&position, parent, near, squared_min_distance) &&
+            is_in_region(region, (uint2)(position.c[0], position.c[1])))
+            return true;
     }
     return false;
+}
+
+/// Closes the children that lie outside the region, and finds those that are crossed by its edges.
+ALWAYS_INLINE void close_outside(Parent* parent, const Halves* halves, const Region* region)
+{
+    parent->crossed = 0;
+    for (uint open = parent->open; open != 0; open &= open - 1) {
+        const uint c = 31 - clz(open & (0u - open));
+        const uint2 low = {halves->low[0][c & 1], halves->low[1][c >> 1 & 1]};
+        const uint2 extent = {halves->extent[0][c & 1], halves->extent[1][c >> 1 & 1]};
+        const uint side = region_side(region, low, extent);
+        if (side == REGION_OUTSIDE) parent->open &= ~(1u << c);
+        if (side == REGION_CROSSED) parent->crossed |= 1u << c;
+    }
 }
 
 /// The mask of a cell from word `w` on, as far as 64 bits hold it.
@@ -233,7 +255,7 @@ ALWAYS_INLINE void random_blocks(ulong cells[DIMENSION][8], const ulong8* last, 
 
 /// Draws the darts, and lists those that no point rejects.
 ALWAYS_INLINE void draw(Pending* pending, const struct Batch* batch, const Parent* parents, const Near* near,
-                        const List* darts)
+                        const Region* region, const List* darts)
 {
     const ulong8 last = convert_ulong8(vload8(0, pending->number)) | (ulong)batch->number << 16;
     EightBlocks blocks;
@@ -252,6 +274,7 @@ ALWAYS_INLINE void draw(Pending* pending, const struct Batch* batch, const Paren
         Position position;
         FOR_EACH_AXIS(k) position.c[k] = places[k][i];
         if (conflicts(&position, parent, near, batch->squared_min_distance)) continue;
+        if (parent->crossed != 0 && !is_in_region(region, (uint2)(position.c[0], position.c[1]))) continue;
         uint dart[DART_WORDS];
         FOR_EACH_AXIS(k) dart[k] = position.c[k];
         dart[TIME_WORD] = times[i];
@@ -287,6 +310,7 @@ typedef struct
 {
     global const uint* masks;
     global const uint* positions;
+    Region region;
 } Grid;
 
 /// Finds the points around the parent, and which of its children are open.
@@ -300,7 +324,9 @@ ALWAYS_INLINE void look_at(Parent* parent, const struct Batch* batch, const Grid
     Halves halves;
     halve(&parent->cell, batch, &halves);
     close_covered(parent, &halves, near, batch->is_split, batch->squared_min_distance);
-    if (batch->is_last_level && parent->open != 0 && !has_room(parent, &halves, near, batch->squared_min_distance)) {
+    close_outside(parent, &halves, &grid->region);
+    if (batch->is_last_level && parent->open != 0 &&
+        !has_room(parent, &halves, near, &grid->region, batch->squared_min_distance)) {
         parent->open = 0;
     }
 }
@@ -314,7 +340,8 @@ typedef struct
 /// Lists the open children of the parents, whose number is `open_count`, and throws darts into them. Parents come in
 /// eights; those beyond the last have no open children.
 ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count, const Near* near,
-                              const struct Batch* batch, constant const uint* thresholds, const Lists* lists)
+                              const Region* region, const struct Batch* batch, constant const uint* thresholds,
+                              const Lists* lists)
 {
     const bool lists_cells = batch->number > 0;
     const Place place = reserve(&lists->cells, lists_cells ? open_count : 0);
@@ -341,13 +368,13 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
                         pending.parent[pending.count] = p + q;
                         pending.number[pending.count] = number;
                         FOR_EACH_AXIS(k) pending.cell[k][pending.count] = cell.c[k];
-                        if (++pending.count == 8) draw(&pending, batch, parents, near, &lists->darts);
+                        if (++pending.count == 8) draw(&pending, batch, parents, near, region, &lists->darts);
                     }
                 }
             }
         }
     }
-    if (pending.count > 0) draw(&pending, batch, parents, near, &lists->darts);
+    if (pending.count > 0) draw(&pending, batch, parents, near, region, &lists->darts);
 }
 
 /// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
@@ -355,11 +382,17 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 ///
 /// `parent_cells` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their
 /// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
-/// for DART_WORDS each, group for GROUP_WORDS.
+/// for DART_WORDS each, group for GROUP_WORDS. Without REGION `region_bits` and what follows are not there.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
                         global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
-                        local uint* group)
+                        local uint* group
+#if REGION
+                        ,
+                        uint region_bits, uint region_margin, ulong squared_margin, global const uint* region_cells, global const uint* region_edges,
+                        global const uint* region_filled
+#endif
+)
 {
     const Lists lists = {
         {staged_cells, batch.staged_capacity, &group[0], open_cells, batch.open_capacity, &counters[OPEN_CELLS],
@@ -370,7 +403,11 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
 
     const uint first = min((uint)get_global_id(0) * THROW_RUN, batch.parents);
     const uint count = min((uint)THROW_RUN, batch.parents - first);
-    const Grid grid = {masks, positions};
+#if REGION
+    const Grid grid = {masks, positions, {region_bits, region_margin, squared_margin, region_cells, region_edges, region_filled}};
+#else
+    const Grid grid = {masks, positions, {0}};
+#endif
     Parent parents[THROW_RUN];
     Near near;
     uint near_end = 0;
@@ -386,6 +423,9 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
             parent->base = first + p;
             parent->near_begin = parent->near_end = 0;
             parent->open = 1;
+            Halves halves;
+            halve(&parent->cell, &batch, &halves);
+            close_outside(parent, &halves, &grid.region);
             slots[first + p] = 0;
             UNROLLED(uint w = 0; w < MASK_WORDS; ++w) masks[(first + p) * MASK_WORDS + w] = 0;
         } else {
@@ -398,7 +438,7 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
         parents[p] = parents[0];
         parents[p].open = 0;
     }
-    if (open_count > 0) throw_into(parents, count, open_count, &near, &batch, thresholds, &lists);
+    if (open_count > 0) throw_into(parents, count, open_count, &near, &grid.region, &batch, thresholds, &lists);
 
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {

@@ -13,7 +13,7 @@ const std::vector<KernelFile>& kernel_files()
     static const std::vector<KernelFile> files{
         {"averaged_tiles.cl", {}},
         {"beatty_tiling.cl", {}},
-        {"dart_throwing.cl", {dimension, reach, large_disks}},
+        {"dart_throwing.cl", {dimension, reach, large_disks, {"REGION", {"0", "1"}}}},
         {"darts_in_order.cl", {dimension, reach, large_disks}},
         {"darts_in_rounds.cl", {dimension, reach, large_disks}},
         {"farthest_point.cl", {}},

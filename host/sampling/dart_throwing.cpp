@@ -61,9 +61,22 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
                           {b.parents, most_open_cells(cells, d) * axes},
                           {b.open, most_open_cells(cells, d) * axes},
                           {b.darts, std::max(cells, most) * DART_WORDS(d)}};
+    if (request.region) {
+        buffers.push_back({b.region_cells, request.region->cells().size()});
+        buffers.push_back({b.region_edges, request.region->edges().size() * 4});
+        buffers.push_back({b.region_filled, request.region->filled().size()});
+    }
     for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
         buffers.push_back(buffer);
     return buffers;
+}
+
+KernelProgram throwing_program(const DartTorus& torus, bool has_region)
+{
+    return kernel_program("dart_throwing.cl", {{"DIMENSION", torus.dimension},
+                                               {"REACH", torus.hierarchy.reach},
+                                               {"LARGE_DISKS", torus.has_large_disks},
+                                               {"REGION", has_region}});
 }
 
 template <int D>
@@ -74,11 +87,12 @@ public:
              DartSettling settling)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
           torus_(request.min_distance, D),
-          throw_(device.kernel(dart_program("dart_throwing.cl", torus_), "throw_darts")),
+          throw_(device.kernel(throwing_program(torus_, request.region != nullptr), "throw_darts")),
           settler_(make_dart_settler(device, settling, torus_, group_size))
     {
         reserve(device, dart_buffers(buffers, request, settling, device.info().compute_units));
         buffers_.counters.write(std::array<std::uint32_t, COUNTERS>{});
+        if (request.region) write_region(*request.region);
     }
 
     PointSet run()
@@ -107,6 +121,13 @@ public:
 private:
     using enum contract::dart_throwing::Counter;
     static constexpr std::size_t dart_words = contract::dart_throwing::DART_WORDS(D);
+
+    void write_region(const FixedRegion& region)
+    {
+        buffers_.region_cells.write(region.cells());
+        buffers_.region_edges.write({region.edges().data()->data(), region.edges().size() * 4});
+        buffers_.region_filled.write(region.filled());
+    }
 
     void write_thresholds(std::uint32_t batch)
     {
@@ -145,9 +166,16 @@ private:
                                                        .open_capacity = u32(b.open.size() / D),
                                                        .dart_capacity = u32(b.darts.size() / dart_words),
                                                        .staged_capacity = u32(staged)};
-            throw_.run(items, group_size, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
-                       b.darts, b.counters, local_words(staged * D), local_words(staged * dart_words),
-                       local_words(contract::dart_throwing::GROUP_WORDS));
+            const auto run = [&](const auto&... region) {
+                throw_.run(items, group_size, batch, b.parents, b.masks, b.slots, b.positions, b.thresholds, b.open,
+                           b.darts, b.counters, local_words(staged * D), local_words(staged * dart_words),
+                           local_words(contract::dart_throwing::GROUP_WORDS), region...);
+            };
+            if (request_.region)
+                run(u32(static_cast<std::size_t>(request_.region->bits())), request_.region->margin(),
+                    request_.region->squared_margin(), b.region_cells, b.region_edges, b.region_filled);
+            else
+                run();
             std::array<std::uint32_t, 2> counts;
             b.counters.read(counts, OPEN_CELLS);
             if (counts[0] <= batch.open_capacity && counts[1] <= batch.dart_capacity) return {counts[0], counts[1]};

@@ -1,4 +1,5 @@
-// Dart throwing on the unit torus: to a number of points, or until no further point fits (saturation).
+// Dart throwing on the unit torus, or in a region of the plane: to a number of points, or until no further point fits
+// (saturation).
 //
 // Dissertation, section 4.2.4.1 and 6.3; maximal sets after Ebeida et al. 2012. Darts fall as a Poisson
 // process in space and time; a dart becomes a point when no earlier point is nearer than the minimum
@@ -8,11 +9,13 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/fixed_region.hpp"
 #include "host/sampling/darts/dart_settler.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace poissonlab {
@@ -23,6 +26,10 @@ struct DartThrowingRequest
     double min_distance = 0;           ///< 2 r, in (0, 1], unit lengths
     std::optional<std::size_t> points; ///< stop at so many points; empty: at saturation
     StreamKey stream{};
+
+    /// In 2D: the points lie in this region, in its fixed-point coordinates, which must not meet around the torus:
+    /// min_distance is at most 1/2. Empty: everywhere.
+    std::shared_ptr<const FixedRegion> region{};
 };
 
 /// Points in dart order (every prefix is a dart throwing of its own). Coordinates are multiples of 2^-32.

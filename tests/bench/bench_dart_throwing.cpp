@@ -3,6 +3,7 @@
 #include "host/sampling/dart_throwing.hpp"
 #include "tests/bench/plain_dart_throwing.hpp"
 #include "tests/bench/ratio_reporter.hpp"
+#include "tests/support/random_region.hpp"
 
 namespace poissonlab::bench {
 namespace {
@@ -106,6 +107,28 @@ void plain_million_points(benchmark::State& state)
         benchmark::DoNotOptimize(plain_dart_throwing<2>(1'000'000, min_distance_for(0.75, 1'000'000, 2), ++seed));
 }
 
+/// As many points at 0.7, on the torus and in a polygon of 10,000 corners with three holes and an island. The region is
+/// made ready once.
+void many_darts(benchmark::State& state)
+{
+    constexpr std::size_t points = 100'000;
+    DartThrowingRequest request;
+    request.min_distance = min_distance_for(0.7, points, 2);
+    request.points = points;
+    if (state.range(0) == 1) {
+        request.region = std::make_shared<const FixedRegion>(test::star_with_holes(1, 10'000, 1000));
+        request.min_distance *= std::sqrt(request.region->area()) / (request.region->unit() * 0x1p32);
+    }
+    DartThrower thrower(Device::open({}, threads));
+    thrower.throw_darts(request); // builds the kernels
+    std::uint32_t realization = 0;
+    for (auto _ : state) {
+        request.stream = stream_key(1, Purpose::dart_throwing, ++realization);
+        benchmark::DoNotOptimize(thrower.throw_darts(request));
+    }
+}
+
+BENCHMARK(many_darts)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(5);
 BENCHMARK(million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
 BENCHMARK(plain_million_points)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK_TEMPLATE(plain, 2)->Arg(70)->Arg(75)->Unit(benchmark::kMillisecond)->UseRealTime()->Repetitions(9);
@@ -163,6 +186,8 @@ int main(int argc, char** argv)
          {"saturation, time of 1,000,000 / of 16,384 points; N log N is 86.9", "kernel_to_saturation<2>/1000000",
           "kernel_to_saturation<2>/16384", 0.0},
          {"1,000,000 points at 0.75: plain sequential / kernel", "plain_million_points/", "million_points/", 4.0},
+         {"100,000 darts in a polygon of 10,000 corners, part of the torus' speed", "many_darts/0", "many_darts/1",
+          1.0 / 3},
          {"3D, 65,536 points at 0.75: plain sequential / kernel", "plain<3>/75", "kernel<3>/75", 4.0},
          {"3D, saturation, 65,536 points: sequential reference / kernel", "reference_to_saturation<3>/65536",
           "kernel_to_saturation<3>/65536", 2.5}},

@@ -16,6 +16,7 @@ struct DartBuffers
     Words parents, open;           ///< open cells before and after a batch
     Words darts, states, next;     ///< a dart of the batch each
     Words points, counters;
+    Words region_cells, region_edges, region_filled; ///< see FixedRegion
 
     // In order only.
     Words accepted;             ///< a bit of a level 0 cell each

@@ -181,15 +181,27 @@ private:
     /// At the last level single coordinates are looked at, so that saturation is exact.
     bool closed(const Box<D>& box, const Cell<D>& base, int level) const
     {
-        if (level < hierarchy_.last_level) return grid_.covers(box, base);
+        if (level < hierarchy_.last_level) return grid_.covers(box, base) || is_outside(box);
         for (int corner = 0; corner < 1 << D; ++corner) {
             TorusPoint<D> position = box.low;
             for (int k = 0; k < D; ++k) {
                 if (corner >> k & 1) position[k] += box.extent[k];
             }
-            if (!grid_.conflicts(position, base)) return false;
+            if (!grid_.conflicts(position, base) && is_allowed(position)) return false;
         }
         return true;
+    }
+
+    bool is_outside(const Box<D>& box) const
+    {
+        if (!request_.region) return false;
+        const TorusPoint<2> low{box.low[0], box.low[1]};
+        return request_.region->side_of({low, {low[0] + box.extent[0], low[1] + box.extent[1]}}) == RegionSide::outside;
+    }
+
+    bool is_allowed(const TorusPoint<D>& position) const
+    {
+        return !request_.region || request_.region->contains({position[0], position[1]});
     }
 
     /// Replaces the open cells, or their children, by those that are still open, and draws the darts of the
@@ -208,7 +220,10 @@ private:
                 const Box<D> box = box_of(child, level);
                 if (closed(box, base, level)) continue;
                 open.push_back(child);
-                for (std::uint32_t i = 0; i < counts[c]; ++i) darts.push_back(draw(child, base, box, batch, i));
+                for (std::uint32_t i = 0; i < counts[c]; ++i) {
+                    const Dart<D> dart = draw(child, base, box, batch, i);
+                    if (is_allowed(dart.position)) darts.push_back(dart);
+                }
             }
         }
         return open;
