@@ -144,7 +144,8 @@ std::vector<Command> all_commands(const std::string& typed)
                                       aperiodic_tile_command(), aperiodic_tables_command()};
     std::vector<Command> of_densities{distribute_warp_command(),    distribute_rank_command(),
                                       distribute_stipple_command(), distribute_hatch_command(),
-                                      distribute_icons_command(),   distribute_instances_command()};
+                                      distribute_icons_command(),   distribute_instances_command(),
+                                      distribute_darts_command()};
     std::vector<Command> of_textures{texture_build_command(), texture_verify_command(), texture_tile_command(),
                                      texture_map_command()};
     return {run_command(typed),
@@ -157,7 +158,12 @@ std::vector<Command> all_commands(const std::string& typed)
             packing_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
-            {"distribute", "Points and objects that follow densities", {}, "", {}, std::move(of_densities)},
+            {"distribute",
+             "Points and objects that follow densities, and points in regions",
+             {},
+             "",
+             {},
+             std::move(of_densities)},
             {"isohedral", "Isohedral tilings", {}, "", {}, {isohedral_list_command(), isohedral_draw_command()}},
             {"texture", "Texture tile sets", {}, "", {}, std::move(of_textures)},
             devices_command(),

@@ -102,6 +102,7 @@ Command aperiodic_convert_command();
 Command aperiodic_verify_command();
 Command distribute_warp_command();
 Command distribute_rank_command();
+Command distribute_darts_command();
 Command distribute_stipple_command();
 Command distribute_hatch_command();
 Command distribute_icons_command();

@@ -53,6 +53,7 @@ std::string value_name_of(const KeySpec& spec)
     case ValueKind::sampler:
         return "NAME|TABLE";
     default:
+        if (spec.is_region) return "FILE|REGION";
         return spec.is_formula ? "IMAGE|FORMULA" : spec.is_file ? "FILE" : "NAME";
     }
 }

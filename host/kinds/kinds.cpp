@@ -13,6 +13,7 @@ std::vector<Kind> listed_kinds()
                                  object_kind,
                                  self_similar_kind,
                                  rank_kind,
+                                 dart_kind,
                                  stippling_kind,
                                  hatching_kind,
                                  icon_kind,

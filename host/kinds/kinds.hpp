@@ -25,6 +25,7 @@ Kind warp_kind();
 Kind object_kind();
 Kind self_similar_kind();
 Kind rank_kind();
+Kind dart_kind();
 Kind stippling_kind();
 Kind hatching_kind();
 Kind icon_kind();

@@ -2,6 +2,7 @@
 
     made = poissonlab.distribute.stipple(image="photo.jpg", points=40000)
     made.points, made.numbers["tone_error"], made.pictures["coverage"]
+    trees = poissonlab.distribute.darts(region="park.geojson", min_distance=4).points
 """
 
 from . import kinds as _kinds

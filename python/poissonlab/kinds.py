@@ -18,7 +18,8 @@ class Made:
     label: its name in reports; facts: what it was made from, sentences.
     numbers: what was measured, by key; titles says what each is.
     pictures: arrays of shape (height, width, channels), uint8, by name; captions says what each shows.
-    points: the places that were made, shape (n, 2), in units of the longest side, y upwards; None where there are none.
+    points: the places that were made, shape (n, 2), in units of the longest side, y upwards, those of regions in the
+    region's own; None where there are none.
     tiles: of tilings, tile sets and packings: the indices of tiles, rows from north to south; else None.
     files: the paths of all files, which are there as long as this object is; save() keeps them.
     """

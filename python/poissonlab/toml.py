@@ -1,5 +1,6 @@
 """Values of Python as TOML, the language of configs."""
 
+import json
 import os
 
 import numpy
@@ -23,9 +24,12 @@ def key_of(key):
 
 
 def value_of(value):
-    """A value as it would be typed. Objects with a method `to_toml` say it themselves."""
+    """A value as it would be typed. Objects with a method `to_toml` say it themselves, and those with a
+    `__geo_interface__`, such as polygons of shapely, are regions in GeoJSON."""
     if hasattr(value, "to_toml"):
         return value.to_toml()
+    if hasattr(value, "__geo_interface__"):
+        return text_of(json.dumps(value.__geo_interface__))
     if isinstance(value, numpy.generic):
         value = value.item()
     if isinstance(value, bool):

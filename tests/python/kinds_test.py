@@ -30,9 +30,27 @@ class Kinds(unittest.TestCase):
 
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
-                         {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances"})
+                         {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
+                          "darts"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
+
+    def test_darts_fall_into_regions_in_their_own_units(self):
+        made = distribute.darts(region="rectangle 500 -20 540 10", min_distance=2, engine="reference")
+        low, high = made.points.min(axis=0), made.points.max(axis=0)
+        self.assertTrue((low >= [500, -20]).all() and (high <= [540, 10]).all(), (low, high))
+        gaps = numpy.linalg.norm(made.points[:, None] - made.points[None], axis=2)
+        self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 2)
+        self.assertEqual(made.numbers["points"], len(made.points))
+
+    def test_regions_may_have_a_geo_interface(self):
+        class Triangle:
+            __geo_interface__ = {"type": "Polygon", "coordinates": [[(0, 0), (4000, 0), (0, 3000), (0, 0)]]}
+
+        made = distribute.darts(region=Triangle(), points=50, engine="reference")
+        self.assertEqual(made.points.shape, (50, 2))
+        self.assertTrue((made.points @ [3000, 4000] <= 12_000_000 * (1 + 1e-9)).all())
+        self.assertEqual(made.numbers["area"], 6_000_000)
 
     def test_errors_have_the_words_of_the_program(self):
         with self.assertRaisesRegex(poissonlab.InputError, r"^stipple: ink = 2: must be a number from 0.001 to 1$"):

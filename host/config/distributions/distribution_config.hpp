@@ -106,6 +106,27 @@ struct StippleSettings
     double slenderness = 8;       ///< of strokes: length over width
 };
 
+/// What of a region's boundary keeps points away.
+enum class RegionBoundary
+{
+    inside, ///< points are inside
+    disks   ///< disks of half the minimum distance around them are
+};
+
+inline constexpr WordTable<RegionBoundary, 2> region_boundary_names{
+    {{{RegionBoundary::inside, "inside"}, {RegionBoundary::disks, "disks"}}}};
+
+/// kind = "darts": see host/distribution/region_darts.hpp. Points, a minimum distance, or both.
+struct DartSettings
+{
+    std::string region;     ///< a file or a description: see read_region()
+    bool is_planar = false; ///< its coordinates are lengths, whatever they look like
+    std::optional<std::size_t> points;
+    std::optional<double> min_distance; ///< in the region's units
+    double relative_radius = 0.7;       ///< of so many points, where there is no minimum distance
+    RegionBoundary boundary = RegionBoundary::inside;
+};
+
 /// kind = "instances": see host/distribution/instances/instances.hpp.
 struct InstanceSettings
 {

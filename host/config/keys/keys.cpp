@@ -2,6 +2,7 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/files/file_kind.hpp"
+#include "base/regions/region_text.hpp"
 #include "host/config/parameter_values.hpp"
 #include "host/config/sampler_help.hpp"
 #include "host/config/sampler_table.hpp"
@@ -72,6 +73,7 @@ std::string KeySpec::allowed() const
         return fmt::format("[{}], or the first of these", fmt::join(parts, ", "));
     if (!parts.empty()) return fmt::format("[{}]", fmt::join(parts, ", "));
     if (is_formula) return "a picture's file or a formula, in quotes";
+    if (is_region) return "a file's path, rectangle X0 Y0 X1 Y1, disk X Y RADIUS, WKT or GeoJSON, in quotes";
     if (is_file) return "a file's path in quotes";
     return allowed_values(value);
 }
@@ -314,6 +316,14 @@ Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std:
     value = named_file(text);
     if (const std::string lack = lack_of_file(value); !lack.empty()) throw invalid(key, lack + ": must be " + what);
     return said;
+}
+
+Keys::Said Keys::region(std::string& value)
+{
+    const Said said = text("region", value, "where points lie, in units of its own: a file of GeoJSON or WKT");
+    specs_.back().is_file = specs_.back().is_region = true;
+    if (is_given("region") && !is_region_text(value)) value = named_file(value);
+    return Said(said).required();
 }
 
 Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, std::string help)

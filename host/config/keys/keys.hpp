@@ -35,6 +35,7 @@ struct KeySpec
     bool is_spread = false;           ///< a number, or how it is spread over many things
     bool is_file = false;             ///< a text that may name a file
     bool is_formula = false;          ///< or be a formula
+    bool is_region = false;           ///< or describe a region
     bool is_required = false;
     std::string excludes{}; ///< the key that does not go together with this one
     std::string alias{};    ///< what commands and Python call it; empty: as configs do
@@ -143,6 +144,9 @@ public:
         return file(key, value, std::move(help),
                     where_.is_argument ? "a picture's file" : "a picture's file, by its path from the config's folder");
     }
+
+    /// The key `region`, which is required: a region's file, or what describes one, see read_region().
+    Said region(std::string& value);
 
     /// A picture's file, or a formula, and the key `KEY_from`, which says what of the picture is meant.
     Said picture_or_formula(const std::string& key, std::string& value, std::string help);

@@ -1,0 +1,56 @@
+// poissonlab distribute darts: points in a region of the plane, in its own units.
+#include "app/commands/kind_options.hpp"
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "host/distribution/region_darts.hpp"
+#include "host/kinds/kinds.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto distribute_darts_notes =
+    R"help(Darts are thrown into a region until there are --points of them, or until no further one fits: then every place of
+the region is nearer than --min-distance to a point. Coordinates and distances are in the region's own units. Points on
+the boundary are inside; with --boundary disks whole disks of half the distance around points are. A region is
+  FILE                         GeoJSON (Polygon, MultiPolygon, Feature, FeatureCollection), or WKT
+  "rectangle X0 Y0 X1 Y1"      from the lowest corner to the highest
+  "disk X Y RADIUS"            a polygon of 1,024 corners on the circle
+  "POLYGON ((...))"            WKT, also MULTIPOLYGON
+Longitudes and latitudes are refused, as their degrees are no lengths: project them first, or say --planar where
+coordinates only look like them. GeoJSON without a crs is in degrees by its standard.
+  poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
+  poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt)help";
+
+struct DartOptions : KindOptions
+{
+    using KindOptions::KindOptions;
+    OutputFiles outs{{}, true};
+};
+
+void throw_darts(const DartOptions& o)
+{
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<DartSettings>();
+    o.outs.check(o.command());
+    const RegionDarts darts = throw_region_darts(settings, o.seed(), o.place());
+    const std::string what =
+        fmt::format("{} points at least {:.17g} apart{}", darts.points.size(), darts.request.min_distance,
+                    darts.is_saturated ? ", between which no further one fits" : "");
+    o.say_note(what);
+    for (const std::string& out : o.outs.names)
+        write_points(out, darts.points,
+                     fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
+                                 shortened(printable(settings.region)), o.seed(), what));
+}
+
+}
+
+Command distribute_darts_command()
+{
+    const auto o = std::make_shared<DartOptions>(*find_kind("distribution", "darts"));
+    return kind_command(o, {o->outs.option()}, distribute_darts_notes, throw_darts);
+}
+
+}

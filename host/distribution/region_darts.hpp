@@ -1,0 +1,49 @@
+// Dart throwing in a region of the plane, in the region's own units.
+//
+// The region lies on a quarter of the unit torus (see base/regions/fixed_region.hpp), and so do the darts, which dart
+// throwing drops where they fall outside: the law is that of darts that are thrown into the region alone, which has no
+// neighbours beyond its boundary.
+#pragma once
+
+#include "base/geometry/point_set.hpp"
+#include "base/regions/fixed_region.hpp"
+#include "host/config/distributions/distribution_config.hpp"
+#include "host/kinds/distribution_place.hpp"
+#include "host/sampling/dart_throwing.hpp"
+
+#include <memory>
+
+namespace poissonlab {
+
+/// What is asked for, in the units of the torus and in those of the region.
+struct RegionDartRequest
+{
+    std::shared_ptr<const FixedRegion> region;
+    double min_distance = 0; ///< in the region's units
+    DartThrowingRequest darts;
+};
+
+struct RegionDarts
+{
+    RegionDartRequest request;
+    PointSet points;           ///< in the region's units, in dart order
+    bool is_saturated = false; ///< no further point fits
+};
+
+/// Reads the region and checks that the distance suits it. Throws InputError.
+RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed);
+
+/// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
+/// for. Throws InputError where there is no room for as many points as are asked for, or no memory.
+RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+
+/// Distances of points from their nearest ones: the least and the mean. Of two points or more.
+struct NearestDistances
+{
+    double least = 0;
+    double mean = 0;
+};
+
+NearestDistances nearest_distances(const PointSet& points);
+
+}

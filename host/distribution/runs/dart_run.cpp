@@ -1,0 +1,119 @@
+// kind = "darts": points in a region of the plane by dart throwing, and how far apart they are.
+//
+// Dissertation, section 4.2.4.1, without the torus. Spectra and relative radii of the torus say nothing about a region:
+// distances are what is measured.
+#include "base/geometry/relative_radius.hpp"
+#include "base/points/point_file.hpp"
+#include "base/regions/region_text.hpp"
+#include "host/config/sampler_table.hpp"
+#include "host/distribution/distribution_run.hpp"
+#include "host/distribution/region_darts.hpp"
+#include "host/kinds/kinds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// The longest side of the picture: its numbers have two decimals.
+constexpr double picture_side = 4096;
+
+void dart_keys(Keys& keys, DartSettings& s)
+{
+    keys.region(s.region);
+    keys.flag("planar", s.is_planar, "whether coordinates that look like longitude and latitude are lengths");
+    keys.integer("points", s.points, 1, max_points, "the number of points").otherwise("as many as there is room for");
+    keys.number("min_distance", s.min_distance, {1e-12, 1e12}, "the least distance of two points")
+        .unit("units of the region")
+        .otherwise("that of relative_radius");
+    keys.number("relative_radius", s.relative_radius, {0.001, 1},
+                "of so many points: their distance over that of the densest packing of as many in the region's area")
+        .excludes("min_distance");
+    keys.word("boundary", s.boundary, region_boundary_names,
+              "what is inside: points, or whole disks of half the minimum distance around them");
+    if (!keys.is_read()) return;
+    keys.check("region", [&] { read_region(s.region, s.is_planar); });
+    if (!s.points && !s.min_distance)
+        throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
+    if (keys.is_given("relative_radius") && !s.points)
+        throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
+    keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0); });
+}
+
+std::string dart_label(const DartSettings& s) { return "Darts in " + name_of_input(s.region); }
+
+/// The region's outlines and holes as lines, and points as disks of a third of their distance.
+MarkPicture picture_of(const RegionDarts& darts, const PlaneRegion& plane)
+{
+    const RegionBox& box = darts.request.region->box();
+    const double margin = picture_side / 100, scale = (picture_side - 2 * margin) / box.longest();
+    MarkPicture picture{box.width() * scale + 2 * margin, box.height() * scale + 2 * margin};
+    const auto placed = [&](double x, double y) {
+        return std::array{margin + (x - box.low[0]) * scale, margin + (y - box.low[1]) * scale};
+    };
+    MarkGroup lines{"#8a8f98"}, dots{"#000000"};
+    const auto add_ring = [&](const RegionRing& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const auto& next = ring[(i + 1) % ring.size()];
+            const auto [x0, y0] = placed(ring[i][0], ring[i][1]);
+            const auto [x1, y1] = placed(next[0], next[1]);
+            lines.strokes.push_back({x0, y0, x1, y1, picture_side / 500});
+        }
+    };
+    for (const RegionPolygon& polygon : plane.polygons) {
+        add_ring(polygon.outline);
+        for (const RegionRing& hole : polygon.holes) add_ring(hole);
+    }
+    const double radius = std::min(darts.request.min_distance * scale / 6, picture_side / 100);
+    for (std::size_t i = 0; i < darts.points.size(); ++i) {
+        const auto [x, y] = placed(darts.points[i][0], darts.points[i][1]);
+        dots.disks.push_back({x, y, radius});
+    }
+    picture.groups = {std::move(lines), std::move(dots)};
+    return picture;
+}
+
+DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                              DistributionFiles& files)
+{
+    const PlaneRegion plane = read_region(settings.region, settings.is_planar);
+    const RegionDarts darts = throw_region_darts(settings, seed, place);
+    const double area = darts.request.region->area();
+    const auto count = static_cast<double>(darts.points.size());
+    DistributionResult result;
+    result.facts = {fmt::format("{} points", darts.points.size()),
+                    darts.is_saturated ? "saturated: no further point fits" : "stopped at that number",
+                    fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane))};
+    if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
+    files.add_marks("points.json", picture_of(darts, plane), "The points in their region.", result);
+    write_points(files.add("points.npy"), darts.points);
+    result.files.push_back("points.npy");
+    result.numbers.push_back({"points", "Points", count, "in the region"});
+    result.numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
+    result.numbers.push_back(
+        {"min_distance", "Minimum distance", darts.request.min_distance, "that was asked for, in units of the region"});
+    if (darts.points.size() < 2) return result;
+    const NearestDistances nearest = nearest_distances(darts.points);
+    result.numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
+    result.numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
+                              "of points from their nearest ones, also beside the boundary, in its units"});
+    result.numbers.push_back({"relative_radius", "Relative radius",
+                              nearest.least / (max_min_distance(darts.points.size(), 2) * std::sqrt(area)),
+                              "least distance over that of the densest packing of as many points in the region's area; "
+                              "points may lie on the boundary, so that few have more than on a torus"});
+    return result;
+}
+
+}
+
+Kind dart_kind()
+{
+    return make_kind<DartSettings>({"distribution", "darts", "distribute darts", "Darts in a region",
+                                    "Throw darts into polygons with holes, to a number of points or until none fits"},
+                                   dart_keys, dart_label, make_darts);
+}
+
+}

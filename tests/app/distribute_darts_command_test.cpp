@@ -1,0 +1,64 @@
+// `poissonlab distribute darts`: its files, and what it refuses.
+#include "base/points/point_file.hpp"
+#include "tests/support/program.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+namespace poissonlab {
+namespace {
+
+using testing::HasSubstr;
+
+class DistributeDarts : public testing::Test
+{
+protected:
+    Outcome run(const std::vector<std::string>& words) const
+    {
+        std::vector<std::string> all{"distribute", "darts", "--engine", "reference"};
+        all.insert(all.end(), words.begin(), words.end());
+        return run_program(folder_.path(), all);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(DistributeDarts, WritesPointsInUnitsOfTheRegion)
+{
+    folder_.write("park.geojson", R"({"type": "Polygon", "coordinates": [[[0,0],[900,0],[900,400],[0,0]]]})");
+    const Outcome outcome =
+        run({"--region", "park.geojson", "--min-distance", "50", "--out", "a.txt", "--out", "b.csv"});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.error, HasSubstr("points at least 50 apart, between which no further one fits"));
+    const PointSet points = read_points(folder_.path() / "a.txt", CoordinateRange{0, 1000}).at(0);
+    EXPECT_GT(points.size(), 40U);
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LE(points[i][1], points[i][0] * 4 / 9 + 1e-9);
+    EXPECT_EQ(read_points(folder_.path() / "b.csv", CoordinateRange{0, 1000}).at(0), points);
+}
+
+TEST_F(DistributeDarts, RefusesWhatItCannotDo)
+{
+    folder_.write("degrees.geojson", R"({"type": "Polygon", "coordinates": [[[4,50],[5,50],[5,51],[4,50]]]})");
+    using Words = std::vector<std::string>;
+    for (const auto& [words, message] :
+         {std::tuple{Words{"--region", "none.geojson", "--points", "9"}, "distribute darts: --region: none.geojson"},
+          {Words{"--region", "degrees.geojson", "--points", "9"}, "look like longitude and latitude"},
+          {Words{"--region", "rectangle 0 0 1 1"}, "needs --points or --min-distance"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "2"},
+           "--min-distance: 2 is more than the region's longest side, 1"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--points", "900"},
+           "distribute darts: the region is saturated with"},
+          {Words{"--region", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))", "--points", "9"}, "crosses or touches itself"}}) {
+        Words all = words;
+        all.insert(all.end(), {"--out", "out.txt"});
+        const Outcome outcome = run(all);
+        EXPECT_EQ(outcome.status, 2) << message;
+        EXPECT_THAT(outcome.error, HasSubstr(message));
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out.txt"));
+    }
+}
+
+}
+}
