@@ -81,16 +81,18 @@ TEST_P(RegionDartSets, AreThoseOfTheReferenceInTheRegionAndFarEnoughApart)
 
 // Oclgrind interprets these as well: see tests/CMakeLists.txt.
 INSTANTIATE_TEST_SUITE_P(Small, RegionDartSets,
-                         testing::Values(RegionDartCase{"rectangle 0 0 3 2", 0.2, 0}, RegionDartCase{"star60", 0.09, 0},
-                                         RegionDartCase{"star60", 0.06, 9}, RegionDartCase{"star60", 0.06, 0, true}));
+                         testing::Values(RegionDartCase{"rectangle 0 0 3 2", 0.4, 0}, RegionDartCase{"star60", 0.15, 3},
+                                         RegionDartCase{"star60", 0.12, 2, true}));
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, RegionDartSets,
-    testing::Values(RegionDartCase{"rectangle 0 0 3 2", 0.5, 0}, RegionDartCase{"rectangle 0 0 3 2", 0.02, 0},
-                    RegionDartCase{"rectangle 0 0 1000 1", 0.001, 0}, RegionDartCase{"disk 5 5 2", 0.03, 0},
-                    RegionDartCase{"disk 5 5 2", 0.02, 200}, RegionDartCase{"star60", 0.01, 0},
-                    RegionDartCase{"star4000", 0.01, 0}, RegionDartCase{"star4000", 0.1, 0},
-                    RegionDartCase{"star4000", 0.3, 0}, RegionDartCase{"star4000", 0.005, 1000},
+    testing::Values(RegionDartCase{"rectangle 0 0 3 2", 0.2, 0}, RegionDartCase{"star60", 0.09, 0},
+                    RegionDartCase{"star60", 0.06, 0, true}, RegionDartCase{"rectangle 0 0 3 2", 0.5, 0},
+                    RegionDartCase{"rectangle 0 0 3 2", 0.02, 0}, RegionDartCase{"rectangle 0 0 1000 1", 0.001, 0},
+                    RegionDartCase{"disk 5 5 2", 0.03, 0}, RegionDartCase{"disk 5 5 2", 0.02, 200},
+                    RegionDartCase{"star60", 0.01, 0}, RegionDartCase{"star4000", 0.01, 0},
+                    RegionDartCase{"star4000", 0.1, 0}, RegionDartCase{"star4000", 0.3, 0},
+                    RegionDartCase{"star4000", 0.005, 1000},
                     RegionDartCase{"POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (0 0, 3 1, 1 3, 0 0))", 0.01, 0},
                     RegionDartCase{"rectangle 0 0 3 2", 0.02, 0, true},
                     RegionDartCase{"rectangle 0 0 3 2", 0.3, 0, true}, RegionDartCase{"star60", 0.01, 0, true},
