@@ -7,7 +7,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/programs/shell_words.hpp"
-#include "host/config/nearest_key.hpp"
+#include "host/settings/nearest_key.hpp"
 #include "version.hpp"
 
 #include <CLI/CLI.hpp>

@@ -3,8 +3,8 @@
 #include "app/commands/command.hpp"
 #include "base/files/standard_streams.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/crew/crew.hpp"
-#include "host/crew/failure.hpp"
+#include "experiment/crew/crew.hpp"
+#include "experiment/crew/failure.hpp"
 
 #include <cstdio>
 #include <exception>

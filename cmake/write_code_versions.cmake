@@ -20,16 +20,17 @@ function(hash_of variable)
   set(listed "${listed}" PARENT_SCOPE)
 endfunction()
 
-# Whole folders, and everything that these include: tests/host/series/code_versions_test.cpp follows the includes.
+# Whole folders, and everything that these include: tests/experiment/series/code_versions_test.cpp follows the includes.
 set(construction kernels/* runtime/*.h base/* tiles/* host/device/* host/sampling/* host/tile_construction/*
     results/records/*)
 hash_of(construction_version ${construction})
-hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* host/series/*)
-hash_of(analysis_version base/* analysis/* results/* host/measuring/* host/series/*)
+hash_of(sampling_version ${construction} host/tile_points/* host/tile_sampling/* experiment/series/*)
+hash_of(analysis_version base/* analysis/* results/* experiment/measuring/* experiment/series/*)
 hash_of(picture_version ${construction} analysis/tilings/* results/pictures/* host/tile_points/* host/tile_sampling/*
-        host/kinds/* host/scenes/* host/series/*)
+        host/kinds/* host/scenes/* experiment/exhibits/* experiment/series/*)
 hash_of(distribution_version ${construction} host/tile_points/* host/tile_sampling/* host/distribution/* host/schemes/*
-        host/texture/* host/kinds/* host/config/aperiodic/* analysis/tilings/* results/pictures/* host/series/*)
+        host/texture/* host/kinds/* host/settings/aperiodic/* analysis/tilings/* results/pictures/* experiment/exhibits/*
+        experiment/series/*)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#pragma once
 #define POISSONLAB_CONSTRUCTION_VERSION \"${construction_version}\"
 #define POISSONLAB_SAMPLING_VERSION \"${sampling_version}\"

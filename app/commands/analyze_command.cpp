@@ -2,9 +2,9 @@
 #include "app/commands/command.hpp"
 #include "app/commands/finish_report.hpp"
 #include "base/errors/errors.hpp"
-#include "host/crew/thread_limit.hpp"
-#include "host/run/runner.hpp"
-#include "host/series/imported_points.hpp"
+#include "experiment/crew/thread_limit.hpp"
+#include "experiment/run/runner.hpp"
+#include "experiment/series/imported_points.hpp"
 
 namespace poissonlab {
 namespace {

@@ -1,6 +1,6 @@
 // poissonlab export: plots for papers, and point sets for other programs.
 #include "app/commands/command.hpp"
-#include "host/run/progress.hpp"
+#include "experiment/run/progress.hpp"
 #include "reports/site/export.hpp"
 
 namespace poissonlab {

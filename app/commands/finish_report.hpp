@@ -1,7 +1,7 @@
 // The last step of every command that makes a report.
 #pragma once
 
-#include "host/run/progress.hpp"
+#include "experiment/run/progress.hpp"
 #include "reports/gallery/gallery_use.hpp"
 #include "reports/plots/print_pictures.hpp"
 

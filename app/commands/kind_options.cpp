@@ -2,7 +2,7 @@
 
 #include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
-#include "host/config/toml_reader.hpp"
+#include "host/settings/toml_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

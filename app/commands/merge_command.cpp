@@ -2,8 +2,8 @@
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/run/progress.hpp"
-#include "host/store/unit_store.hpp"
+#include "experiment/run/progress.hpp"
+#include "experiment/store/unit_store.hpp"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,13 @@
 // report.
 #include "app/commands/command.hpp"
 #include "app/commands/finish_report.hpp"
+#include "base/files/file_lock.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/crew/thread_limit.hpp"
-#include "host/run/run_plan.hpp"
-#include "host/run/runner.hpp"
-#include "host/store/file_lock.hpp"
-#include "host/store/unit_store.hpp"
+#include "experiment/crew/thread_limit.hpp"
+#include "experiment/run/run_plan.hpp"
+#include "experiment/run/runner.hpp"
+#include "experiment/store/unit_store.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "results/collection_file.hpp"
 

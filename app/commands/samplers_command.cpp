@@ -1,6 +1,6 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
 #include "app/commands/command.hpp"
-#include "host/config/sampler_help.hpp"
+#include "host/settings/sampler_help.hpp"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/config/nearest_key.hpp"
+#include "experiment/run/progress.hpp"
 #include "host/device/device.hpp"
-#include "host/run/progress.hpp"
+#include "host/settings/nearest_key.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

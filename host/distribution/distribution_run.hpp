@@ -1,10 +1,10 @@
 // What kinds of distributions have in common: densities and methods of even points as settings say them.
 #pragma once
 
-#include "host/config/distributions/texture_config.hpp"
-#include "host/config/keys/choices.hpp"
 #include "host/distribution/even_points.hpp"
 #include "host/kinds/distribution_place.hpp"
+#include "host/settings/distributions/texture_config.hpp"
+#include "host/settings/keys/choices.hpp"
 #include "results/pictures/distribution_files.hpp"
 
 #include <filesystem>

@@ -6,8 +6,8 @@
 #pragma once
 
 #include "base/densities/density_values.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/even_points.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 #include "results/pictures/mark_picture.hpp"
 
 #include <array>

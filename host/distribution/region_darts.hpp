@@ -7,9 +7,9 @@
 
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <memory>
 

@@ -12,8 +12,8 @@
 #pragma once
 
 #include "base/densities/density.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/sampling/warp/warp.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <array>
 #include <span>

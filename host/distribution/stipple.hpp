@@ -9,10 +9,10 @@
 
 #include "base/densities/density.hpp"
 #include "base/densities/density_values.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/ink/coverage.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/warp/warp.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <string>
 

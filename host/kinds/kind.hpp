@@ -1,14 +1,14 @@
 // Kinds of work, each described once: what its tables and commands take, and what is made of that.
 //
 // A kind is a plain struct of settings whose members' own values are the defaults, a function that names its keys (see
-// host/config/keys/keys.hpp) and checks what single values cannot show, and a function that makes the result. Tables of
-// configs, commands, Python and the documentation follow from these.
+// host/settings/keys/keys.hpp) and checks what single values cannot show, and a function that makes the result. Tables
+// of configs, commands, Python and the documentation follow from these.
 #pragma once
 
-#include "host/config/keys/keys.hpp"
-#include "host/config/keys/kind_settings.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/kinds/distribution_place.hpp"
+#include "host/settings/keys/keys.hpp"
+#include "host/settings/keys/kind_settings.hpp"
 #include "results/pictures/construction_result.hpp"
 #include "results/pictures/distribution_files.hpp"
 #include "results/pictures/tiling_result.hpp"

@@ -1,7 +1,7 @@
 #include "host/kinds/kind_help.hpp"
 
-#include "host/config/parameter_values.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/parameter_values.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The interface of every method of making point sets to the rest of the laboratory.
 //
-// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in host/config/sampler_registry.cpp.
+// To add a method: write a Sampler, describe it by a SamplerSpec, and list that in host/settings/sampler_registry.cpp.
 // Config keys, checks, defaults, help, series names and the report follow from the description.
 #pragma once
 

@@ -1,8 +1,8 @@
 // The kinds of [[construction]]: pictures of how Poisson tile sets, and point sets, come into being.
 #include "base/files/whole_file.hpp"
-#include "host/config/config_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/construction_run.hpp"
+#include "host/settings/config_values.hpp"
 #include "results/file_names.hpp"
 #include "tiles/poisson/tile_pieces.hpp"
 

@@ -2,9 +2,9 @@
 // tilings, tested.
 #include "base/files/whole_file.hpp"
 #include "base/images/square_image_file.hpp"
-#include "host/config/config_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/tiling_analysis.hpp"
+#include "host/settings/config_values.hpp"
 #include "results/file_names.hpp"
 #include "version.hpp"
 

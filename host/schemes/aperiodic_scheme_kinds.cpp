@@ -1,9 +1,9 @@
 // The kinds of [[scheme]] that are about aperiodic sets, isohedral tilings and surfaces.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapter 8.
-#include "host/config/config_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
+#include "host/settings/config_values.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
 #include <fmt/format.h>

@@ -2,9 +2,9 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 8.3, figures 8.7 to 8.9 and 8.12: Wang tiles with solid
 // lines, corner tiles with dashed ones.
-#include "host/config/aperiodic/aperiodic_tiles.hpp"
 #include "host/schemes/mark_canvas.hpp"
 #include "host/schemes/scheme_run.hpp"
+#include "host/settings/aperiodic/aperiodic_tiles.hpp"
 
 #include <fmt/format.h>
 

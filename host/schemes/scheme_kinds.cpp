@@ -1,9 +1,9 @@
 // The kinds of [[scheme]] that show how tilings are made, step by step, and what they cost.
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, chapters 2 and 3.
-#include "host/config/config_values.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/schemes/scheme_run.hpp"
+#include "host/settings/config_values.hpp"
 
 #include <fmt/format.h>
 

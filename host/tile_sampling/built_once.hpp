@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/errors/errors.hpp"
-#include "host/store/file_lock.hpp"
+#include "base/files/file_lock.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -2,9 +2,9 @@
 //
 // A maker takes the text of a config, so that parameters are checked by the same lines, in the same words, as those of
 // a config of the program.
-#include "host/config/sampler_help.hpp"
-#include "host/run/make_experiment.hpp"
+#include "experiment/run/make_experiment.hpp"
 #include "host/sampling/guide/sampler_guide.hpp"
+#include "host/settings/sampler_help.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "python/module/work.hpp"

@@ -1,6 +1,6 @@
 // The gallery's configs make what the gallery has, of every sampler that the program offers.
-#include "host/config/plan.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "experiment/config/plan.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "tests/support/places.hpp"
 

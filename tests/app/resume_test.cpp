@@ -1,8 +1,8 @@
 // Runs that go on where others stopped, inside the process, with samplers that count.
 #include "base/files/whole_file.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/measuring/series_analysis.hpp"
-#include "host/run/runner.hpp"
+#include "experiment/measuring/series_analysis.hpp"
+#include "experiment/run/runner.hpp"
 #include "results/archives.hpp"
 #include "tests/app/lasting_results.hpp"
 

@@ -1,8 +1,8 @@
 // Every config that ships can be run.
-#include "host/config/collection.hpp"
-#include "host/config/plan.hpp"
-#include "host/config/plan_memory.hpp"
-#include "host/kinds/exhibit.hpp"
+#include "experiment/config/collection.hpp"
+#include "experiment/config/plan.hpp"
+#include "experiment/config/plan_memory.hpp"
+#include "experiment/exhibits/exhibit.hpp"
 #include "tests/support/places.hpp"
 
 #include <gtest/gtest.h>

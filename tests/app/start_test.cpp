@@ -1,7 +1,7 @@
 // Parameters whose values are flags or samplers: `repulsion = true`, `start = { sampler = "...", ... }`.
-#include "host/config/plan.hpp"
-#include "host/run/make_experiment.hpp"
-#include "tests/host/run/relaxing_sampler.hpp"
+#include "experiment/config/plan.hpp"
+#include "experiment/run/make_experiment.hpp"
+#include "tests/experiment/run/relaxing_sampler.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -2,7 +2,7 @@
 #include "analysis/zone_plate/zone_plate.hpp"
 #include "base/images/square_image_file.hpp"
 #include "base/points/point_file.hpp"
-#include "host/measuring/zone_plate_analysis.hpp"
+#include "experiment/measuring/zone_plate_analysis.hpp"
 #include "results/curve_tables.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/program.hpp"

@@ -30,9 +30,10 @@ const std::map<std::string, Names> rooms{
     {"analysis", {"base"}},
     {"results", {"analysis", "tiles", "base"}},
     {"host", {"results", "kernels", "analysis", "tiles", "base"}},
+    {"experiment", {"host", "results", "analysis", "tiles", "base"}},
     {"reports", {"results", "analysis", "tiles", "base"}},
-    {"python", {"host", "reports", "results", "analysis", "tiles", "base"}},
-    {"app", {"host", "reports", "results", "analysis", "tiles", "base"}},
+    {"python", {"experiment", "host", "reports", "results", "analysis", "tiles", "base"}},
+    {"app", {"experiment", "host", "reports", "results", "analysis", "tiles", "base"}},
 };
 
 /// Headers that the build writes.

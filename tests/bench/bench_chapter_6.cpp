@@ -8,8 +8,8 @@
 // in 30 s, 16,384 points in 15 ms; for boundary darts: 60 ms a set of ten.
 #include "base/densities/density_formula.hpp"
 #include "base/random/random.hpp"
-#include "host/config/sampler_registry.hpp"
 #include "host/device/device.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "host/tile_sampling/penrose/penrose_importance.hpp"
 #include "host/tile_sampling/penrose/penrose_relaxation.hpp"

@@ -8,8 +8,8 @@
 // same at each size, and a method's time is their number times that of one.
 //
 // With --csv: docs/gallery/sizes.csv, at 10^4 to 10^7 points, as far as sets are expected within half a minute.
-#include "host/config/config.hpp"
-#include "host/config/plan.hpp"
+#include "experiment/config/config.hpp"
+#include "experiment/config/plan.hpp"
 #include "host/device/device.hpp"
 #include "host/sampling/sampler.hpp"
 

@@ -4,9 +4,9 @@
 // checksums. Ranks: a sweep of 16 series on one rank and on two, of one thread each; times are those of the work
 // without start and report, as the program's own events tell them.
 #include "base/points/point_file.hpp"
-#include "host/measuring/series_analysis.hpp"
-#include "host/run/make_experiment.hpp"
-#include "host/run/runner.hpp"
+#include "experiment/measuring/series_analysis.hpp"
+#include "experiment/run/make_experiment.hpp"
+#include "experiment/run/runner.hpp"
 #include "tests/bench/ratio_reporter.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,7 +1,7 @@
 // Configs that include others by paths and globs. An input is several files: each begins with a line `#file NAME`, the
 // first, the collection, does not need one.
 #include "base/files/text_lines.hpp"
-#include "host/config/collection.hpp"
+#include "experiment/config/collection.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 #include <algorithm>

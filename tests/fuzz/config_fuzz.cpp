@@ -1,7 +1,7 @@
 // Configs: TOML text, with `--set` arguments on lines that begin with `#--set `. What is accepted is planned as well.
 #include "base/files/text_lines.hpp"
-#include "host/config/config.hpp"
-#include "host/config/plan.hpp"
+#include "experiment/config/config.hpp"
+#include "experiment/config/plan.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 
 #include <algorithm>

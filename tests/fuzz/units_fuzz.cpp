@@ -1,7 +1,7 @@
 // Manifests of finished units of work: what is no sound unit counts as missing, and whatever they say, no file
 // elsewhere is read or written. The mutator mends the checksum at the end, which no mutation would get right.
 #include "base/files/xxh64_bytes.hpp"
-#include "host/store/unit_store.hpp"
+#include "experiment/store/unit_store.hpp"
 #include "tests/fuzz/fuzz_support.hpp"
 #include "tests/fuzz/mended_mutation.hpp"
 

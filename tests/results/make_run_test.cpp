@@ -1,8 +1,8 @@
-#include "host/run/make_run.hpp"
+#include "experiment/run/make_run.hpp"
 
 #include "results/statistic.hpp"
 
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

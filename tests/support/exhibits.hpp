@@ -1,7 +1,7 @@
 // The tables of a config, read.
 #pragma once
 
-#include "host/kinds/exhibit.hpp"
+#include "experiment/exhibits/exhibit.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <filesystem>

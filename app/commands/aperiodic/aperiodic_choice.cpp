@@ -2,7 +2,7 @@
 
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/config/nearest_key.hpp"
+#include "host/settings/nearest_key.hpp"
 #include "reports/drawings/tile_image.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 #include "tiles/aperiodic/tile_list_file.hpp"

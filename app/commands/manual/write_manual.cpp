@@ -1,7 +1,7 @@
 #include "app/commands/manual/manual.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "reports/gallery/gallery.hpp"
 #include "reports/plots/gnuplot.hpp"
 #include "reports/plots/gnuplot_text.hpp"

@@ -1,11 +1,11 @@
 // poissonlab texture build: texture tiles from a picture.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/config/distributions/texture_config.hpp"
+#include "experiment/run/progress.hpp"
 #include "host/device/device.hpp"
 #include "host/device/kernel.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/run/progress.hpp"
+#include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/exemplar.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tiles/texture/texture_certificate.hpp"

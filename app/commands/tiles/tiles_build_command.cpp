@@ -2,9 +2,9 @@
 // writes it.
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
-#include "host/config/keys/tile_set_keys.hpp"
+#include "experiment/run/progress.hpp"
 #include "host/kinds/kinds.hpp"
-#include "host/run/progress.hpp"
+#include "host/settings/keys/tile_set_keys.hpp"
 #include "host/tile_sampling/tile_set_cache.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 

@@ -5,7 +5,7 @@
 #include "base/errors/errors.hpp"
 #include "base/points/hdf5_points.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/crew/thread_limit.hpp"
+#include "experiment/crew/thread_limit.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 
 #include "app/commands/tiles/window_points.hpp"
 #include "base/points/placed_file.hpp"
-#include "host/crew/crew.hpp"
+#include "experiment/crew/crew.hpp"
 
 namespace poissonlab {
 

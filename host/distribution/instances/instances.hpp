@@ -6,9 +6,9 @@
 #pragma once
 
 #include "base/densities/density_values.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/objects.hpp"
 #include "host/kinds/distribution_place.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <array>
 #include <cstdint>

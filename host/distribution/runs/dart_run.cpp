@@ -5,10 +5,10 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
 #include "base/regions/region_text.hpp"
-#include "host/config/sampler_table.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/region_darts.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/sampler_table.hpp"
 
 #include <fmt/format.h>
 

@@ -3,12 +3,12 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 7.6, figures 7.7 to 7.16.
 #include "base/images/png_file.hpp"
 #include "base/random/random.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/lookup_costs.hpp"
 #include "host/distribution/object_shapes.hpp"
 #include "host/distribution/object_tiles.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <fmt/format.h>
 

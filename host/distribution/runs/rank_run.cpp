@@ -4,13 +4,13 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, figures 4.38 to 4.44, table 4.1, figures 7.2 and 7.4.
 #include "base/densities/density_values.hpp"
 #include "base/files/whole_file.hpp"
-#include "host/config/distributions/distribution_config.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/self_similar_search.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/distributions/distribution_config.hpp"
 
 #include <fmt/format.h>
 

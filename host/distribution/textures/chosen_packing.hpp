@@ -1,7 +1,7 @@
 // The packing that settings ask for.
 #pragma once
 
-#include "host/config/distributions/texture_config.hpp"
+#include "host/settings/distributions/texture_config.hpp"
 #include "tiles/packing/tile_packing.hpp"
 
 #include <cstdint>

@@ -4,9 +4,9 @@
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, section 5.5 and figures 5.7 to 5.13.
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "host/config/distributions/texture_config.hpp"
 #include "host/distribution/textures/chosen_packing.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/distributions/texture_config.hpp"
 #include "tiles/packing/closed_packing.hpp"
 #include "tiles/packing/euler_packing.hpp"
 #include "tiles/packing/packing_search.hpp"

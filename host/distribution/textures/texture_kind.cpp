@@ -1,7 +1,7 @@
 // The kind of [[texture]], and what `texture build` makes: tiles from a picture.
-#include "host/config/distributions/texture_config.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/kinds/kinds.hpp"
+#include "host/settings/distributions/texture_config.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Tables [[distribution]] of a config, and what they refuse.
-#include "host/kinds/exhibit.hpp"
+#include "experiment/exhibits/exhibit.hpp"
 
-#include "host/config/config.hpp"
+#include "experiment/config/config.hpp"
 #include "host/distribution/icons.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"

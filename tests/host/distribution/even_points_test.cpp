@@ -1,6 +1,6 @@
 // Even points over rectangles: grids of tiles, and methods that make theirs for a square.
-#include "host/config/sampler_registry.hpp"
 #include "host/distribution/even_points.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"

@@ -2,8 +2,8 @@
 #include "host/kinds/kinds.hpp"
 
 #include "base/files/whole_file.hpp"
-#include "host/config/toml_reader.hpp"
 #include "host/kinds/kind_help.hpp"
+#include "host/settings/toml_reader.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 

@@ -2,7 +2,7 @@
 #include "host/sampling/command_sampler.hpp"
 
 #include "base/points/point_file.hpp"
-#include "host/config/plan.hpp"
+#include "experiment/config/plan.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/places.hpp"
 #include "tests/support/program.hpp"

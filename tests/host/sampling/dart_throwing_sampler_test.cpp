@@ -1,5 +1,5 @@
 // Values that the sampler "dart-throwing" accepts and refuses, and its words.
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/device/device.hpp"

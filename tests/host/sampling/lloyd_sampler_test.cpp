@@ -1,5 +1,5 @@
 // Values that the sampler "lloyd" accepts and refuses, and the sets that it makes.
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include "base/geometry/relative_radius.hpp"
 #include "host/sampling/lloyd_relaxation.hpp"

@@ -1,5 +1,5 @@
 // Values that the sampler "relaxation-dart-throwing" accepts and refuses, and the sets that it makes by default.
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include "host/device/device.hpp"
 #include "host/sampling/relaxation_dart_throwing.hpp"

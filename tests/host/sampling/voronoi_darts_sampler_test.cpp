@@ -1,6 +1,6 @@
 // Values that the sampler "voronoi-darts" accepts and refuses; dart_throwing_sampler_test.cpp has what both have in
 // common.
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "tests/support/errors.hpp"
 
 #include <gmock/gmock.h>

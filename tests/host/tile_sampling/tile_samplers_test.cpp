@@ -2,8 +2,8 @@
 #include "host/tile_sampling/tile_samplers.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "host/config/sampler_registry.hpp"
 #include "host/device/device.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/temporary_folder.hpp"

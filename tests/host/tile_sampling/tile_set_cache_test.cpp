@@ -1,7 +1,7 @@
 // Tile sets are built once, and files that are not what they should be are replaced.
 #include "host/tile_sampling/tile_set_cache.hpp"
 
-#include "host/store/file_lock.hpp"
+#include "base/files/file_lock.hpp"
 #include "host/tile_sampling/tile_set_build.hpp"
 #include "tests/support/small_tile_sets.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 // Power diagrams by kernel and reference, against CGAL's Voronoi cells and a fine raster; and sets of equal areas.
 #include "host/sampling/optimized/equal_areas.hpp"
 
-#include "host/config/sampler_registry.hpp"
 #include "host/sampling/cells/voronoi_cells.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "kernels/common/optimized/power_cells.h"
 #include "tests/support/point_patterns.hpp"
 

@@ -4,7 +4,7 @@
 #include "analysis/measures/distance_statistics.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus_delaunay.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/set_features.hpp"

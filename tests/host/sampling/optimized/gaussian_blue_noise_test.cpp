@@ -3,7 +3,7 @@
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/point_patterns.hpp"

@@ -3,9 +3,9 @@
 #include "host/sampling/optimized/gaussian_field.hpp"
 
 #include "base/densities/density_formula.hpp"
-#include "host/config/sampler_registry.hpp"
 #include "host/sampling/optimized/gaussian_blue_noise.hpp"
 #include "host/sampling/optimized/torus_map.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/point_patterns.hpp"
 #include "tests/support/statistics.hpp"

@@ -3,7 +3,7 @@
 
 #include "base/geometry/relative_radius.hpp"
 #include "base/random/random.hpp"
-#include "host/config/plan.hpp"
+#include "experiment/config/plan.hpp"
 #include "host/device/device.hpp"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/errors.hpp"

@@ -2,7 +2,7 @@
 #include "host/sampling/optimized/sample_elimination.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "kernels/common/optimized/sample_elimination.h"
 #include "tests/support/brute_force.hpp"
 #include "tests/support/point_patterns.hpp"

@@ -3,7 +3,7 @@
 #include "host/tile_sampling/isohedral/isohedral_sampler.hpp"
 
 #include "base/geometry/relative_radius.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "base/densities/density_formula.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/geometry/relative_radius.hpp"
-#include "host/config/sampler_registry.hpp"
+#include "host/settings/sampler_registry.hpp"
 #include "host/tile_construction/recursive/recursive_construction.hpp"
 #include "host/tile_sampling/recursive/recursive_tile_cache.hpp"
 #include "tests/support/brute_force.hpp"

@@ -1,0 +1,67 @@
+// The config: what an experiment is asked to do, checked. docs and configs/quick.toml show every key.
+#pragma once
+
+#include "experiment/config/analysis_options.hpp"
+#include "host/settings/sampler_registry.hpp"
+#include "host/settings/sampler_table.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// The largest number of realizations of a series.
+inline constexpr std::int64_t max_realizations = 10000;
+
+/// The largest number of runs for the sake of times.
+inline constexpr std::int64_t max_timing_runs = 1000;
+
+struct MethodConfig
+{
+    const SamplerSpec* sampler = nullptr;
+    std::string label; ///< empty: made from the sampler's title
+    SourceLocation where;
+    std::vector<ParameterSetting>
+        settings; ///< `points` first, then as the sampler declares its parameters, then `order`
+};
+
+/// A table of a kind of work, which host/kinds reads.
+struct KindTable
+{
+    std::string name; ///< one of kind_tables()
+    ConfigNode node;
+};
+
+/// The names of such tables, in the order in which results are listed.
+const std::vector<std::string>& kind_tables();
+
+struct Config
+{
+    std::string file;                   ///< as the user named it
+    std::string text;                   ///< its content
+    std::vector<std::string> overrides; ///< --set arguments, applied
+
+    std::string title;      ///< default: the file's stem
+    std::uint64_t seed = 1; ///< TOML integers are signed: 0 to 2^63 - 1
+    Engine engine = Engine::opencl;
+    std::string device; ///< part of a device's name, or its number; empty: the default device
+    std::size_t points = 16384;
+    int realizations = 10;
+    int timing_runs = 5; ///< the least number of times that each series is timed
+    int dimension = 2;
+    AnalysisOptions analysis;
+    std::vector<MethodConfig> methods;
+    std::vector<KindTable> tables; ///< at least one, or one method
+};
+
+/// Reads and checks a config. Throws InputError, `file:line: key = value: what is allowed`.
+Config read_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The same for a text; `file` is how messages name it. The samplers of the `registry` must outlive the
+/// result.
+Config parse_config(const std::string& text, const std::string& file, const std::vector<std::string>& overrides = {},
+                    const SamplerRegistry& registry = sampler_registry());
+
+}

@@ -1,0 +1,41 @@
+// The plan: a config's methods expanded to series, each with its name, label and parameters.
+#pragma once
+
+#include "experiment/config/config.hpp"
+#include "results/method_grid.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// One method with one choice of its parameters.
+struct SeriesPlan
+{
+    std::string name;     ///< the series' folder, unique in the plan: letters, digits, '.', '_', '-'
+    std::string label;    ///< for the report
+    SourceLocation where; ///< of its [[method]]
+    const SamplerSpec* sampler = nullptr;
+    std::shared_ptr<const SamplerSpec> ordered; ///< that sampler, where the config asks for another order of its sets
+    Parameters parameters;
+    SampleRequest request;
+    bool deterministic = false;     ///< all realizations are one set
+    std::uint32_t realizations = 0; ///< as asked; 1 for deterministic series; what there is for files
+    GridPlace place;
+};
+
+/// Every method's series in order; of lists, the last parameter varies fastest. Throws InputError for
+/// combinations that the sampler refuses, for two series that would be the same, and for more than 1,000
+/// series.
+std::vector<SeriesPlan> make_plan(const Config& config);
+
+/// The grid of every method, in the order of the config.
+std::vector<MethodGrid> method_grids(const Config& config);
+
+/// Text as (part of) a folder name: what is not a letter, digit, '.', '_' or '-' becomes '-'; never empty,
+/// never starting with a dot.
+std::string safe_name(const std::string& text);
+
+}

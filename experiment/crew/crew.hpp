@@ -1,0 +1,63 @@
+// The processes that share the work of a run.
+#pragma once
+
+#include "experiment/crew/schedule.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// One process, or several that take jobs from the same schedule and keep what they make in the same store.
+///
+/// One of them leads: it has the schedule, writes the results and speaks to the user. Members are called by all
+/// processes in the same order.
+class Crew
+{
+public:
+    using Execute = std::function<void(const Job&)>;
+    /// `here`: this process has executed the job.
+    using Done = std::function<void(const Job&, bool here)>;
+
+    virtual ~Crew() = default;
+
+    virtual int size() const = 0;
+    virtual bool leads() const = 0;
+
+    /// Executes jobs until all are done: `execute` in the process that got the job, `done` in the one that leads, one
+    /// call at a time, between its own jobs. Only the schedule of the process that leads matters. What any process
+    /// throws is thrown in the one that leads, and the others return false; true where all went well.
+    virtual bool work(Schedule& schedule, const Execute& execute, const Done& done) = 0;
+
+    /// Does something in every process. What any of them throws is thrown in the one that leads, and the others return
+    /// false; true where all went well.
+    virtual bool together(const std::function<void()>& what) = 0;
+
+    /// The text of the process that leads, in every process.
+    virtual std::string from_leader(const std::string& text) = 0;
+
+    /// The sums of the numbers of all processes, place by place, in every process; each has as many numbers.
+    virtual std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) = 0;
+};
+
+/// A crew of this process alone.
+std::unique_ptr<Crew> make_crew_of_one();
+
+/// The processes that mpirun started together with this one; this one alone if it did not. Throws InputError if mpirun
+/// started several and the program was built without MPI: each would do all the work.
+std::unique_ptr<Crew> make_crew();
+
+/// The number of processes of the crew on this machine, this one included. Asks the environment only.
+int crew_processes_here();
+
+/// The threads of this process for ThreadLimit, of which the user has asked for so many (0: as many as there are).
+/// Processes of a crew share the cores of a machine, unless mpirun has given each its own.
+int threads_of_process(int asked, const Crew& crew);
+
+/// True if another process leads the crew of this one. Asks the environment only.
+bool is_crew_follower();
+
+}

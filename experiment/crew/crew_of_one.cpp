@@ -1,0 +1,40 @@
+#include "experiment/crew/crew.hpp"
+
+#include "base/programs/interrupt.hpp"
+
+namespace poissonlab {
+namespace {
+
+class CrewOfOne final : public Crew
+{
+public:
+    int size() const override { return 1; }
+    bool leads() const override { return true; }
+
+    bool work(Schedule& schedule, const Execute& execute, const Done& done) override
+    {
+        while (const auto id = schedule.next()) {
+            stop_if_interrupted();
+            execute(schedule.job(*id));
+            schedule.finish(*id);
+            done(schedule.job(*id), true);
+        }
+        return true;
+    }
+
+    bool together(const std::function<void()>& what) override
+    {
+        what();
+        return true;
+    }
+
+    std::string from_leader(const std::string& text) override { return text; }
+
+    std::vector<std::uint64_t> sum(const std::vector<std::uint64_t>& numbers) override { return numbers; }
+};
+
+}
+
+std::unique_ptr<Crew> make_crew_of_one() { return std::make_unique<CrewOfOne>(); }
+
+}

@@ -1,0 +1,114 @@
+#include "experiment/measuring/analysis_unit.hpp"
+
+#include "analysis/spectra/spectrum_file.hpp"
+#include "base/errors/errors.hpp"
+#include "base/files/whole_file.hpp"
+#include "base/images/square_image_file.hpp"
+#include "results/archives.hpp"
+#include "results/curve_tables.hpp"
+#include "results/file_names.hpp"
+
+#include <tbb/parallel_invoke.h>
+
+#include <chrono>
+
+namespace poissonlab {
+namespace {
+
+constexpr const char* part_file = "part";
+
+}
+
+void AnalysisUnit::add(const PointSet& points)
+{
+    if (series_.add(points) && options_.zone_plate) zone_plate_.add(points);
+}
+
+void AnalysisUnit::append(const AnalysisUnit& next)
+{
+    series_.append(next.series_);
+    if (options_.zone_plate) zone_plate_.append(next.zone_plate_);
+}
+
+void AnalysisUnit::store_part(UnitStore& store, const UnitKey& key) const
+{
+    write_whole_file(store.file(key, part_file), to_bytes(*this));
+    store.store(key, {}, {part_file});
+}
+
+bool AnalysisUnit::load_part(const UnitStore& store, const UnitKey& key)
+{
+    const auto unit = store.find(key);
+    if (!unit) return false;
+    std::string bytes;
+    try {
+        bytes = read_whole_file(unit->files.at(part_file));
+    } catch (const InputError&) {
+        return false;
+    }
+    from_bytes(bytes, *this);
+    return true;
+}
+
+std::vector<std::string> AnalysisUnit::write_spectrum_files(UnitStore& store, const UnitKey& key,
+                                                            const std::map<std::string, std::string>& metadata)
+{
+    std::vector<std::string> files = {file_names::spectrum, file_names::radial};
+    const Spectrum spectrum = series_.mean_spectrum();
+    write_spectrum(store.file(key, file_names::spectrum), spectrum, metadata);
+    if (options_.volume) {
+        write_spectrum_volume(store.file(key, file_names::spectrum_volume), spectrum, metadata);
+        files.emplace_back(file_names::spectrum_volume);
+    }
+    write_whole_file(store.file(key, file_names::radial), radial_csv(series_.radial_curve(spectrum)));
+    series_.measure_spectrum(spectrum);
+    return files;
+}
+
+void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
+                                  const std::map<std::string, std::string>& metadata, const std::string& iterations)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<std::string> files;
+    const auto write_text = [&](const char* name, const std::string& text) {
+        write_whole_file(store.file(key, name), text);
+        files.emplace_back(name);
+    };
+    tbb::parallel_invoke(
+        [&] {
+            if (series_.has_spectrum()) files = write_spectrum_files(store, key, metadata);
+        },
+        [&] { measure_first(); });
+    if (const auto pairs = series_.pair_correlation(); !pairs.empty())
+        write_text(file_names::pair_correlation, pair_correlation_csv(pairs));
+    if (const auto variance = series_.number_variance(); !variance.empty())
+        write_text(file_names::number_variance, number_variance_csv(variance));
+    if (const auto folded = series_.folded_density()) {
+        write_square_image(store.file(key, file_names::folded_density), *folded, metadata);
+        files.emplace_back(file_names::folded_density);
+    }
+    if (!iterations.empty()) write_text(file_names::iterations, iterations);
+
+    Series result = series_.result();
+    if (options_.zone_plate) {
+        write_square_image(store.file(key, file_names::zone_plate), zone_plate_.first_image(), metadata);
+        files.emplace_back(file_names::zone_plate);
+        write_text(file_names::zone_plate_error, zone_plate_csv(zone_plate_.curve()));
+        result.zone_plate = zone_plate_.result();
+        result.analysis_seconds += zone_plate_.seconds();
+    }
+    result.analysis_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    store.store(key, to_bytes(result), files);
+}
+
+std::optional<StoredAnalysis> stored_analysis(const UnitStore& store, const UnitKey& key)
+{
+    const auto unit = store.find(key);
+    if (!unit) return std::nullopt;
+    StoredAnalysis analysis;
+    from_bytes(unit->record, analysis.result);
+    analysis.files = unit->files;
+    return analysis;
+}
+
+}

@@ -1,0 +1,362 @@
+#include "experiment/measuring/series_analysis.hpp"
+
+#include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/hyperuniformity.hpp"
+#include "analysis/measures/off_lattice_anisotropy.hpp"
+#include "analysis/measures/torus_ball.hpp"
+#include "analysis/spectra/radial_bin.hpp"
+#include "analysis/statistics/jackknife.hpp"
+#include "analysis/tilings/distance_within_tiles.hpp"
+#include "analysis/tilings/lattice_share.hpp"
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "results/file_names.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t most_points_triangulated = 300'000;
+constexpr double distances_shown = 4; // in units of the largest possible minimum distance, with
+constexpr double bins_per_distance = 50;
+constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so that errors compare
+constexpr int integration_shifts = 16;
+
+/// The mean ratio of a set's own periodogram; none, which is not a number, where a set of one tile that is repeated has
+/// nothing between its peaks: such a ratio would be all of a spread.
+double own_lattice_peak(const LatticePeaks& peaks)
+{
+    return peaks.empty_rings == 0 ? peaks.mean_ratio : std::numeric_limits<double>::quiet_NaN();
+}
+
+}
+
+/// A set must be like the first one.
+void SeriesAnalysis::check(int dimension, std::size_t points, std::size_t realization) const
+{
+    const std::string name = fmt::format("{}: realization {}", label_, realization);
+    if (points == 0) throw InputError(name + " has no points");
+    if (begin_.points == 0) return;
+    if (dimension_ > 0 && dimension != dimension_)
+        throw InputError(fmt::format("{} has dimension {} where the first has {}", name, dimension, dimension_));
+    if (!sizes_vary_ && points != begin_.points)
+        throw InputError(fmt::format("{} has {} points where the first has {}", name, points, begin_.points));
+}
+
+/// Makes the averages over sets, for sets like the first one.
+void SeriesAnalysis::start()
+{
+    has_started_ = true;
+    if (has_spectrum()) start_spectrum();
+    if (options_.tiles > 0) seams_.emplace(dimension_, options_.tiles, begin_.points);
+    if (options_.tiles > 0 && dimension_ == 2) folded_.emplace(options_.tiles, begin_.points);
+    if (begin_.points >= NumberVarianceEstimate::least_points(dimension_))
+        variance_.emplace(dimension_, begin_.points, options_.window);
+    if (options_.distances_only) return;
+    if (!options_.window) integration_.emplace(dimension_, shift_seed, integration_shifts, begin_.realization);
+    if (has_pairs_) start_pairs();
+}
+
+void SeriesAnalysis::start_pairs()
+{
+    const double step = max_min_distance(begin_.points, dimension_) / bins_per_distance;
+    const double end = std::min(distances_shown * bins_per_distance * step, largest_toroidal_distance(dimension_));
+    pairs_.emplace(dimension_, end, static_cast<std::size_t>(std::ceil(end / step)), options_.window);
+}
+
+void SeriesAnalysis::start_spectrum()
+{
+    spectrum_size_ = options_.spectrum_size > 0 ? options_.spectrum_size : spectrum_size(begin_.points, dimension_);
+    if (RadialBins(spectrum_size_, options_.bin_width).count() < 2)
+        throw InputError(fmt::format("{}: bin_width = {}: must be at most {}, so that one {} fits into the spectrum of "
+                                     "size {}",
+                                     label_, options_.bin_width, spectrum_size_ / 2 - 1,
+                                     dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
+    estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
+}
+
+/// What is known of a set from its distances.
+SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
+{
+    const std::size_t n = points.size();
+    SetMeasures set{n, static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size()), {}};
+    set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
+    set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
+    set.mean_nearest = (options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points)) /
+                       max_min_distance(n, points.dimension);
+    set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
+    set.mark = set_mark(points, set.min_distance, set.mean_nearest);
+    return set;
+}
+
+bool SeriesAnalysis::is_known(const SetMark& mark) const
+{
+    const auto is_same = [&](const SetMark& other) { return are_same_set(mark, other); };
+    return std::ranges::any_of(sets_, is_same, &SetMeasures::mark) || std::ranges::any_of(left_out_, is_same);
+}
+
+bool SeriesAnalysis::add(const PointSet& points)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const auto count_seconds = [&] {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const std::size_t n = points.size();
+    check(points.dimension, n, begin_.realization + sets_.size() + repeated_.size());
+    SetMeasures set = measure_distances(points);
+    if (is_known(set.mark)) {
+        repeated_.push_back(set.realization);
+        count_seconds();
+        return false;
+    }
+    if (sets_.empty()) {
+        dimension_ = points.dimension;
+        if (begin_.points == 0) begin_.points = n;
+        has_pairs_ = n > 1 && begin_.points > 1 && !options_.distances_only;
+        if (begin_.realization == 0 && !options_.distances_only && !options_.window) first_ = points;
+        start();
+    }
+    if (estimate_) {
+        estimate_->add(points);
+        if (options_.tiles > 0) {
+            set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
+            set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
+        }
+    }
+    if (options_.progressive) set.prefix_radius = prefix_radius(points);
+    if (options_.tiles > 1)
+        set.radius_within = relative_radius(min_distance_within_tiles(points, options_.tiles), n, points.dimension);
+    sets_.push_back(set);
+    if (integration_) integration_->add(points);
+    if (seams_) seams_->add(points);
+    if (folded_) folded_->add(points);
+    if (variance_) variance_->add(points);
+    if (n < 2) leave_out_pairs();
+    if (pairs_) pairs_->add(points);
+    count_seconds();
+    return true;
+}
+
+/// A set of one point has no pairs, and a mean over some of the sets would mislead.
+void SeriesAnalysis::leave_out_pairs()
+{
+    pairs_.reset();
+    has_pairs_ = false;
+}
+
+bool SeriesAnalysis::repeats(const SeriesAnalysis& earlier) const
+{
+    return std::ranges::any_of(
+        sets_, [&](const SetMark& mark) { return earlier.is_known(mark); }, &SetMeasures::mark);
+}
+
+void SeriesAnalysis::leave_out(const SeriesAnalysis& earlier)
+{
+    for (const SetMeasures& set : earlier.sets_) left_out_.push_back(set.mark);
+}
+
+void SeriesAnalysis::append(const SeriesAnalysis& next)
+{
+    if (next.repeats(*this)) throw std::invalid_argument("SeriesAnalysis::append: a set is there already");
+    for (const SetMeasures& set : next.sets_) check(next.dimension_, set.points, set.realization);
+    repeated_.insert(repeated_.end(), next.repeated_.begin(), next.repeated_.end());
+    seconds_ += next.seconds_;
+    if (next.sets_.empty()) return;
+    sets_.insert(sets_.end(), next.sets_.begin(), next.sets_.end());
+    if (estimate_) estimate_->append(next.estimate_.value());
+    if (!next.pairs_) leave_out_pairs();
+    if (pairs_) pairs_->append(*next.pairs_);
+    if (integration_) integration_->append(next.integration_.value());
+    if (seams_) seams_->append(next.seams_.value());
+    if (folded_) folded_->append(next.folded_.value());
+    if (variance_) variance_->append(next.variance_.value());
+}
+
+/// The tile set of each set's realization; none where all have one.
+std::vector<std::size_t> SeriesAnalysis::tile_set_groups() const
+{
+    std::vector<std::size_t> groups;
+    if (options_.tile_sets > 1)
+        for (const SetMeasures& set : sets_) groups.push_back(set.realization % options_.tile_sets);
+    return groups;
+}
+
+std::optional<Statistic> SeriesAnalysis::statistic(double SetMeasures::*member) const
+{
+    std::vector<double> each;
+    for (const SetMeasures& set : sets_) each.push_back(set.*member);
+    return statistic_of(each);
+}
+
+/// The mean over the sets, and its standard error where there are several.
+Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
+{
+    std::vector<double> each;
+    for (const SetMeasures& set : sets_) each.push_back(set.*member);
+    Estimate mean{std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()), {}};
+    const auto groups = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+    if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
+    if (mean.standard_error && !std::isfinite(*mean.standard_error)) mean.standard_error.reset();
+    return mean;
+}
+
+/// The smallest relative radius of the first half, the first quarter and the first eighth of a set, as sets of so many
+/// points; parts of one point have none.
+double SeriesAnalysis::prefix_radius(const PointSet& points) const
+{
+    double smallest = 1;
+    for (std::size_t n = points.size() / 2; n > 1 && 8 * n + 8 > points.size(); n /= 2) {
+        PointSet part{points.dimension, {}};
+        const auto begin = points.coordinates.begin();
+        part.coordinates.assign(begin,
+                                begin + static_cast<std::ptrdiff_t>(n * static_cast<std::size_t>(part.dimension)));
+        const double distance = options_.window ? min_distance_in_window(part) : min_toroidal_distance(part);
+        smallest = std::min(smallest, relative_radius(distance, n, part.dimension));
+    }
+    return smallest;
+}
+
+Series SeriesAnalysis::result() const
+{
+    Series series;
+    std::vector<std::size_t> sizes;
+    for (const SetMeasures& set : sets_) sizes.push_back(set.points);
+    series.set_sizes(sizes);
+    series.repeated = repeated_;
+    series.min_distance = statistic(&SetMeasures::min_distance);
+    series.relative_radius = statistic(&SetMeasures::relative_radius);
+    series.covered_fraction = statistic(&SetMeasures::covered_fraction);
+    series.measures = measures_;
+    series.measures.numbers.insert(numbers_of_first_.begin(), numbers_of_first_.end());
+    if (series.relative_radius) series.measures.numbers["mean_nearest_distance"] = mean_of(&SetMeasures::mean_nearest);
+    if (options_.progressive) series.measures.numbers["prefix_relative_radius"] = mean_of(&SetMeasures::prefix_radius);
+    if (options_.tiles > 1)
+        if (const Estimate within = mean_of(&SetMeasures::radius_within); std::isfinite(within.value))
+            series.measures.numbers["relative_radius_within_tiles"] = within;
+    if (integration_) series.measures.integration = integration_->mean();
+    if (estimate_ && options_.tiles > 0)
+        series.measures.numbers["lattice_share"] = mean_of(&SetMeasures::lattice_share);
+    if (seams_) {
+        if (const auto deviation = seams_->largest_deviation())
+            series.measures.numbers["seam_density"] = {*deviation, {}};
+        if (const auto density = seams_->border_density()) series.measures.numbers["border_density"] = {*density, {}};
+    }
+    series.is_window = options_.window;
+    series.spectrum_size = spectrum_size_;
+    if (has_pairs_) series.pair_correlation_file = file_names::pair_correlation;
+    if (!number_variance().empty()) series.number_variance_file = file_names::number_variance;
+    if (folded_) series.folded_density = {folded_->size(), file_names::folded_density};
+    series.analysis_seconds = seconds_;
+    return series;
+}
+
+void SeriesAnalysis::measure_first()
+{
+    const PointSet first = std::exchange(first_, {});
+    if (first.size() == 0) return;
+    if (first.size() > most_points_triangulated) return; // not of millions of points
+    tbb::parallel_invoke([&] { measures_.largest_empty = largest_empty_ball(first); },
+                         [&] {
+                             if (first.dimension == 2) measures_.voronoi = voronoi_statistics(voronoi_diagram(first));
+                         });
+}
+
+void SeriesAnalysis::measure_spectrum(const Spectrum& mean)
+{
+    // Measures are defined on bins one sample wide, whatever the curve has.
+    const std::vector<RadialBin> radial = radial_statistics(mean);
+    const std::size_t n = sets_.front().points;
+    const int realizations = static_cast<int>(sets_.size());
+    measures_.numbers["effective_nyquist"] = {effective_nyquist_frequency(radial, n, mean.dimension), {}};
+    measures_.oscillation = oscillation(radial, n, mean.dimension);
+    measures_.peak_anisotropy = peak_anisotropy(radial, realizations);
+    const FrequencyRange low = low_frequency_range(n, mean.dimension);
+    measures_.low_frequency_power = low_frequency_power(radial, low);
+    if (const auto power = mean_power_in(radial, low)) measures_.numbers["low_frequency_mean"] = {*power, {}};
+    measure_hyperuniformity(mean);
+    if (options_.tiles > 0) {
+        measures_.lattice_peaks = lattice_peaks(mean, options_.tiles);
+        if (const auto near = near_lattice_peaks(mean, options_.tiles)) {
+            measures_.numbers["near_lattice_peaks"] = {near->mean_ratio, {}};
+            measures_.numbers["lattice_excess"] = {near->excess_share, {}};
+        }
+        if (const auto db = off_lattice_anisotropy_db(mean, options_.tiles))
+            measures_.numbers["off_lattice_anisotropy"] = {*db, {}};
+    }
+    if (realizations > 1) measure_errors(radial, mean.dimension);
+}
+
+void SeriesAnalysis::measure_hyperuniformity(const Spectrum& mean)
+{
+    const std::size_t n = sets_.front().points;
+    const int realizations = static_cast<int>(sets_.size());
+    const auto low = power_shells(mean, hyperuniform_range(n, mean.dimension, options_.tiles));
+    if (const auto exponent = hyperuniformity_exponent(low, realizations, zero_power(mean)))
+        measures_.numbers["hyperuniformity_exponent"] = {exponent->value, exponent->standard_error};
+    const auto lowest = power_shells(mean, hyperuniformity_test_range(n, mean.dimension, options_.tiles));
+    if (const auto p = hyperuniformity_p_value(lowest, realizations, zero_power(mean)))
+        measures_.numbers["hyperuniformity_p_value"] = {*p, {}};
+}
+
+/// Standard errors from how much the measures depend on single realizations, or on single tile sets.
+void SeriesAnalysis::measure_errors(std::vector<RadialBin> radial, int dimension)
+{
+    const std::size_t n = sets_.front().points;
+    const auto& each = estimate_.value().radial_curves();
+    const auto curves = options_.tile_sets > 1 ? group_means(each, tile_set_groups()) : each;
+    if (curves.size() < 2) return; // all are of one tile set
+    const auto error_of = [&](const auto& measure) {
+        return jackknife_error(curves, [&](const std::vector<double>& power) {
+            for (std::size_t k = 0; k < radial.size(); ++k) radial[k].power = power[k];
+            return measure(radial);
+        });
+    };
+    measures_.numbers["effective_nyquist"].standard_error =
+        error_of([&](const std::vector<RadialBin>& curve) { return effective_nyquist_frequency(curve, n, dimension); });
+    measures_.oscillation->standard_error =
+        error_of([&](const std::vector<RadialBin>& curve) { return oscillation(curve, n, dimension).value; });
+    if (const auto low = measures_.numbers.find("low_frequency_mean"); low != measures_.numbers.end())
+        low->second.standard_error = error_of([&](const std::vector<RadialBin>& curve) {
+            return mean_power_in(curve, low_frequency_range(n, dimension)).value();
+        });
+    if (!measures_.lattice_peaks) return;
+    measures_.lattice_peaks->mean_ratio_standard_error = mean_of(&SetMeasures::mean_lattice_peak).standard_error;
+}
+
+std::vector<PairCorrelationBin> SeriesAnalysis::pair_correlation() const
+{
+    return pairs_ ? pairs_->mean() : std::vector<PairCorrelationBin>{};
+}
+
+std::vector<NumberVarianceBin> SeriesAnalysis::number_variance() const
+{
+    return variance_ ? variance_->mean() : std::vector<NumberVarianceBin>{};
+}
+
+std::optional<SquareImage> SeriesAnalysis::folded_density() const
+{
+    return folded_ ? std::optional(folded_->densities()) : std::nullopt;
+}
+
+Spectrum SeriesAnalysis::mean_spectrum() const { return estimate_.value().mean(); }
+
+std::vector<RadialBin> SeriesAnalysis::radial_curve(const Spectrum& mean) const
+{
+    std::vector<RadialBin> bins = radial_statistics(mean, options_.bin_width);
+    const std::vector<double> errors = estimate_.value().radial_errors(tile_set_groups());
+    for (std::size_t k = 0; k < errors.size(); ++k) bins[k].power_error = errors[k];
+    return bins;
+}
+
+}

@@ -1,0 +1,180 @@
+// The analysis of a series: of its realizations one after the other, or of parts of it that are put together.
+#pragma once
+
+#include "analysis/measures/folded_density.hpp"
+#include "analysis/measures/integration_error.hpp"
+#include "analysis/measures/number_variance.hpp"
+#include "analysis/measures/pair_correlation.hpp"
+#include "analysis/measures/seam_density.hpp"
+#include "analysis/measures/set_mark.hpp"
+#include "analysis/spectra/radial_statistics.hpp"
+#include "analysis/spectra/spectrum.hpp"
+#include "experiment/config/analysis_options.hpp"
+#include "results/series.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+/// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
+/// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
+///
+/// Of realizations that are the same set, wherever it lies on the torus, the first counts only: the others add nothing
+/// to means, and would make errors too small.
+///
+/// With options.distances_only it leaves out what takes longest for large sets: pair correlation, errors of integrals,
+/// the largest empty circle and Voronoi cells.
+///
+/// With options.tile_sets, realization k has tile set k % tile_sets, and errors are the spread between these sets, in
+/// which their tilings are contained.
+///
+/// With options.window sets are windows of the plane, not tori: no distance goes across a border, pairs are counted as
+/// often as they can be, and what is defined by the torus is left out: errors of integrals, which shift the torus, the
+/// largest empty circle, Voronoi cells. The spectrum is that of the window: its border adds a cross on the axes.
+class SeriesAnalysis
+{
+public:
+    /// The begin of a part of a series: realization 0, or another one if the size of realization 0 is known.
+    struct Begin
+    {
+        std::uint32_t realization = 0;
+        std::size_t points = 0; ///< of realization 0; 0: it will be added
+    };
+
+    /// `label` is for messages; `sizes_vary` as the sampler says it.
+    SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options, const Begin& begin)
+        : label_(std::move(label)), sizes_vary_(sizes_vary), options_(options), begin_(begin)
+    {}
+    SeriesAnalysis(std::string label, bool sizes_vary, const AnalysisOptions& options)
+        : SeriesAnalysis(std::move(label), sizes_vary, options, Begin{})
+    {}
+
+    /// Returns whether the set is another one than all before. Throws InputError for sets that are empty, of another
+    /// dimension, or of another size where sizes must not vary.
+    bool add(const PointSet& points);
+
+    /// True for a realization, by its number, that was added and is one of the sets before.
+    bool is_repeated(std::size_t realization) const { return std::ranges::binary_search(repeated_, realization); }
+
+    /// True if a set that was added here is one of `earlier` as well: append() does not take that.
+    bool repeats(const SeriesAnalysis& earlier) const;
+
+    /// The sets of `earlier` are not counted here: for a part that repeats them, before any is added.
+    void leave_out(const SeriesAnalysis& earlier);
+
+    /// Appends the realizations of `next`, which begins after the last one here; equal to adding them here, up to
+    /// rounding: parts of the same sizes give the same bytes. Throws as add() does, and std::invalid_argument where
+    /// `next` repeats a set.
+    void append(const SeriesAnalysis& next);
+
+    /// True if the options ask for spectra.
+    bool has_spectrum() const { return options_.spectrum.has_value(); }
+
+    /// The mean of the periodograms; at least one set must have been added, and there must be spectra.
+    Spectrum mean_spectrum() const;
+
+    /// radial_statistics() of a mean spectrum of this series, with errors.
+    std::vector<RadialBin> radial_curve(const Spectrum& mean) const;
+
+    /// The mean pair correlation, up to four of the largest possible minimum distances in steps of a fiftieth of
+    /// it; empty where a set has one point only.
+    std::vector<PairCorrelationBin> pair_correlation() const;
+
+    /// The mean number variance over the radius; empty where a set has a few points only.
+    std::vector<NumberVarianceBin> number_variance() const;
+
+    /// The density over the tile, of tilings of the plane.
+    std::optional<SquareImage> folded_density() const;
+
+    /// Adds the measures of the mean spectrum to the result.
+    void measure_spectrum(const Spectrum& mean);
+
+    /// Adds those of the first set alone, which take triangulations, and forgets the set. Touches nothing that the
+    /// other functions do, and may run beside them once all sets were added.
+    void measure_first();
+
+    /// Sizes, distances, measures and seconds so far.
+    Series result() const;
+
+    /// Cereal stores everything but the first set, and reads it into an analysis that was constructed alike.
+    template <class Archive>
+    void serialize(Archive& archive)
+    {
+        archive(begin_.points, dimension_, sets_, repeated_, seconds_, has_pairs_, measures_, numbers_of_first_);
+        if (!sets_.empty() && !has_started_) start();
+        if (estimate_) archive(*estimate_);
+        if (pairs_) archive(*pairs_);
+        if (variance_) archive(*variance_);
+        if (integration_) archive(*integration_);
+        if (seams_) archive(*seams_);
+        if (folded_) archive(*folded_);
+    }
+
+private:
+    /// The measures of one set.
+    struct SetMeasures
+    {
+        std::size_t points = 0;
+        std::uint32_t realization = 0;
+        SetMark mark;
+        double min_distance = 0; ///< unit lengths; infinite for a set of one point
+        double relative_radius = 0;
+        double covered_fraction = 0;
+        double mean_lattice_peak = 0; ///< of tiled sets; not a number where it has no meaning
+        double lattice_share = 0;     ///< of tiled sets
+        double mean_nearest = 0;      ///< of the largest possible minimum distance; infinite for a set of one point
+        double prefix_radius = 0;     ///< of sets in progressive order
+        double radius_within = 0;     ///< within tiles, of tiled sets; infinite where no tile has two points
+
+        template <class Archive>
+        void serialize(Archive& archive)
+        {
+            archive(points, realization, mark, min_distance, relative_radius, covered_fraction, mean_lattice_peak,
+                    lattice_share, mean_nearest, prefix_radius, radius_within);
+        }
+    };
+
+    SetMeasures measure_distances(const PointSet& points) const;
+    bool is_known(const SetMark& mark) const;
+    std::vector<std::size_t> tile_set_groups() const;
+    std::optional<Statistic> statistic(double SetMeasures::*member) const;
+    Estimate mean_of(double SetMeasures::*member) const;
+    double prefix_radius(const PointSet& points) const;
+    void check(int dimension, std::size_t points, std::size_t realization) const;
+    void start();
+    void start_spectrum();
+    void start_pairs();
+    void leave_out_pairs();
+    void measure_hyperuniformity(const Spectrum& mean);
+    void measure_errors(std::vector<RadialBin> radial, int dimension);
+
+    std::string label_;
+    bool sizes_vary_;
+    AnalysisOptions options_;
+    Begin begin_;
+    bool has_started_ = false;
+    std::vector<SetMeasures> sets_;                    ///< each another one
+    std::vector<std::size_t> repeated_;                ///< realizations that are one of these
+    std::vector<SetMark> left_out_;                    ///< sets of earlier parts
+    Measures measures_;                                ///< as far as they are known
+    std::map<std::string, Estimate> numbers_of_first_; ///< beside measures_.numbers: threads may add to both at a time
+    double seconds_ = 0;                               ///< that all of this took
+    int spectrum_size_ = 0;                            ///< 0: no spectrum
+    bool has_pairs_ = false;                           ///< sets of one point have none
+    int dimension_ = 0;                                ///< of the first set; 0: there is none
+    std::optional<SpectrumEstimate> estimate_;
+    PointSet first_; ///< for measures of the first set alone
+    std::optional<PairCorrelationEstimate> pairs_;
+    std::optional<NumberVarianceEstimate> variance_;
+    std::optional<IntegrationErrorEstimate> integration_;
+    std::optional<SeamDensity> seams_;    ///< of tilings
+    std::optional<FoldedDensity> folded_; ///< of tilings of the plane
+};
+
+}

@@ -1,0 +1,73 @@
+#include "experiment/run/run_plan.hpp"
+
+#include "base/programs/shell_words.hpp"
+#include "experiment/config/collection.hpp"
+#include "experiment/run/make_experiment.hpp"
+#include "experiment/run/result_folder.hpp"
+#include "results/file_names.hpp"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+namespace poissonlab {
+namespace {
+
+/// The command that would run this config alone, with the settings that the collection hands on to it.
+std::string command_of(const CollectedConfig& collected, const std::string& device, const RunOptions& options)
+{
+    std::string command = "poissonlab run " + shell_word(collected.config.file);
+    if (!device.empty() && device != collected.config.device) command += " --device " + shell_word(device);
+    for (const std::string& change : options.overrides) command += " --set " + shell_word(change);
+    if (options.threads > 0) command += fmt::format(" --threads {}", options.threads);
+    return command;
+}
+
+std::vector<PlannedRun> plan_collection(const Collection& collection, const RunOptions& options, const fs::path& out,
+                                        unsigned threads)
+{
+    std::vector<PlannedRun> runs;
+    for (const CollectedConfig& collected : collection.configs) {
+        const std::string& device = options.device.empty() ? collected.device : options.device;
+        PlannedRun run{make_experiment(collected.config, device, threads), out / collected.name};
+        run.experiment.command = command_of(collected, device, options);
+        ResultFolder::check(run.out, folder_names(run.experiment));
+        runs.push_back(std::move(run));
+    }
+    return runs;
+}
+
+/// Throws InputError where `out` is not for collections.
+void check_collection_folder(const fs::path& out)
+{
+    std::error_code error;
+    if (fs::exists(out, error) && !fs::is_directory(out, error))
+        throw InputError("--out " + out.string() + ": is a file; a folder is needed");
+    if (fs::exists(out / file_names::results, error))
+        throw InputError("--out " + out.string() +
+                         ": has the results of a single run; a collection needs a folder of its own");
+}
+
+}
+
+RunPlan plan_run(const RunOptions& options, int threads)
+{
+    RunPlan plan;
+    plan.out = options.out.empty() ? "out" / fs::path(options.config).stem() : options.out;
+    const auto restricted = static_cast<unsigned>(threads);
+    if (const auto collection = read_collection(options.config, options.overrides)) {
+        check_collection_folder(plan.out);
+        plan.is_collection = true;
+        plan.title = collection->title;
+        plan.runs = plan_collection(*collection, options, plan.out, restricted);
+        return plan;
+    }
+    const Config config = read_config(options.config, options.overrides);
+    const std::string& device = options.device.empty() ? config.device : options.device;
+    plan.runs.push_back({make_experiment(config, device, restricted), plan.out});
+    plan.runs.front().experiment.command = options.command;
+    ResultFolder::check(plan.out, folder_names(plan.runs.front().experiment));
+    return plan;
+}
+
+}

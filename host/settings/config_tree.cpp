@@ -1,0 +1,81 @@
+#include "host/settings/config_tree.hpp"
+
+#include "host/settings/nearest_key.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace poissonlab {
+
+const ConfigNode* find(const ConfigTable& table, const std::string& key)
+{
+    const auto entry = std::ranges::find(table, key, &ConfigEntry::key);
+    return entry == table.end() ? nullptr : &entry->node;
+}
+
+ConfigNode* find(ConfigTable& table, const std::string& key)
+{
+    return const_cast<ConfigNode*>(find(std::as_const(table), key));
+}
+
+namespace {
+
+/// A value with everything in it, in one line.
+std::string text_of_node(const ConfigNode& node)
+{
+    if (const auto* table = node.get_if<ConfigTable>()) return "{ " + text_of(*table) + "}";
+    const auto* list = node.get_if<ConfigList>();
+    if (!list) return node.text;
+    std::string text;
+    for (const ConfigNode& item : *list) text += text_of_node(item) + ", ";
+    return "[ " + text + "]";
+}
+
+std::string whole_text(const ConfigNode& node)
+{
+    if (node.get_if<ConfigTable>()) return "{...}";
+    const auto* list = node.get_if<ConfigList>();
+    if (!list) return node.text;
+    std::vector<std::string> items;
+    for (const ConfigNode& item : *list) items.push_back(whole_text(item));
+    return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+}
+
+std::string text_of(const ConfigTable& table)
+{
+    std::string text;
+    for (const ConfigEntry& entry : table) text += entry.key + " = " + text_of_node(entry.node) + ", ";
+    return text;
+}
+
+std::string shown(const ConfigNode& node)
+{
+    std::string text = whole_text(node);
+    std::ranges::replace(text, '\n', ' '); // a message is one line
+    return shortened(text);
+}
+
+InputError invalid_node(const std::string& key, const ConfigNode& node, const std::string& allowed)
+{
+    return invalid_value(node.location, key, shown(node), allowed);
+}
+
+InputError unknown_key(const std::string& key, const ConfigNode& node, const std::vector<std::string>& known)
+{
+    return invalid_node(key, node,
+                        fmt::format("unknown key{}{} known keys: {}", did_you_mean(key, known),
+                                    nearest_key(key, known).empty() ? ";" : "", fmt::join(known, ", ")));
+}
+
+void check_keys(const ConfigTable& table, const std::vector<std::string>& known)
+{
+    for (const auto& [key, node] : table)
+        if (std::ranges::find(known, key) == known.end()) throw unknown_key(key, node, known);
+}
+
+}

@@ -1,0 +1,108 @@
+// Tables [[texture]] and [[packing]] of a config, and what they refuse.
+#include "host/settings/distributions/texture_config.hpp"
+
+#include "base/files/whole_file.hpp"
+#include "tests/support/errors.hpp"
+#include "tests/support/exhibits.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace poissonlab {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<Exhibit> textures_of(const std::string& lines) { return exhibits_in("seed = 7\n[[texture]]\n" + lines); }
+
+std::vector<Exhibit> packings_of(const std::string& lines) { return exhibits_in("seed = 7\n[[packing]]\n" + lines); }
+
+void expect_texture_refusal(const std::string& lines, const std::string& message)
+{
+    EXPECT_THAT(message_of([&] { textures_of(lines); }), HasSubstr(message)) << lines;
+}
+
+void expect_packing_refusal(const std::string& lines, const std::string& message)
+{
+    EXPECT_THAT(message_of([&] { packings_of(lines); }), HasSubstr(message)) << lines;
+}
+
+TEST(TextureTable, ReadsATexture)
+{
+    const auto read = textures_of("kind = \"omega\"\npattern = \"noise\"\nstages = 1\nsmooth = true\nsets = 3\n"
+                                  "window = [5, 2]\nshow = [\"tiling\", \"seams\"]\nring = 2");
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].kind->name(), "texture");
+    EXPECT_EQ(read[0].label, "Noise: 16 omega tiles, one stage, smoothed");
+    const auto& settings = read[0].settings.as<TextureSettings>();
+    EXPECT_EQ(settings.request.kind, TextureKind::omega);
+    EXPECT_EQ(settings.request.colors.horizontal, 4u);
+    EXPECT_EQ(settings.request.ring, 2);
+    EXPECT_EQ(read[0].seed, 7u);
+    EXPECT_EQ(settings.sets, 3);
+    EXPECT_EQ(settings.columns, 5u);
+    EXPECT_EQ(settings.rows, 2u);
+    EXPECT_THAT(settings.show, ElementsAre("tiling", "seams"));
+}
+
+TEST(TextureTable, FindsPicturesFromTheConfigsFolder)
+{
+    const TemporaryFolder folder;
+    folder.write("a.png", "its content counts later");
+    const auto read = exhibits_in("[[texture]]\nexemplar = \"a.png\"\n", (folder.path() / "c.toml").string());
+    EXPECT_EQ(read[0].settings.as<TextureSettings>().exemplar, folder.path() / "a.png");
+    EXPECT_THAT(read[0].settings.inputs, ElementsAre(folder.path() / "a.png"));
+}
+
+TEST(TextureTable, RefusesWhatCannotBe)
+{
+    expect_texture_refusal("kind = \"corner\"", "c.toml:2: [[texture]]: needs exemplar, a picture's file, or pattern");
+    expect_texture_refusal("pattern = \"noise\"\nmarks = \"x.png\"",
+                           "c.toml:4: marks = \"x.png\": no such file: must be a picture's file");
+    expect_texture_refusal("exemplar = \"none.png\"",
+                           "c.toml:3: exemplar = \"none.png\": no such file: must be a picture's file");
+    expect_texture_refusal("exemplar = \"/dev/null\"", "exemplar = \"/dev/null\": is a device, no file: must be");
+    expect_texture_refusal("pattern = \"noise\"\nsize = 24\ntiming = true",
+                           "c.toml:5: timing = true: is for complete sets of tiles whose size is a power of two");
+    expect_texture_refusal("pattern = \"nois\"", "c.toml:3: pattern = \"nois\": must be one of \"noise\"");
+    expect_texture_refusal("pattern = \"noise\"\nkind = \"wangs\"", "c.toml:4: kind = \"wangs\": must be");
+    expect_texture_refusal("pattern = \"noise\"\nsize = 17", "c.toml:4: size = 17: must be even");
+    expect_texture_refusal("pattern = \"noise\"\nstages = 2", "c.toml:4: stages = 2: must be 0, 1 or 3");
+    expect_texture_refusal("pattern = \"noise\"\nshow = [\"all\"]", "c.toml:4: show = ");
+    for (const std::string tiles : {"kind = \"wang\"\ntiles = \"compact\"", "kind = \"omega\"", "size = 48"})
+        expect_texture_refusal("pattern = \"noise\"\nshow = [\"plane\"]\n" + tiles,
+                               "\"plane\" is for complete sets of tiles whose size is a power of two");
+    expect_texture_refusal("pattern = \"noise\"\nshow = [\"marks\"]", "\"marks\" needs marked_exemplar");
+    expect_texture_refusal("pattern = \"noise\"\nkind = \"wang\"\ntiles = \"random-marks\"",
+                           "c.toml:5: tiles = \"random-marks\": needs an exemplar for marked corners");
+    expect_texture_refusal("pattern = \"noise\"\nwindow = [65, 1]", "must have at most 64 tiles along each side");
+    expect_texture_refusal("pattern = \"noise\"\nsets = 0", "c.toml:4: sets = 0: must be an integer from 1 to 1000");
+    expect_texture_refusal("pattern = \"noise\"\ncolour = 3", "c.toml:4: colour");
+}
+
+TEST(PackingTable, ReadsAPacking)
+{
+    const auto read = packings_of("kind = \"wang\"\ncolors = 3\nmethod = \"eulerian\"");
+    ASSERT_EQ(read.size(), 1u);
+    EXPECT_EQ(read[0].kind->name(), "packing");
+    EXPECT_EQ(read[0].label, "Eulerian packing of Wang tiles, 3 colours");
+    const auto& settings = read[0].settings.as<PackingSettings>();
+    EXPECT_EQ(settings.kind, TileKind::wang);
+    EXPECT_EQ(settings.colors, 3u);
+    EXPECT_EQ(settings.show, "tiles");
+}
+
+TEST(PackingTable, RefusesWhatCannotBe)
+{
+    expect_packing_refusal("method = \"eulerian\"", "c.toml:3: method = \"eulerian\": is for wang tiles");
+    expect_packing_refusal("method = \"printed\"\ncolors = 5", "method = \"printed\": has at most 4 colours");
+    expect_packing_refusal("method = \"search\"\ncolors = 4", "takes years for more than 3 colours");
+    expect_packing_refusal("method = \"grown\"", "is for corner tiles of 3 colours");
+    expect_packing_refusal("colors = 9", "c.toml:3: colors = 9: must be an integer from 2 to 8");
+    expect_packing_refusal("show = \"tile\"", "c.toml:3: show = \"tile\": must be");
+}
+
+}
+}
