@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <numeric>
+#include <tuple>
 
 namespace poissonlab {
 namespace {
@@ -16,10 +16,10 @@ constexpr int rough_reach = 1, upright_reach = 1, level_reach = 2;
 static_assert(rough_reach + level_reach <= exact_reach && rough_reach + upright_reach <= exact_reach);
 
 constexpr std::size_t searched_points = 16;
-constexpr std::ptrdiff_t listed_points = 7; ///< of them, all ways of which are listed at once
-constexpr std::size_t rough_points = 32;    ///< that are moved by pairs
+constexpr std::ptrdiff_t listed_points = 7;              ///< of them, all ways of which are in one table
+constexpr std::array<std::size_t, 2> level_points{7, 9}; ///< of the others, that move along x: first few, then more
+constexpr std::size_t rough_points = 32;                 ///< that are moved by pairs
 constexpr int most_rough_steps = 200;
-constexpr std::size_t most_searches = 12;
 
 /// The indices of monomials_up_to(2, 2): x, y, xx, xy, yy.
 enum Condition : std::size_t
@@ -32,6 +32,10 @@ enum Condition : std::size_t
 };
 using Conditions = std::array<std::int64_t, 5>;
 
+/// Settles first moments by single units and brings second moments near, then finds movements of a few points by which
+/// all are right. The ways that make the sums of y and of its squares right, and those that make those of x right, are
+/// each found once, by a table of half of the points; one of each has to be found whose sum of products is right, where
+/// what they change together is small: those along x are sorted by theirs.
 class ExactSearch
 {
 public:
@@ -53,19 +57,26 @@ public:
         if (!settle_first_moments()) return false;
         approach();
         choose_points();
-        const Conditions rough = lacking_;
-        const std::vector<StoredFromMiddle> start = points_;
-        for (const auto& ways : upright_ways()) {
-            move_all(ways, 1, upright_reach);
-            if (search_level() && lacking_ == Conditions{}) return true;
-            lacking_ = rough;
-            points_ = start;
-        }
-        return false;
+        const std::vector<UprightWay> upright = upright_ways();
+        return std::ranges::any_of(level_points, [&](std::size_t count) { return search(upright, level_ways(count)); });
     }
 
 private:
     using Ways = std::array<std::size_t, 2>; ///< of both halves
+
+    /// Movements along y after which the sums of y and of its squares are right.
+    struct UprightWay
+    {
+        std::int64_t left; ///< of the sum of products
+        Ways ways;
+    };
+
+    /// Movements along x after which the sums of x and of its squares are right.
+    struct LevelWay
+    {
+        std::int64_t product; ///< what they change of the sum of products where nothing moves along y
+        Ways ways;
+    };
 
     void move(std::size_t point, std::size_t axis, std::int64_t by)
     {
@@ -164,72 +175,97 @@ private:
         }
     }
 
-    /// Movements along y that make the sums of y and of its squares right, those first that leave least of the third
-    /// condition.
-    std::vector<Ways> upright_ways()
+    /// Those first that leave least of the sum of products.
+    std::vector<UprightWay> upright_ways() const
     {
         const auto change = [&](std::size_t i, std::int64_t by) { return mixture(by, (2 * points_[i][1] + by) * by); };
-        const auto mixed = [&](std::size_t i, std::int64_t by) {
+        const auto product = [&](std::size_t i, std::int64_t by) {
             return static_cast<std::uint64_t>(points_[i][0] * by);
         };
-        const auto first = halves_[0].changes(upright_reach, change),
-                   second = halves_[1].changes(upright_reach, change);
-        const auto first_mixed = halves_[0].changes(upright_reach, mixed);
-        const auto second_mixed = halves_[1].changes(upright_reach, mixed);
-        std::multimap<std::uint64_t, std::size_t> by_change;
-        for (std::size_t way = 0; way < first.size(); ++way) by_change.emplace(first[way], way);
-        const std::uint64_t wanted = mixture(0, lacking_[in_yy]);
-        std::vector<std::pair<std::int64_t, Ways>> found;
-        for (std::size_t way = 0; way < second.size(); ++way) {
-            const auto [from, to] = by_change.equal_range(wanted - second[way]);
-            for (auto it = from; it != to; ++it) {
-                const auto left = lacking_[in_xy] - static_cast<std::int64_t>(first_mixed[it->second]) -
-                                  static_cast<std::int64_t>(second_mixed[way]);
-                found.push_back({std::abs(left), {it->second, way}});
-            }
-        }
-        const auto count = static_cast<std::ptrdiff_t>(std::min(found.size(), most_searches));
-        std::partial_sort(found.begin(), found.begin() + count, found.end());
-        std::vector<Ways> ways;
-        for (std::ptrdiff_t i = 0; i < count; ++i) ways.push_back(found[static_cast<std::size_t>(i)].second);
-        return ways;
+        const std::uint64_t wanted = mixture(lacking_[in_y], lacking_[in_yy]);
+        std::vector<UprightWay> found;
+        for_each_way(halves_, upright_reach, change, product, wanted, [&](const Ways& ways, std::int64_t changed) {
+            found.push_back({lacking_[in_xy] - changed, ways});
+        });
+        std::ranges::sort(found, {}, [](const UprightWay& way) { return std::tuple(std::abs(way.left), way.ways); });
+        return found;
     }
 
-    void move_all(const Ways& ways, std::size_t axis, int reach)
+    /// Those of so many points of the second half, by their product.
+    std::vector<LevelWay> level_ways(std::size_t count)
     {
-        for (std::size_t h = 0; h < 2; ++h)
-            for (std::size_t i = 0; i < halves_[h].points.size(); ++i)
-                move(halves_[h].points[i], axis, Half::movement(i, ways[h], reach));
-    }
-
-    /// Movements along x that make all that is left right: each way of one part, with one of the other from a table.
-    bool search_level()
-    {
-        const auto change = [&](std::size_t i, std::int64_t by) {
-            return mixture(by, (2 * points_[i][0] + by) * by, points_[i][1] * by);
+        level_ = halves_;
+        level_[1].points.resize(std::min(count, level_[1].points.size()));
+        const auto change = [&](std::size_t i, std::int64_t by) { return mixture(by, (2 * points_[i][0] + by) * by); };
+        const auto product = [&](std::size_t i, std::int64_t by) {
+            return static_cast<std::uint64_t>(points_[i][1] * by);
         };
-        Half inner = halves_[1], outer;
-        if (std::ssize(inner.points) > listed_points) {
-            outer.points.assign(inner.points.begin() + listed_points, inner.points.end());
-            inner.points.resize(listed_points);
-        }
-        const WayTable table(halves_[0].changes(level_reach, change));
-        const auto inner_changes = inner.changes(level_reach, change),
-                   outer_changes = outer.changes(level_reach, change);
-        const std::uint64_t wanted = mixture(lacking_[in_x], lacking_[in_xx], lacking_[in_xy]);
-        for (std::size_t o = 0; o < outer_changes.size(); ++o)
-            for (std::size_t i = 0; i < inner_changes.size(); ++i)
-                if (const auto way = table.find(wanted - outer_changes[o] - inner_changes[i])) {
-                    move_all({*way, o * inner_changes.size() + i}, 0, level_reach);
+        const std::uint64_t wanted = mixture(lacking_[in_x], lacking_[in_xx]);
+        std::vector<LevelWay> found;
+        for_each_way(level_, level_reach, change, product, wanted, [&](const Ways& ways, std::int64_t changed) {
+            found.push_back({changed, ways});
+        });
+        std::ranges::sort(found, {}, [](const LevelWay& way) { return std::tuple(way.product, way.ways); });
+        return found;
+    }
+
+    /// Visits the ways of two halves whose changes together are those that are wanted, with the sum of their products.
+    template <class Change, class Product, class Visit>
+    static void for_each_way(const std::array<Half, 2>& halves, int reach, const Change& change, const Product& product,
+                             std::uint64_t wanted, const Visit& visit)
+    {
+        const WayTable table(halves[0].changes(reach, change));
+        const auto first = halves[0].changes(reach, product), second = halves[1].changes(reach, product);
+        const auto changes = halves[1].changes(reach, change);
+        for (std::size_t way = 0; way < changes.size(); ++way)
+            table.for_each(wanted - changes[way], [&](std::size_t other) {
+                visit(Ways{other, way}, static_cast<std::int64_t>(first[other] + second[way]));
+            });
+    }
+
+    /// Moves points by the first ways that make the sum of products right as well; false: there are none.
+    bool search(const std::vector<UprightWay>& upright, const std::vector<LevelWay>& level)
+    {
+        for (const UprightWay& up : upright) {
+            // What both ways change together is at most this.
+            constexpr auto most = static_cast<std::int64_t>(searched_points * upright_reach * level_reach);
+            auto across = std::ranges::lower_bound(level, up.left - most, {}, &LevelWay::product);
+            for (; across != level.end() && across->product <= up.left + most; ++across)
+                if (across->product + common_product(up.ways, across->ways) == up.left) {
+                    move_all(halves_, up.ways, 1, upright_reach);
+                    move_all(level_, across->ways, 0, level_reach);
                     return true;
                 }
+        }
         return false;
+    }
+
+    /// The sum of products of movements along both axes.
+    std::int64_t common_product(Ways upright, Ways across) const
+    {
+        constexpr std::size_t upright_base = 2 * upright_reach + 1, level_base = 2 * level_reach + 1;
+        std::int64_t sum = 0;
+        for (std::size_t h = 0; h < 2; ++h)
+            for (std::size_t i = 0; i < level_[h].points.size(); ++i) {
+                sum += (static_cast<std::int64_t>(upright[h] % upright_base) - upright_reach) *
+                       (static_cast<std::int64_t>(across[h] % level_base) - level_reach);
+                upright[h] /= upright_base;
+                across[h] /= level_base;
+            }
+        return sum;
+    }
+
+    void move_all(const std::array<Half, 2>& halves, const Ways& ways, std::size_t axis, int reach)
+    {
+        for (std::size_t h = 0; h < 2; ++h)
+            for (std::size_t i = 0; i < halves[h].points.size(); ++i)
+                move(halves[h].points[i], axis, Half::movement(i, ways[h], reach));
     }
 
     std::vector<StoredFromMiddle>& points_;
     std::vector<StoredFromMiddle> moved_; ///< by rough steps
-    std::array<Half, 2> halves_;
-    Conditions lacking_{}; ///< wanted less found
+    std::array<Half, 2> halves_, level_;  ///< of all searched points, and of those that move along x
+    Conditions lacking_{};                ///< wanted less found
 };
 
 /// By single units, each point at most by the reach.

@@ -3,16 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace poissonlab {
 
 /// A linear mixture of numbers from which they can be told, nearly always; sums of mixtures are mixtures of sums.
-inline std::uint64_t mixture(std::int64_t a, std::int64_t b, std::int64_t c = 0)
+inline std::uint64_t mixture(std::int64_t a, std::int64_t b)
 {
-    return static_cast<std::uint64_t>(a) * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(b) * 0xd1b54a32d192ed03 +
-           static_cast<std::uint64_t>(c) * 0x8cb92ba72f3d8dd7;
+    return static_cast<std::uint64_t>(a) * 0x9e3779b97f4a7c15 + static_cast<std::uint64_t>(b) * 0xd1b54a32d192ed03;
 }
 
 /// All sums of one term of each list; the first list's number counts fast.
@@ -40,13 +38,13 @@ public:
         }
     }
 
-    std::optional<std::size_t> find(std::uint64_t change) const
+    template <class Visit>
+    void for_each(std::uint64_t change, const Visit& visit) const
     {
         const std::uint64_t bit = mixed(change) >> (shift_ - sieve_bits);
-        if ((sieve_[bit / 64] >> bit % 64 & 1) == 0) return {};
+        if ((sieve_[bit / 64] >> bit % 64 & 1) == 0) return;
         for (std::size_t place = mixed(change) >> shift_; ways_[place] != none; place = (place + 1) % ways_.size())
-            if (changes_[place] == change) return ways_[place];
-        return {};
+            if (changes_[place] == change) visit(ways_[place]);
     }
 
 private:
