@@ -1,9 +1,11 @@
 // poissonlab devices: what OpenCL offers here.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
+#include "base/errors/errors.hpp"
 #include "host/device/device.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 #include <vector>
@@ -36,19 +38,43 @@ void print_device(std::size_t number, const DeviceInfo& device)
     print_line("unusable", {device.unusable});
 }
 
-void print_devices()
+nlohmann::ordered_json json_of(std::size_t number, const DeviceInfo& device)
+{
+    return {{"number", number},
+            {"name", printable(device.name)},
+            {"platform", printable(device.platform)},
+            {"vendor", printable(device.vendor)},
+            {"type", device.type},
+            {"driver_version", printable(device.driver_version)},
+            {"device_version", printable(device.device_version)},
+            {"compute_units", device.compute_units},
+            {"global_memory_bytes", device.global_memory_bytes},
+            {"max_allocation_bytes", device.max_allocation_bytes},
+            {"local_memory_bytes", device.local_memory_bytes},
+            {"max_work_group_size", device.max_work_group_size},
+            {"unusable", printable(device.unusable)}};
+}
+
+void print_devices(bool as_json)
 {
     const std::vector<DeviceInfo> devices = list_devices();
     choose_device(devices, ""); // says what to do where there is none
-    for (std::size_t i = 0; i < devices.size(); ++i) print_device(i, devices[i]);
+    nlohmann::ordered_json json{{"devices", nlohmann::ordered_json::array()}};
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        if (as_json)
+            json["devices"].push_back(json_of(i, devices[i]));
+        else
+            print_device(i, devices[i]);
+    if (as_json) fmt::print("{}\n", json.dump(2));
 }
 
 }
 
 Command devices_command()
 {
-    return {"devices", "List what OpenCL offers on this machine", {}, "", [] {
-                print_devices();
+    const auto as_json = std::make_shared<bool>(false);
+    return {"devices", "List what OpenCL offers on this machine", {json_option(*as_json)}, "", [as_json] {
+                print_devices(*as_json);
                 return 0;
             }};
 }

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace poissonlab {
 namespace {
@@ -72,7 +74,7 @@ std::vector<Option> KindOptions::options()
 {
     std::vector<Option> all;
     for (Typed& typed : typed_) all.push_back(option_of(typed));
-    return joined({all, work_.options()});
+    return joined({all, work_.options(), {json_option(as_json_, "Print the numbers of what was made as JSON")}});
 }
 
 Option KindOptions::option_of(Typed& typed) const
@@ -128,6 +130,21 @@ KindSettings KindOptions::settings() const
 void KindOptions::say_note(const std::string& note) const
 {
     if (!note.empty() && !is_quiet()) fmt::print(stderr, "poissonlab: note: {}\n", note);
+}
+
+void print_numbers(const std::vector<DistributionNumber>& numbers)
+{
+    nlohmann::ordered_json json, meanings;
+    for (const DistributionNumber& number : numbers) {
+        const bool is_whole = number.value == std::floor(number.value) && std::abs(number.value) < 0x1p53;
+        if (is_whole)
+            json[number.key] = static_cast<std::int64_t>(number.value); // counts have no decimals
+        else
+            json[number.key] = number.value;
+        meanings[number.key] = number.meaning;
+    }
+    json["meanings"] = std::move(meanings);
+    fmt::print("{}\n", json.dump(2));
 }
 
 Option OutputFiles::option()

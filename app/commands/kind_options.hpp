@@ -3,6 +3,7 @@
 
 #include "app/commands/work_options.hpp"
 #include "host/kinds/kind.hpp"
+#include "results/pictures/distribution_result.hpp"
 
 #include <deque>
 #include <memory>
@@ -17,8 +18,8 @@ public:
     /// `kind` must outlive it. The key `placed`, if there is one, is an argument known by its place, not an option.
     explicit KindOptions(const Kind& kind, std::string placed = "");
 
-    /// An option for each key, in the order of the kind, and --seed, --engine, --device, --quiet. Their targets are in
-    /// this object.
+    /// An option for each key, in the order of the kind, and --seed, --engine, --device, --quiet, --json. Their targets
+    /// are in this object.
     std::vector<Option> options();
 
     /// The typed settings, checked as a table of a config is. Throws InputError, a line that begins with the command.
@@ -29,8 +30,11 @@ public:
     std::uint64_t seed() const { return work_.seed(); }
     bool is_quiet() const { return work_.is_quiet(); }
 
-    /// The engine, a device that is opened when it is needed, and a listener that shows steps.
-    DistributionPlace place(bool is_silent = false) const { return work_.place(command(), is_silent); }
+    /// Standard output is one JSON object and nothing else.
+    bool prints_json() const { return as_json_; }
+
+    /// The engine, a device that is opened when it is needed, and a listener that shows steps, unless JSON is printed.
+    DistributionPlace place() const { return work_.place(command(), as_json_); }
 
     /// Says what a person should know of an input, unless nothing is to be said.
     void say_note(const std::string& note) const;
@@ -55,7 +59,12 @@ private:
     std::string placed_;
     std::deque<Typed> typed_;
     WorkOptions work_;
+    bool as_json_ = false;
 };
+
+/// Prints numbers as one JSON object: each by its key, as results.json calls it, and in "meanings" what it is, with
+/// its unit.
+void print_numbers(const std::vector<DistributionNumber>& numbers);
 
 /// The files that a command writes: --out, as often as one likes.
 struct OutputFiles

@@ -1,11 +1,12 @@
 // poissonlab merge: finished work of several output folders, such as those of shards, into one.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "experiment/run/progress.hpp"
 #include "experiment/store/unit_store.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace poissonlab {
 namespace {
@@ -21,6 +22,7 @@ struct MergeOptions
     std::filesystem::path out;
     std::vector<std::filesystem::path> folders;
     bool quiet = false;
+    bool as_json = false;
 };
 
 void merge(const MergeOptions& options)
@@ -30,14 +32,19 @@ void merge(const MergeOptions& options)
             throw InputError(fmt::format("merge: {}: has no {} folder; output folders of `run --shard` are needed",
                                          folder.string(), unit_folder_name));
     UnitStore store(options.out / unit_folder_name);
-    Progress progress(Progress::detect(options.quiet));
+    auto merged = nlohmann::ordered_json::array();
+    Progress progress(Progress::detect(options.quiet || options.as_json));
     for (const std::filesystem::path& folder : options.folders) {
         const std::size_t count = store.merge(UnitStore(folder / unit_folder_name), [&](std::size_t done) {
             stop_if_interrupted();
             progress.step(fmt::format("{}: {} units", folder.string(), done));
         });
         progress.message(fmt::format("{}: {} units taken over", folder.string(), count));
+        merged.push_back({{"folder", printable(folder.string())}, {"units", count}});
     }
+    if (options.as_json)
+        fmt::print("{}\n",
+                   nlohmann::ordered_json{{"out", printable(options.out.string())}, {"merged", merged}}.dump(2));
 }
 
 }
@@ -49,7 +56,8 @@ Command merge_command()
             "Take over finished work of other output folders, such as those of shards",
             {{"DIR", &o->folders, "Output folders of `run --shard`"},
              {"--out", &o->out, "The output folder that gets it", "OUT REQUIRED", required},
-             {"--quiet", &o->quiet, "Print nothing but errors"}},
+             quiet_option(o->quiet),
+             json_option(o->as_json, "Print how many units were taken over as JSON")},
             merge_notes,
             action_on(o, merge)};
 }

@@ -1,20 +1,48 @@
 // poissonlab samplers: what a [[method]] table can say, from the samplers' own descriptions.
-#include "app/commands/command.hpp"
+#include "app/commands/described_values.hpp"
+#include "app/commands/work_options.hpp"
+#include "host/sampling/guide/sampler_guide.hpp"
+#include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
+#include "host/settings/sampler_registry.hpp"
 
 #include <fmt/format.h>
 
 namespace poissonlab {
+namespace {
+
+void print_samplers_json()
+{
+    nlohmann::ordered_json json{{"samplers", nlohmann::ordered_json::array()}};
+    for (const SamplerSpec& sampler : sampler_registry()) {
+        auto parameters = nlohmann::ordered_json::array();
+        for (const ParameterSpec& spec : sampler.parameters)
+            parameters.push_back(described_value(spec, allowed_values(spec)));
+        json["samplers"].push_back({{"name", sampler.name},
+                                    {"title", sampler.title},
+                                    {"summary", sampler.summary},
+                                    {"source", sampler_guide(sampler.name).source},
+                                    {"dimensions", sampler.dimensions},
+                                    {"deterministic", sampler.deterministic},
+                                    {"parameters", parameters}});
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+}
 
 Command samplers_command()
 {
-    const auto markdown = std::make_shared<bool>(false);
+    const auto markdown = std::make_shared<bool>(false), as_json = std::make_shared<bool>(false);
     return {"samplers",
             "List the methods of making point sets and their parameters",
-            {{"--markdown", markdown.get(), "Print the table of docs/samplers.md"}},
+            {{"--markdown", markdown.get(), "Print the table of docs/samplers.md"}, json_option(*as_json)},
             "",
-            [markdown] {
-                fmt::print("{}", *markdown ? samplers_markdown() : samplers_text());
+            [markdown, as_json] {
+                if (*as_json)
+                    print_samplers_json();
+                else
+                    fmt::print("{}", *markdown ? samplers_markdown() : samplers_text());
                 return 0;
             }};
 }

@@ -1,10 +1,11 @@
 // poissonlab aperiodic tables: the dissertation's tables 8.1 to 8.7 beside what is computed, as docs/aperiodic-tiles.md
 // has them.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "tiles/aperiodic/table_comparison.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>
@@ -21,6 +22,7 @@ constexpr std::size_t searched_width = 6;
 
 struct AperiodicTablesOptions
 {
+    bool as_json = false;
 };
 
 constexpr auto tables_head =
@@ -125,9 +127,44 @@ void print_periods()
     }
 }
 
-void print_tables(const AperiodicTablesOptions&)
+nlohmann::ordered_json json_of_steps(const std::vector<PrintedStep>& steps)
+{
+    auto json = nlohmann::ordered_json::array();
+    for (const PrintedStep& step : steps)
+        json.push_back({{"tiles", step.tiles}, {"colors", step.colors}, {"wang_colors", step.wang_colors}});
+    return json;
+}
+
+void print_tables_json(const std::vector<ComparedColumn>& columns)
+{
+    nlohmann::ordered_json json{{"tables", nlohmann::ordered_json::array()},
+                                {"searched_width", searched_width},
+                                {"periods", nlohmann::ordered_json::array()}};
+    for (const ComparedColumn& column : columns) {
+        nlohmann::ordered_json row{{"table", column.printed.table},
+                                   {"set", column.printed.set},
+                                   {"construction", corner_constructions[column.printed.construction]},
+                                   {"printed", json_of_steps(column.printed.steps)}};
+        row["here"] = column.here ? json_of_steps(*column.here) : nlohmann::ordered_json();
+        if (column.here) row["agrees"] = column.agrees();
+        json["tables"].push_back(std::move(row));
+    }
+    for (const SearchedColumn& column : search_constructions(searched_width)) {
+        nlohmann::ordered_json row{{"set", column.title},
+                                   {"construction", corner_constructions[column.construction]},
+                                   {"tiles", column.corners.tiles.size()},
+                                   {"colors", column.corners.colors},
+                                   {"period", nullptr}};
+        if (const auto& period = column.search.period) row["period"] = {period->width, period->height};
+        json["periods"].push_back(std::move(row));
+    }
+    fmt::print("{}\n", json.dump(2));
+}
+
+void print_tables(const AperiodicTablesOptions& options)
 {
     const std::vector<ComparedColumn> columns = compare_tables();
+    if (options.as_json) return print_tables_json(columns);
     fmt::print("{}", tables_head);
     for (const char* table : {"8.3", "8.4", "8.7", "8.5", "8.6"}) print_table(table, columns);
     print_periods();
@@ -140,7 +177,7 @@ Command aperiodic_tables_command()
     const auto o = std::make_shared<AperiodicTablesOptions>();
     return {"tables",
             "Compare the dissertation's tables 8.1 to 8.7 with what is computed",
-            {},
+            {json_option(o->as_json)},
             aperiodic_tables_notes,
             action_on(o, print_tables)};
 }

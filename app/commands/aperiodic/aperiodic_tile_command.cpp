@@ -1,8 +1,8 @@
 // poissonlab aperiodic tile: tilings with aperiodic sets, printed or drawn.
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
+#include "app/commands/tile_rows.hpp"
 #include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
-#include "base/programs/interrupt.hpp"
 #include "host/aperiodic_tiling/beatty_generator.hpp"
 #include "tiles/aperiodic/ammann_tiling.hpp"
 #include "tiles/aperiodic/corner_tiling.hpp"
@@ -12,7 +12,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace poissonlab {
 namespace {
@@ -47,6 +46,7 @@ struct AperiodicTileOptions
     std::vector<std::int64_t> window; ///< X Y W H
     std::string method;               ///< empty: the set's own
     std::filesystem::path out;
+    bool as_json = false;
     WorkOptions work;
 };
 
@@ -162,13 +162,10 @@ void tile(const AperiodicTileOptions& options)
         write_tile_picture(options.out, made.chosen, made.tiles, width, false);
         return;
     }
-    for (std::size_t row = 0; row < window.height; ++row) {
-        stop_if_interrupted();
-        const auto tiles = std::span(made.tiles).subspan(row * width, width);
-        const std::string text = fmt::format("{}\n", fmt::join(tiles, " "));
-        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-            throw StorageError("cannot write to standard output");
-    }
+    TileRows rows(options.as_json);
+    for (std::size_t row = 0; row < window.height; ++row)
+        rows.add(std::span<const ListPlace>(made.tiles).subspan(row * width, width), true);
+    rows.finish();
 }
 
 }
@@ -184,7 +181,8 @@ Command aperiodic_tile_command()
                               integers(1, most_repetitions)),
                      {"--method", &o->method, "beatty, substitution or search; default: the set's own, else search",
                       "NAME"},
-                     {"--out", &o->out, "Draw the tiling instead (.svg, .png)", "FILE"}},
+                     {"--out", &o->out, "Draw the tiling instead (.svg, .png)", "FILE"},
+                     {.name = "--json", .target = &o->as_json, .help = "Print the tiles as JSON", .excludes = "--out"}},
                     o->work.options()}),
             aperiodic_tile_notes, action_on(o, tile)};
 }

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/points/point_file.hpp"
 #include "host/distribution/region_darts.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,7 @@ void throw_darts(const DartOptions& o)
         write_points(out, darts.points,
                      fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",
                                  shortened(printable(settings.region)), o.seed(), what));
+    if (o.prints_json()) print_numbers(dart_numbers(darts));
 }
 
 }

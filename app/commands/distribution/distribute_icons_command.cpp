@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/icons.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
@@ -57,6 +58,7 @@ void draw_icons(const IconOptions& o)
                                             field.u.height, o.seed(), o.place());
     const Icons icons = icons_at(points, field, settings.have_one_length);
     for (const std::string& out : o.outs.names) write_icons(out, icons, field, static_cast<int>(o.pixels));
+    if (o.prints_json()) print_numbers(icon_numbers(icons, field, points.size() / 2));
 }
 
 }

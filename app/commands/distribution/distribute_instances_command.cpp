@@ -6,6 +6,7 @@
 #include "host/distribution/instances/instance_files.hpp"
 #include "host/distribution/instances/instance_view.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +58,9 @@ void place_instances(const InstanceOptions& o)
     const std::vector<Instance> instances = instances_in(tiles, tiling, settings, place);
     const double radius = instance_radius(tiles, settings);
     for (const std::string& out : o.outs.names) write_instances(out, instances, settings, radius);
-    if (!o.is_quiet())
+    if (o.prints_json())
+        print_numbers(instance_numbers(instances.size(), settings, radius));
+    else if (!o.is_quiet())
         fmt::print("{} instances of {} models; {:.1f} are expected; disks have a radius of {:.5f}\n", instances.size(),
                    settings.models, expected_instances(settings), radius);
 }

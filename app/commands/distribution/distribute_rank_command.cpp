@@ -2,6 +2,7 @@
 #include "app/commands/kind_options.hpp"
 #include "base/errors/errors.hpp"
 #include "host/distribution/place_file.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/self_similar_tile.hpp"
 #include "host/kinds/kinds.hpp"
 
@@ -42,6 +43,7 @@ void rank(const RankOptions& o)
                                  "the longest side of {} x {} pixels, y upwards",
                                  printable(settings.density.text), settings.points, o.seed(), places.size() / 2,
                                  density.width, density.height));
+    if (o.prints_json()) print_numbers(rank_numbers(settings, density, places));
 }
 
 }

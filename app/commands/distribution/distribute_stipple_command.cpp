@@ -3,12 +3,12 @@
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "host/distribution/place_file.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/stipple.hpp"
 #include "host/kinds/kinds.hpp"
 #include "reports/drawings/mark_image.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,6 @@ struct StippleOptions : KindOptions
     using KindOptions::KindOptions;
     OutputFiles outs{{".svg", ".png"}, true};
     std::uint32_t pixels = 0;
-    bool as_json = false;
 };
 
 /// Width and height of a .png.
@@ -89,17 +88,6 @@ void write_marks(const StippleOptions& o, const std::string& image, const InkPic
 void say_tones(const StippleOptions& o, bool has_strokes, const TonesOfMarks& tones, const Stippling& stippling)
 {
     const std::size_t count = stippling.places.size() / 2;
-    if (o.as_json) {
-        const nlohmann::ordered_json json{{"marks", count},
-                                          {"mark_width", stippling.mark_width},
-                                          {"mark_area", stippling.mark_area},
-                                          {"tone_error", tones.error},
-                                          {"darkest_ink", tones.darkest_ink},
-                                          {"too_dark", tones.too_dark},
-                                          {"overlap", tones.overlap}};
-        fmt::print("{}\n", json.dump(2));
-        return;
-    }
     if (o.is_quiet()) return;
     fmt::print("{} {}, {:.3g} pixels {}; tone error {:.4f} over windows of 32 pixels\n", count,
                has_strokes ? "strokes" : "dots", stippling.mark_width, has_strokes ? "wide" : "in diameter",
@@ -118,21 +106,23 @@ void stipple_picture(const StippleOptions& o)
     o.outs.check(o.command());
     const InkPicture picture = read_ink(settings);
     o.say_note(picture.ink.note);
-    const DistributionPlace place = o.place(o.as_json); // steps go to standard output, where programs read JSON
+    const DistributionPlace place = o.place();
     const Stippling stippling = stipple(picture, settings, o.seed(), place);
     const Coverage coverage = coverage_of(stippling.marks, picture.ink.width, picture.ink.height, 1);
     write_marks(o, settings.image, picture, stippling);
-    say_tones(o, settings.has_strokes, tones_of(picture, settings, stippling, coverage, place), stippling);
+    const TonesOfMarks tones = tones_of(picture, settings, stippling, coverage, place);
+    if (!o.prints_json()) return say_tones(o, settings.has_strokes, tones, stippling);
+    DistributionNumbers numbers = mark_numbers(picture, settings, stippling, tones);
+    numbers.insert(numbers.begin(),
+                   {"marks", "Marks", static_cast<double>(stippling.places.size()) / 2, "in the picture"});
+    print_numbers(numbers);
 }
 
 Command mark_command(const char* word, const char* notes)
 {
     const auto o = std::make_shared<StippleOptions>(*find_kind("distribution", word));
-    return kind_command(o,
-                        {o->outs.option(),
-                         pixels_option(o->pixels, max_drawing_pixels, "the picture's"),
-                         {"--json", &o->as_json, "Say what is said of the tones as JSON"}},
-                        notes, stipple_picture);
+    return kind_command(o, {o->outs.option(), pixels_option(o->pixels, max_drawing_pixels, "the picture's")}, notes,
+                        stipple_picture);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/sky_lights.hpp"
 #include "host/kinds/kinds.hpp"
 
@@ -60,6 +61,7 @@ void warp(const WarpOptions& o)
                                  "the longest side of {} x {} pixels, y upwards",
                                  printable(settings.density.text), settings.points, o.seed(), places.size() / 2,
                                  density.width, density.height));
+    if (o.prints_json()) print_numbers(warp_numbers(map, density, places, points));
 }
 
 }

@@ -36,7 +36,6 @@ struct TextureBuildOptions : KindOptions
 {
     using KindOptions::KindOptions;
     std::filesystem::path out;
-    bool as_json = false;
 };
 
 void check_folder(const std::filesystem::path& folder)
@@ -57,11 +56,11 @@ std::optional<Repetition> repetition_of(const TextureSet& set, std::uint64_t see
 
 void print_built(const TextureBuildOptions& options, const BuiltTexture& built, double seconds)
 {
-    if (options.is_quiet() && !options.as_json) return;
+    if (options.is_quiet() && !options.prints_json()) return;
     const TextureSet& set = built.set;
     const TextureCertificate proof = certify_texture(set);
     const std::optional<Repetition> repeated = repetition_of(set, options.seed());
-    if (options.as_json) {
+    if (options.prints_json()) {
         nlohmann::ordered_json json{{"folder", printable(options.out.string())},
                                     {"tiles", set.tiles.size()},
                                     {"tile_size", set.size},
@@ -109,7 +108,7 @@ PngPixels exemplar_of_tiles(const TextureSettings& asked, TextureRequest& reques
 
 BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)
 {
-    const DistributionPlace place = options.place(options.as_json);
+    const DistributionPlace place = options.place();
     TextureRequest request = asked.request;
     request.seed = options.seed();
     const PngPixels exemplar = exemplar_of_tiles(asked, request);
@@ -139,10 +138,8 @@ void build_texture_tiles(const TextureBuildOptions& options)
 Command texture_build_command()
 {
     const auto o = std::make_shared<TextureBuildOptions>(*find_kind("", "texture build"), "kind");
-    return kind_command(o,
-                        {{"--out", &o->out, "The folder of the tiles", "DIR", required},
-                         json_option(o->as_json, "Say what came of it as JSON")},
-                        texture_build_notes, build_texture_tiles);
+    return kind_command(o, {{"--out", &o->out, "The folder of the tiles", "DIR", required}}, texture_build_notes,
+                        build_texture_tiles);
 }
 
 }

@@ -1,8 +1,8 @@
 // poissonlab packing: tile packings, printed, drawn, verified, and as puzzles.
 #include "app/commands/kind_options.hpp"
+#include "app/commands/tile_rows.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
-#include "base/programs/interrupt.hpp"
 #include "host/distribution/textures/chosen_packing.hpp"
 #include "host/kinds/kinds.hpp"
 #include "reports/drawings/tile_image.hpp"
@@ -11,10 +11,10 @@
 #include "tiles/packing/packing_search.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdio>
+#include <span>
 
 namespace poissonlab {
 namespace {
@@ -49,35 +49,34 @@ constexpr Color most_drawn_colors = 16;
 
 /// Prints the tiles of rows from north to south.
 template <class TileAt>
-void print_rows(Color side, const TileAt& tile_at)
+void print_rows(TileRows& rows, Color side, const TileAt& tile_at)
 {
     std::vector<TileIndex> row(side);
     for (Color y = side; y-- > 0;) {
-        stop_if_interrupted();
         for (Color x = 0; x < side; ++x) row[x] = tile_at(PackingPlace{x, y});
-        const std::string text = fmt::format("{}\n", fmt::join(row, " "));
-        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-            throw StorageError("cannot write to standard output");
+        rows.add(std::span<const TileIndex>(row), true);
     }
 }
 
-void print_packing(const TilePacking& packing)
+void print_packing(TileRows& rows, const TilePacking& packing)
 {
-    print_rows(packing.side(), [&](PackingPlace place) { return packing.at(place); });
+    print_rows(rows, packing.side(), [&](PackingPlace place) { return packing.at(place); });
 }
 
-void print_all_packings(const PackingSettings& asked)
+void print_all_packings(const PackingOptions& options, const PackingSettings& asked)
 {
     if (asked.colors != 2)
         throw InputError(
             fmt::format("packing: --all with --colors {}: must be 2, nobody has seen all others", asked.colors));
+    TileRows rows(options.prints_json(), "packings");
     bool is_first = true;
     search_packings(asked.kind, asked.colors, {}, [&](const TilePacking& packing) {
-        if (!is_first) fmt::print("\n");
+        if (!is_first) rows.next_block();
         is_first = false;
-        print_packing(packing);
+        print_packing(rows, packing);
         return true;
     });
+    rows.finish();
 }
 
 void check_drawn_colors(Color colors)
@@ -142,29 +141,43 @@ void draw_packing(const PackingOptions& options, const TilePacking& packing)
     if (!options.puzzle.empty()) write_whole_file(options.puzzle, drawing_svg(draw_puzzle(packing, options.cut)));
 }
 
+void say_verified(const PackingOptions& options, const PackingSettings& asked)
+{
+    const std::string file = printable(options.verified.string());
+    const std::uint64_t tiles = std::uint64_t{asked.colors} * asked.colors * asked.colors * asked.colors;
+    if (options.prints_json())
+        fmt::print("{}\n",
+                   nlohmann::ordered_json{
+                       {"file", file}, {"kind", tile_kinds[asked.kind]}, {"colors", asked.colors}, {"tiles", tiles}}
+                       .dump(2));
+    else
+        fmt::print("{}: a packing of the complete {} tile set over {} colours: {} tiles, each once, all neighbours "
+                   "fit\n",
+                   file, tile_kinds[asked.kind], asked.colors, tiles);
+}
+
 void pack(const PackingOptions& options)
 {
     const KindSettings read = options.settings();
     const auto& asked = read.as<PackingSettings>();
     check_packing_options(options, asked);
-    if (options.all) return print_all_packings(asked);
+    if (options.all) return print_all_packings(options, asked);
     if (!options.verified.empty()) {
         draw_packing(options, verified_packing(options, asked));
-        fmt::print("{}: a packing of the complete {} tile set over {} colours: {} tiles, each once, all neighbours "
-                   "fit\n",
-                   printable(options.verified.string()), tile_kinds[asked.kind], asked.colors,
-                   std::uint64_t{asked.colors} * asked.colors * asked.colors * asked.colors);
-        return;
+        return say_verified(options, asked);
     }
     const bool is_drawn = !options.out.empty() || !options.puzzle.empty();
     if (asked.method == "closed" && !is_drawn) {
-        print_rows(asked.colors * asked.colors,
+        TileRows rows(options.prints_json());
+        print_rows(rows, asked.colors * asked.colors,
                    [&](PackingPlace place) { return packed_tile(asked.kind, place, asked.colors); });
-        return;
+        return rows.finish();
     }
     const TilePacking packing = chosen_packing(asked, options.seed());
     draw_packing(options, packing);
-    print_packing(packing);
+    TileRows rows(options.prints_json());
+    print_packing(rows, packing);
+    rows.finish();
 }
 
 }

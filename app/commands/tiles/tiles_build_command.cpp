@@ -31,7 +31,6 @@ struct TilesBuildOptions : KindOptions
 {
     using KindOptions::KindOptions;
     std::filesystem::path out;
-    bool as_json = false;
 };
 
 /// Building takes up to minutes, which a file that cannot be written would waste.
@@ -50,7 +49,7 @@ void check_target(const std::filesystem::path& file)
 
 ConstructedTileSet built_tiles(const TilesBuildOptions& o, const PoissonTileParameters& parameters)
 {
-    const DistributionPlace place = o.place(o.as_json);
+    const DistributionPlace place = o.place();
     if (place.engine == Engine::opencl)
         check_fits(fmt::format("filling a tile of {} points", parameters.points_per_tile),
                    construction_memory(parameters, place.device().info()), place.device().info());
@@ -65,7 +64,7 @@ void print_built_tiles(const TilesBuildOptions& o, const PoissonTileParameters& 
                        const ConstructedTileSet& built, double seconds)
 {
     const double relative_radius = relative_radius_of(built.set.squared_min_distance, parameters);
-    if (o.as_json) {
+    if (o.prints_json()) {
         const nlohmann::ordered_json json{{"file", printable(o.out.string())},
                                           {"tiles", parameters.tiles},
                                           {"points_per_tile", parameters.points_per_tile},
@@ -102,9 +101,7 @@ void build_tiles(const TilesBuildOptions& o)
 Command tiles_build_command()
 {
     const auto o = std::make_shared<TilesBuildOptions>(*find_kind("", "tiles build"), "kind");
-    return kind_command(o,
-                        {{"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required},
-                         json_option(o->as_json, "Say what came of it as JSON")},
+    return kind_command(o, {{"--out", &o->out, "The file: .ptiles, or .json for people", "FILE", required}},
                         tiles_build_notes, build_tiles);
 }
 

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -44,6 +45,7 @@ struct TilesPointsOptions
     std::string density = "1"; ///< a number, the name of a picture, or a formula
     std::string density_from = "light";
     std::filesystem::path out;
+    bool as_json = false;
     WorkOptions work;
 };
 
@@ -131,7 +133,14 @@ void write_tile_points(const TilesPointsOptions& options)
                                                       : reference_stream(*tiles),
                        *tiles, WindowOfTiling{block, options.torus, options.seed}, *density);
     });
-    if (is_ready) write_window(options.out, head, *points, *crew);
+    if (!is_ready) return;
+    const std::uint64_t count = write_window(options.out, head, *points, *crew);
+    if (options.as_json && crew->leads())
+        fmt::print("{}\n", nlohmann::ordered_json{{"file", printable(options.out.string())},
+                                                  {"points", count},
+                                                  {"dimension", head.dimension},
+                                                  {"domain", {0.0, head.side}}}
+                               .dump(2));
 }
 
 }
@@ -152,7 +161,8 @@ Command tiles_points_command()
                       "NUMBER|IMAGE|FORMULA"},
                      {"--density-from", &o->density_from,
                       "Of a picture: light (the default), ink, or one of its channels", "NAME"},
-                     seed_option(o->seed)},
+                     seed_option(o->seed),
+                     json_option(o->as_json, "Print how many points there are as JSON")},
                     o->work.options_without_seed()}),
             tiles_points_notes, action_on(o, write_tile_points)};
 }

@@ -1,14 +1,8 @@
 // poissonlab tiling: the tile indices of a window of a stochastic tiling.
 #include "app/commands/kind_options.hpp"
-#include "base/errors/errors.hpp"
-#include "base/programs/interrupt.hpp"
+#include "app/commands/tile_rows.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/scenes/shown_tiling.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <cstdio>
 
 namespace poissonlab {
 namespace {
@@ -28,26 +22,20 @@ Scanline tilings start at their north-west tile; the window must be at 0 0.
 with edge-hash, after half as many.
   poissonlab tiling corner --colors 3 --window -4 -4 8 8)";
 
-/// Prints indices with blanks between them and, after the last of a row, ends the line.
-void print_tiles(std::span<const TileIndex> tiles, bool ends_row)
-{
-    stop_if_interrupted();
-    const std::string text = fmt::format("{}{}", fmt::join(tiles, " "), ends_row ? "\n" : " ");
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
-        throw StorageError("cannot write to standard output");
-}
-
 void print_tiling(const KindOptions& options)
 {
     auto [set, tiling, window, regions, is_drawn] = options.settings().as<ShownTiling>();
     tiling.seed = options.seed();
     const std::int64_t end = stepped(window.x, window.width);
     std::int64_t layer = window.z;
+    TileRows rows(options.prints_json(),
+                  tiling.kind == TileKind::cube || tiling.kind == TileKind::wang_cube ? "layers" : "");
     stream_tiles(tiling, window, [&](std::int64_t x, std::int64_t, std::int64_t z, std::span<const TileIndex> tiles) {
-        if (z != layer) fmt::print("\n");
+        if (z != layer) rows.next_block();
         layer = z;
-        print_tiles(tiles, stepped(x, tiles.size()) == end);
+        rows.add(tiles, stepped(x, tiles.size()) == end);
     });
+    rows.finish();
 }
 
 }

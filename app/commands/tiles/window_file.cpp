@@ -97,31 +97,36 @@ void fill_file(const std::filesystem::path& temporary, const std::filesystem::pa
     });
 }
 
-void write_placed_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew)
+std::uint64_t write_placed_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points,
+                                  Crew& crew)
 {
     head.points = points.least_points();
-    if (!crew.together([&] { check_room(path, head); })) return;
+    if (!crew.together([&] { check_room(path, head); })) return 0;
     const auto before = count_pieces(points, crew);
-    if (!before) return;
+    if (!before) return 0;
     head.points = before->back();
     const bool fits = crew.together([&] {
         check_head(path, head);
         check_room(path, head);
     });
-    if (!fits) return;
-    if (!crew.leads()) return fill_file({}, path, head, *before, points, crew);
-    write_whole_file(
-        path, [&](const std::filesystem::path& temporary) { fill_file(temporary, path, head, *before, points, crew); });
+    if (!fits) return 0;
+    if (crew.leads())
+        write_whole_file(path, [&](const std::filesystem::path& temporary) {
+            fill_file(temporary, path, head, *before, points, crew);
+        });
+    else
+        fill_file({}, path, head, *before, points, crew);
+    return head.points;
 }
 
 }
 
-void write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew)
+std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew)
 {
     if (has_known_places(path)) return write_placed_window(path, head, points, crew);
+    std::uint64_t all = 0;
     crew.together([&] {
         if (!crew.leads()) return;
-        std::uint64_t all = 0;
         for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) all += points.count(piece);
         const std::string comment = fmt::format("domain 0:{}\n{}", head.side, head.comment);
         write_points_in_pieces(path, head.dimension, all, comment, [&](const PointSink& sink) {
@@ -132,6 +137,7 @@ void write_window(const std::filesystem::path& path, PointFileHead head, WindowP
             }
         });
     });
+    return all;
 }
 
 }

@@ -10,7 +10,8 @@ namespace poissonlab {
 /// Writes all points. Files with known places are written by all processes of the crew, one piece while the next one is
 /// made, and have the same bytes for any number of them; others by the process that leads. `head` lacks the number of
 /// points. To be called by all processes, on a file system that they share. Whole or not at all. Throws InputError
-/// before any point is made where the disk has no room for them, StorageError.
-void write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew);
+/// before any point is made where the disk has no room for them, StorageError. Returns their number, in the process
+/// that leads.
+std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head, WindowPoints& points, Crew& crew);
 
 }

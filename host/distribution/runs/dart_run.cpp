@@ -7,6 +7,7 @@
 #include "base/regions/region_text.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/region_darts.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
 
@@ -81,8 +82,6 @@ DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, 
 {
     const PlaneRegion plane = read_region(settings.region, settings.is_planar);
     const RegionDarts darts = throw_region_darts(settings, seed, place);
-    const double area = darts.request.region->area();
-    const auto count = static_cast<double>(darts.points.size());
     DistributionResult result;
     result.facts = {fmt::format("{} points", darts.points.size()),
                     darts.is_saturated ? "saturated: no further point fits" : "stopped at that number",
@@ -91,22 +90,31 @@ DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, 
     files.add_marks("points.json", picture_of(darts, plane), "The points in their region.", result);
     write_points(files.add("points.npy"), darts.points);
     result.files.push_back("points.npy");
-    result.numbers.push_back({"points", "Points", count, "in the region"});
-    result.numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
-    result.numbers.push_back(
-        {"min_distance", "Minimum distance", darts.request.min_distance, "that was asked for, in units of the region"});
-    if (darts.points.size() < 2) return result;
-    const NearestDistances nearest = nearest_distances(darts.points);
-    result.numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
-    result.numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
-                              "of points from their nearest ones, also beside the boundary, in its units"});
-    result.numbers.push_back({"relative_radius", "Relative radius",
-                              nearest.least / (max_min_distance(darts.points.size(), 2) * std::sqrt(area)),
-                              "least distance over that of the densest packing of as many points in the region's area; "
-                              "points may lie on the boundary, so that few have more than on a torus"});
+    result.numbers = dart_numbers(darts);
     return result;
 }
 
+}
+
+DistributionNumbers dart_numbers(const RegionDarts& darts)
+{
+    const double area = darts.request.region->area();
+    const auto count = static_cast<double>(darts.points.size());
+    DistributionNumbers numbers;
+    numbers.push_back({"points", "Points", count, "in the region"});
+    numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
+    numbers.push_back(
+        {"min_distance", "Minimum distance", darts.request.min_distance, "that was asked for, in units of the region"});
+    if (darts.points.size() < 2) return numbers;
+    const NearestDistances nearest = nearest_distances(darts.points);
+    numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
+    numbers.push_back({"mean_nearest", "Mean nearest distance", nearest.mean,
+                       "of points from their nearest ones, also beside the boundary, in its units"});
+    numbers.push_back({"relative_radius", "Relative radius",
+                       nearest.least / (max_min_distance(darts.points.size(), 2) * std::sqrt(area)),
+                       "least distance over that of the densest packing of as many points in the region's area; "
+                       "points may lie on the boundary, so that few have more than on a torus"});
+    return numbers;
 }
 
 Kind dart_kind()

@@ -4,6 +4,7 @@
 #include "base/files/whole_file.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/icons.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
@@ -53,17 +54,23 @@ DistributionResult make_icons(const IconSettings& settings, std::uint64_t seed, 
                     result);
     write_whole_file(files.add("icons.csv"), icons_csv(icons));
     result.files.push_back("icons.csv");
-    const double radius = static_cast<double>(icons.radius) / static_cast<double>(icon_units);
-    const double longest = std::max(field.u.width, field.u.height);
-    const double area = field.u.width / longest * (field.u.height / longest);
-    result.numbers.push_back({"disk_radius", "Disk radius", radius, "of the longest side: no arrow leaves its disk"});
-    result.numbers.push_back(
-        {"relative_radius", "Relative radius",
-         2 * radius * std::sqrt(static_cast<double>(points.size()) / 2 * std::numbers::sqrt3 / 2 / area),
-         "least distance of two points, 1 for the densest packing: how large arrows can be"});
+    result.numbers = icon_numbers(icons, field, points.size() / 2);
     return result;
 }
 
+}
+
+DistributionNumbers icon_numbers(const Icons& icons, const VectorField& field, std::size_t points)
+{
+    DistributionNumbers numbers;
+    const double radius = static_cast<double>(icons.radius) / static_cast<double>(icon_units);
+    const double longest = std::max(field.u.width, field.u.height);
+    const double area = field.u.width / longest * (field.u.height / longest);
+    numbers.push_back({"disk_radius", "Disk radius", radius, "of the longest side: no arrow leaves its disk"});
+    numbers.push_back({"relative_radius", "Relative radius",
+                       2 * radius * std::sqrt(static_cast<double>(points) * std::numbers::sqrt3 / 2 / area),
+                       "least distance of two points, 1 for the densest packing: how large arrows can be"});
+    return numbers;
 }
 
 Kind icon_kind()

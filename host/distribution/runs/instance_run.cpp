@@ -7,6 +7,7 @@
 #include "host/distribution/instances/instance_files.hpp"
 #include "host/distribution/instances/instance_view.hpp"
 #include "host/distribution/object_tiles.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 
 #include <fmt/format.h>
@@ -89,14 +90,18 @@ DistributionResult make_instances(const InstanceSettings& settings, std::uint64_
     write_whole_file(files.add("instances.ply"), instances_ply(instances));
     write_whole_file(files.add("instances.usda"), instances_usda(instances, settings, radius));
     for (const char* name : {"instances.csv", "instances.ply", "instances.usda"}) result.files.emplace_back(name);
-    result.numbers.push_back({"instances", "Instances", static_cast<double>(instances.size()), "in the window"});
-    result.numbers.push_back(
-        {"expected", "Expected", expected_instances(settings), "the density times what the scene fills of the window"});
-    result.numbers.push_back(
-        {"radius", "Radius", radius, "units: instances that are no larger than a disk of it do not overlap"});
+    result.numbers = instance_numbers(instances.size(), settings, radius);
     return result;
 }
 
+}
+
+DistributionNumbers instance_numbers(std::size_t instances, const InstanceSettings& settings, double radius)
+{
+    return {
+        {"instances", "Instances", static_cast<double>(instances), "in the window"},
+        {"expected", "Expected", expected_instances(settings), "the density times what the scene fills of the window"},
+        {"radius", "Radius", radius, "units: instances that are no larger than a disk of it do not overlap"}};
 }
 
 Kind instance_kind()

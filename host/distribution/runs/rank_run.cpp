@@ -8,6 +8,7 @@
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/self_similar_search.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
@@ -275,15 +276,7 @@ DistributionResult make_ranked(const RankSettings& settings, std::uint64_t, cons
     write_places(files.add("points.npy"), places, static_cast<std::uint32_t>(std::max(density.width, density.height)),
                  "");
     result.files.push_back("points.npy");
-    result.numbers.push_back({"asked_for", "Asked for", static_cast<double>(settings.points), "points"});
-    result.numbers.push_back({"points", "Points", static_cast<double>(points.size()), "of those asked for"});
-    if (points.size() < 2) return result;
-    result.numbers.push_back({"density_error", "Density error", density_error(density, places), density_error_meaning});
-    const LocalSpacing spacing = local_spacing(density, places);
-    result.numbers.push_back({"mean_spacing", "Mean nearest distance", spacing.mean,
-                              "of the largest one that the density allows at each point"});
-    result.numbers.push_back(
-        {"least_spacing", "Least nearest distance", spacing.least, "the same of the nearest pair"});
+    result.numbers = rank_numbers(settings, density, places);
     return result;
 }
 
@@ -294,6 +287,20 @@ Density rank_density(const RankSettings& settings)
     const PixelValues values =
         middle_of(values_of_text(settings.density.text, settings.density.from, 1, 1), settings.zoom);
     return density_of_values(values.width, values.height, values.values, printable(shortened(settings.density.text)));
+}
+
+DistributionNumbers rank_numbers(const RankSettings& settings, const Density& density, const PixelPlaces& places)
+{
+    DistributionNumbers numbers;
+    numbers.push_back({"asked_for", "Asked for", static_cast<double>(settings.points), "points"});
+    numbers.push_back({"points", "Points", static_cast<double>(places.size()) / 2, "of those asked for"});
+    if (places.size() < 4) return numbers;
+    numbers.push_back({"density_error", "Density error", density_error(density, places), density_error_meaning});
+    const LocalSpacing spacing = local_spacing(density, places);
+    numbers.push_back({"mean_spacing", "Mean nearest distance", spacing.mean,
+                       "of the largest one that the density allows at each point"});
+    numbers.push_back({"least_spacing", "Least nearest distance", spacing.least, "the same of the nearest pair"});
+    return numbers;
 }
 
 Kind self_similar_kind()

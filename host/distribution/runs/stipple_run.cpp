@@ -5,6 +5,7 @@
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
 #include "host/distribution/relaxed_places.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/stipple.hpp"
 #include "host/kinds/kinds.hpp"
 
@@ -62,22 +63,6 @@ std::string placing_words(const StippleSettings& settings, const Stippling& stip
     return fmt::format("{}, then {} iterations of Gaussian blue noise", warped, settings.iterations);
 }
 
-void add_tones(const TonesOfMarks& tones, const Stippling& stippling, bool has_strokes, DistributionResult& result)
-{
-    result.numbers.push_back({"mark_width", has_strokes ? "Width of a stroke" : "Diameter of a dot",
-                              stippling.mark_width, "pixels of the picture"});
-    result.numbers.push_back({"mark_area", has_strokes ? "Area of a stroke" : "Area of a dot", stippling.mark_area,
-                              "square pixels: the ink of the picture over the number of marks"});
-    result.numbers.push_back(
-        {"tone_error", "Tone error", tones.error,
-         "mean difference of the ink that a screen shows and the ink asked for over windows of 32 pixels; black is 1"});
-    result.numbers.push_back({"darkest_ink", "Darkest sure tone", tones.darkest_ink,
-                              "ink up to which marks of this size do not overlap where it is constant"});
-    result.numbers.push_back(
-        {"too_dark", "Too dark", tones.too_dark, "part of the pixels that have more ink than that"});
-    result.numbers.push_back({"overlap", "Overlap", tones.overlap, "part of the laid ink that lies on other ink"});
-}
-
 DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                  DistributionFiles& files)
 {
@@ -103,16 +88,35 @@ DistributionResult make_stippled(const StippleSettings& settings, std::uint64_t 
     write_places(files.add("points.npy"), stippling.places,
                  static_cast<std::uint32_t>(std::max(picture.ink.width, picture.ink.height)), "");
     result.files.push_back("points.npy");
-    add_tones(tones_of(picture, settings, stippling, coverage, place), stippling, settings.has_strokes, result);
-    if (settings.by == MarkPlaces::ranks && settings.points > 0) {
-        result.numbers.push_back({"asked_for", "Asked for", static_cast<double>(settings.points), "marks"});
-        result.numbers.push_back({"points", "Marks", static_cast<double>(stippling.places.size()) / 2, "by ranks"});
-    }
-    result.numbers.push_back(
-        {"density_error", "Density error", density_error(picture.density, stippling.places), density_error_meaning});
+    result.numbers =
+        mark_numbers(picture, settings, stippling, tones_of(picture, settings, stippling, coverage, place));
     return result;
 }
 
+}
+
+DistributionNumbers mark_numbers(const InkPicture& picture, const StippleSettings& settings, const Stippling& stippling,
+                                 const TonesOfMarks& tones)
+{
+    DistributionNumbers numbers;
+    numbers.push_back({"mark_width", settings.has_strokes ? "Width of a stroke" : "Diameter of a dot",
+                       stippling.mark_width, "pixels of the picture"});
+    numbers.push_back({"mark_area", settings.has_strokes ? "Area of a stroke" : "Area of a dot", stippling.mark_area,
+                       "square pixels: the ink of the picture over the number of marks"});
+    numbers.push_back(
+        {"tone_error", "Tone error", tones.error,
+         "mean difference of the ink that a screen shows and the ink asked for over windows of 32 pixels; black is 1"});
+    numbers.push_back({"darkest_ink", "Darkest sure tone", tones.darkest_ink,
+                       "ink up to which marks of this size do not overlap where it is constant"});
+    numbers.push_back({"too_dark", "Too dark", tones.too_dark, "part of the pixels that have more ink than that"});
+    numbers.push_back({"overlap", "Overlap", tones.overlap, "part of the laid ink that lies on other ink"});
+    if (settings.by == MarkPlaces::ranks && settings.points > 0) {
+        numbers.push_back({"asked_for", "Asked for", static_cast<double>(settings.points), "marks"});
+        numbers.push_back({"points", "Marks", static_cast<double>(stippling.places.size()) / 2, "by ranks"});
+    }
+    numbers.push_back(
+        {"density_error", "Density error", density_error(picture.density, stippling.places), density_error_meaning});
+    return numbers;
 }
 
 Kind stippling_kind()

@@ -6,6 +6,7 @@
 #include "host/distribution/density_measures.hpp"
 #include "host/distribution/distribution_run.hpp"
 #include "host/distribution/place_file.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
 #include "host/distribution/sky_lights.hpp"
 #include "host/kinds/kinds.hpp"
 
@@ -77,25 +78,6 @@ MarkPicture dots_of(const Density& density, const PixelPlaces& places, const std
     return picture;
 }
 
-void add_measures(const Density& density, const PixelPlaces& places, const SquarePoints& points,
-                  DistributionResult& result)
-{
-    result.numbers.push_back({"density_error", "Density error", density_error(density, places), density_error_meaning});
-    if (places.size() < 4) return;
-    const LocalSpacing spacing = local_spacing(density, places);
-    const Density constant{density.width, density.height,
-                           std::vector<std::uint64_t>(density.weights.size(), full_weight)};
-    const PixelPlaces even = reference::warp_points(WarpTable(constant), points);
-    const LocalSpacing before = local_spacing(constant, even);
-    result.numbers.push_back({"mean_spacing", "Mean nearest distance", spacing.mean,
-                              "of the largest one that the density allows at each point"});
-    result.numbers.push_back(
-        {"least_spacing", "Least nearest distance", spacing.least, "the same of the nearest pair"});
-    result.numbers.push_back(
-        {"mean_spacing_before", "Mean before warping", before.mean, "of the even points over the same rectangle"});
-    result.numbers.push_back({"least_spacing_before", "Least before warping", before.least, "of their nearest pair"});
-}
-
 DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                                DistributionFiles& files)
 {
@@ -125,13 +107,32 @@ DistributionResult make_warped(const WarpSettings& settings, std::uint64_t seed,
     if (map) {
         write_whole_file(files.add("lights.csv"), lights_text(sky_lights(*map, places, settings.seen_from)));
         result.files.push_back("lights.csv");
-        result.numbers.push_back(
-            {"luminance", "Luminance", sky_luminance(*map), "of the whole map, times solid angle"});
     }
-    add_measures(density, places, points, result);
+    result.numbers = warp_numbers(map, density, places, points);
     return result;
 }
 
+}
+
+DistributionNumbers warp_numbers(const std::optional<LinearPicture>& map, const Density& density,
+                                 const PixelPlaces& places, const SquarePoints& points)
+{
+    DistributionNumbers numbers;
+    if (map) numbers.push_back({"luminance", "Luminance", sky_luminance(*map), "of the whole map, times solid angle"});
+    numbers.push_back({"density_error", "Density error", density_error(density, places), density_error_meaning});
+    if (places.size() < 4) return numbers;
+    const LocalSpacing spacing = local_spacing(density, places);
+    const Density constant{density.width, density.height,
+                           std::vector<std::uint64_t>(density.weights.size(), full_weight)};
+    const PixelPlaces even = reference::warp_points(WarpTable(constant), points);
+    const LocalSpacing before = local_spacing(constant, even);
+    numbers.push_back({"mean_spacing", "Mean nearest distance", spacing.mean,
+                       "of the largest one that the density allows at each point"});
+    numbers.push_back({"least_spacing", "Least nearest distance", spacing.least, "the same of the nearest pair"});
+    numbers.push_back(
+        {"mean_spacing_before", "Mean before warping", before.mean, "of the even points over the same rectangle"});
+    numbers.push_back({"least_spacing_before", "Least before warping", before.least, "of their nearest pair"});
+    return numbers;
 }
 
 Kind warp_kind()

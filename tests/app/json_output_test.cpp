@@ -1,0 +1,104 @@
+// Every command that has --json prints one JSON object with it, and nothing else.
+#include "tests/support/places.hpp"
+#include "tests/support/program.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <set>
+#include <sstream>
+
+namespace poissonlab {
+namespace {
+
+/// The commands whose help has --json, by the manual page.
+std::set<std::string> commands_with_json(const TemporaryFolder& folder)
+{
+    std::istringstream page(run_program(folder.path(), {"help", "man-page"}).out);
+    std::set<std::string> commands;
+    std::string command;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with(".SS ")) command = line.substr(4);
+        if (line == "\\fB\\-\\-json\\fR") commands.insert(command);
+    }
+    return commands;
+}
+
+struct JsonCase
+{
+    std::string arguments; ///< in shell words
+    std::string member;    ///< that the object has; empty: it is a list
+    std::string value{};   ///< of that member, where it is known; as JSON
+};
+
+/// Small work of each command, in an order in which files are there.
+const std::vector<std::pair<std::string, JsonCase>>& json_cases()
+{
+    static const std::vector<std::pair<std::string, JsonCase>> cases{
+        {"tiles build",
+         {"corner --colors 2 --points 4 --lloyd 1 --relative-radius 0.4 --out set.ptiles", "tiles", "16"}},
+        {"tiles points", {"set.ptiles --window 0 0 3 2 --out points.npy", "points", "24"}},
+        {"tiles verify", {"set.ptiles", "tiles", "16"}},
+        {"tiling", {"corner --colors 2 --window 0 0 3 2", "tiles"}},
+        {"tiling", {"cube --colors 2 --window 0 0 0 2 1 2", "layers"}},
+        {"packing", {"corner --colors 2", "tiles"}},
+        {"packing", {"corner --colors 2 --all", "packings"}},
+        {"distribute warp", {"--density 1 --points 16 --method random --out a.txt", "least_spacing"}},
+        {"distribute rank", {"--density 1 --points 64 --out a.txt", "asked_for", "64"}},
+        {"distribute darts", {"--region 'rectangle 0 0 3 2' --points 9 --quiet --out a.txt", "area", "6"}},
+        {"distribute stipple", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
+        {"distribute hatch", {"--image 0.2 --points 16 --by warping --method random --out a.svg", "marks", "16"}},
+        {"distribute icons", {"--u=-y --v x --points 16 --method random --out a.csv", "disk_radius"}},
+        {"distribute instances", {"forest --window 0 0 0.1 0.1 --out a.csv", "expected", "20"}},
+        {"aperiodic sets", {"", ""}},
+        {"aperiodic convert", {"ammann --construction rotation", ""}},
+        {"aperiodic verify", {"ammann --width 2", "periodic", "false"}},
+        {"aperiodic tile", {"kari --window 0 0 3 2 --engine reference", "tiles"}},
+        {"aperiodic tables", {"", "tables"}},
+        {"isohedral list", {"", ""}},
+        {"texture build",
+         {"corner --colors 2 --exemplar grey.pgm --size 16 --candidates 1 --out texture", "tiles", "16"}},
+        {"texture verify", {"texture", "tiles", "16"}},
+        {"merge", {"run --out all", "merged"}},
+        {"diff", {"run run", "changed", "false"}},
+        {"devices", {"", "devices"}},
+        {"samplers", {"", "samplers"}},
+        {"kinds", {"", "kinds"}}};
+    return cases;
+}
+
+TEST(JsonOutput, IsOneObjectOfEachCommandThatHasIt)
+{
+    const TemporaryFolder folder;
+    folder.write("c.toml", "[analysis]\npoints = 16\nrealizations = 1\n[[method]]\nsampler = \"random\"\n");
+    std::set<std::string> missing = commands_with_json(folder);
+    EXPECT_EQ(missing.erase("run"), 1); // one object a line while it works
+    ASSERT_EQ(run_program(folder.path(), {"run", "c.toml", "--out", "run", "--quiet"}).status, 0);
+    std::string picture = "P2 32 32 255\n";
+    for (int i = 0; i < 32 * 32; ++i) picture += std::to_string(i * 7 % 256) + "\n";
+    folder.write("grey.pgm", picture);
+    for (const auto& [command, sample] : json_cases()) {
+        missing.erase(command);
+        const Outcome outcome =
+            run_in_shell(folder.path(), quoted(program_file()) + " " + command + " --json " + sample.arguments);
+        EXPECT_EQ(outcome.status, 0) << command;
+        EXPECT_EQ(outcome.error, "") << command;
+        const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+        ASSERT_FALSE(json.is_discarded()) << command << ":\n" << outcome.out;
+        if (sample.member.empty()) {
+            EXPECT_TRUE(json.is_array()) << command;
+            continue;
+        }
+        ASSERT_TRUE(json.contains(sample.member)) << command << ":\n" << outcome.out;
+        if (!sample.value.empty()) {
+            EXPECT_EQ(json.at(sample.member), nlohmann::json::parse(sample.value)) << command;
+        }
+        if (const auto meanings = json.find("meanings"); meanings != json.end()) {
+            EXPECT_EQ(meanings->size() + 1, json.size()) << command << ": each number has one";
+        }
+    }
+    EXPECT_TRUE(missing.empty()) << "no case of " << *missing.begin();
+}
+
+}
+}
