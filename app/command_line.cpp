@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/argument_errors.hpp"
 #include "app/commands/work_options.hpp"
 #include "app/completion.hpp"
 #include "app/man_page.hpp"
@@ -55,6 +56,21 @@ CLI::Validator integer(std::string allowed)
         "");
 }
 
+/// Accepts numbers of threads.
+CLI::Validator threads()
+{
+    constexpr int most_threads = 4096;
+    return CLI::Validator(
+        [](const std::string& text) -> std::string {
+            int value = 0;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            if (error == std::errc() && stop == end && value >= 1 && value <= most_threads) return {};
+            return fmt::format("{}: must be {}", text, integers(1, most_threads));
+        },
+        "");
+}
+
 /// Accepts numbers. Not-a-number and infinities pass where the command can tell them from an option that was not
 /// given: its own message names the range.
 CLI::Validator number(bool only_finite)
@@ -72,7 +88,7 @@ template <class Value>
 CLI::Option* add_option(CLI::App& app, const Option& option, Value& value)
 {
     CLI::Option* const added = app.add_option(option.name, value, option.help);
-    if constexpr (std::is_same_v<Value, int>) added->check(CLI::Range(1, 4096));
+    if constexpr (std::is_same_v<Value, int>) added->check(threads());
     if constexpr (std::is_unsigned_v<Value>) added->check(integer<Value>(option.allowed));
     if constexpr (std::is_floating_point_v<Value>) added->check(number(std::isnan(value)));
     if constexpr (std::is_same_v<Value, std::vector<std::int64_t>>)
@@ -248,9 +264,7 @@ void parse(CLI::App& app, int argc, const char* const* argv)
             app.exit(outcome); // prints the help or the version
             return;
         }
-        std::string message = outcome.what();
-        std::ranges::replace(message, '\n', ' ');
-        throw InputError(printable(message) + " (see poissonlab --help)");
+        throw argument_error(app, outcome);
     }
 }
 

@@ -40,7 +40,7 @@ void analyze(const AnalyzeOptions& options)
     if (!options.domain.empty()) {
         domain = parse_range(options.domain);
         if (!domain)
-            throw InputError("--domain " + options.domain +
+            throw InputError("analyze: --domain " + options.domain +
                              ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
     Experiment experiment = import_points(options.files, options.label, domain);

@@ -1,7 +1,7 @@
 // A command of the program as data: its options, its help, and what it does.
 //
-// command_line.cpp makes a parser of it with CLI11, whose header takes five seconds to compile: no other file includes
-// that.
+// command_line.cpp makes a parser of it with CLI11, and argument_errors.cpp words for what that refuses. Its header
+// takes five seconds to compile: no other file includes it.
 #pragma once
 
 #include <cstdint>

@@ -51,7 +51,7 @@ std::optional<Shard> parse_shard(const std::string& text)
     const bool has_count = number.ec == std::errc{} && number.ptr != end && *number.ptr == '/';
     const auto count = has_count ? std::from_chars(number.ptr + 1, end, shard.count) : number;
     if (!has_count || count.ec != std::errc{} || count.ptr != end || shard.number < 1 || shard.number > shard.count)
-        throw InputError("--shard " + text + ": must be i/n, with i from 1 to n");
+        throw InputError("run: --shard " + text + ": must be i/n, with i from 1 to n");
     return shard;
 }
 

@@ -102,13 +102,15 @@ TEST_F(CommandLine, WithoutArgumentsItShowsWhatPeopleDo)
 TEST_F(CommandLine, WrongArguments)
 {
     expect_error_like({"rnu", "x"}, 2, "unknown command \"rnu\"; did you mean \"run\"?");
-    expect_error({"run"}, 2, "CONFIG is required (see poissonlab --help)");
-    expect_error_like({"run", config_, "--otu", "x"}, 2, "--otu");
-    expect_error_like({"run", config_, "another"}, 2, "another");
-    expect_error_like({"run", config_, "--threads", "0"}, 2, "--threads");
+    expect_error({"run"}, 2, "run: needs CONFIG (see poissonlab run --help)");
+    expect_error({"run", config_, "--otu", "x"}, 2,
+                 "run: --otu: there is no such option; did you mean \"--out\"? (see poissonlab run --help)");
+    expect_error({"run", config_, "another"}, 2, "run: another: is one argument too many (see poissonlab run --help)");
+    expect_error({"run", config_, "--threads", "0"}, 2,
+                 "run: --threads 0: must be an integer from 1 to 4096 (see poissonlab run --help)");
     expect_error_like({"run", config_, "--threads", "many"}, 2, "--threads");
     expect_error_like({"help", "smaplers"}, 2, "did you mean \"samplers\"?");
-    expect_error_like({"analyze"}, 2, "FILE is required");
+    expect_error_like({"analyze"}, 2, "analyze: needs FILE");
     expect_error_like({"report", "a", "b"}, 2, "--out is missing");
 }
 

@@ -133,7 +133,7 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
     expect_error({"--image", "0.5"}, "distribute stipple: needs --points or --dot");
     expect_error({"--image", "0.5", "--dot", "-3"}, "distribute stipple: --dot -3: must be a number from 0.01");
     expect_error({"--image", "0.5", "--dot", "9000"}, "distribute stipple: 0 marks for the ink of");
-    expect_error({"--image", "0.5", "--points", "9", "--dot", "3"}, "--points excludes --dot");
+    expect_error({"--image", "0.5", "--points", "9", "--dot", "3"}, "--points: does not go with --dot");
     expect_error({"--image", "0.5", "--points", "9", "--ink", "1.5"}, "--ink 1.5: must be a number from 0.001 to 1");
     expect_error({"--image", "0.5", "--points", "9", "--by", "rank"},
                  "--by rank: must be one of \"gaussian\", \"warping\", \"ranks\"");

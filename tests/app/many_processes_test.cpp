@@ -82,7 +82,7 @@ TEST_F(ManyProcesses, MistakesInShards)
         const Outcome outcome = run({"run", "c.toml", "--out", "x", std::string("--shard=") + shard});
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(outcome.error,
-                  std::string("poissonlab: error: --shard ") + shard + ": must be i/n, with i from 1 to n\n");
+                  std::string("poissonlab: error: run: --shard ") + shard + ": must be i/n, with i from 1 to n\n");
     }
     EXPECT_EQ(run({"merge", "c.toml", "--out", "x"}).error,
               "poissonlab: error: merge: c.toml: has no .units folder; output folders of `run --shard` are needed\n");

@@ -170,7 +170,7 @@ TEST_F(TilesPointsCommand, SaysWhatIsWrong)
     expect_error("tiles.ptiles --window 0 0 70000 1 --out points.npy", "must be 1 to 65536");
     expect_error("tiles.ptiles --window 3000000000 0 1 1 --out points.npy", "32 bits");
     expect_error("tiles.ptiles --window 0 0 1 1 --seed -1 --out points.npy", "must be an integer from 0 to 4294967295");
-    expect_error("tiles.ptiles --window 0 0 1 1", "--out is required");
+    expect_error("tiles.ptiles --window 0 0 1 1", "tiles points: needs --out");
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "points.npy"));
 }
 

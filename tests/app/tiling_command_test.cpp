@@ -137,7 +137,7 @@ TEST_F(TilingCommand, WrongArguments)
     expect_error("cube --colors 17 --window 0 0 0 1 1 1", "tiling: --colors 17: must be an integer from 2 to 16");
     expect_error("corner --colors 2.5 --window 0 0 1 1", "tiling: --colors 2.5: must be an integer from 2 to 256");
     expect_error("corner --colors 2 --seed -1 --window 0 0 1 1",
-                 "--seed: -1: must be an integer from 0 to 18446744073709551615 (see poissonlab --help)");
+                 "tiling: --seed -1: must be an integer from 0 to 18446744073709551615 (see poissonlab tiling --help)");
     expect_error("corner --colors 2 --window 9223372036854775808 0 1 1",
                  "tiling: --window 9223372036854775808 0 1 1: must be [X, Y, width, height]");
     expect_error("corner --colors 2 --window 0 0 1", "tiling: --window 0 0 1: must be [X, Y, width, height]");

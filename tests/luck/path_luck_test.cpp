@@ -45,7 +45,7 @@ TEST_F(NamesLuck, WithNewlinesAreOneLine)
 {
     expect_one_line(run("/proc/a\nb"), 1, "/proc/a\\nb");
     expect_one_line(run_program(folder_.path(), {"run", "tiny.toml", "--device", "a\nb"}), 3, "matches \"a\\nb\"");
-    expect_one_line(run_program(folder_.path(), {"run", "tiny.toml", "--no\nsuch"}), 2, "see poissonlab --help");
+    expect_one_line(run_program(folder_.path(), {"run", "tiny.toml", "--no\nsuch"}), 2, "see poissonlab run --help");
     expect_one_line(
         run_program(folder_.path(), {"tiles", "points", "no\nset", "--window", "0", "0", "1", "1", "--out", "x"}), 2,
         "no\\nset: cannot be read");
