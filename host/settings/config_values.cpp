@@ -58,9 +58,9 @@ std::size_t read_word(const ConfigTable& table, const std::string& key, const st
     const auto* value = node->get_if<std::string>();
     const auto found = value ? std::ranges::find(words, *value) : words.end();
     if (found == words.end())
-        throw invalid_node(
-            key, *node,
-            fmt::format("must be \"{}\"{}", fmt::join(words, "\" or \""), value ? did_you_mean(*value, words) : ""));
+        throw invalid_node(key, *node,
+                           fmt::format("must be one of \"{}\"{}", fmt::join(words, "\", \""),
+                                       value ? did_you_mean(*value, words) : ""));
     return static_cast<std::size_t>(found - words.begin());
 }
 

@@ -151,8 +151,8 @@ TEST_F(AperiodicCommand, SaysWhyThereIsNoTiling)
 
 TEST_F(AperiodicCommand, WrongArguments)
 {
-    expect_error("verify karj --width 3", "aperiodic: set \"karj\": unknown, and no such file; did you mean \"kari\"? "
-                                          "(known: culik, kari, ammann, jeandel-rao)");
+    expect_error("verify karj --width 3", "aperiodic verify: SET karj: must be one of \"culik\", \"kari\", \"ammann\", "
+                                          "\"jeandel-rao\", or a file of tiles; did you mean \"kari\"?");
     expect_error("verify kari --width 0", "aperiodic verify: --width 0: must be an integer from 1 to 64");
     expect_error("verify kari --width 3 --construction diagnal",
                  "aperiodic verify: --construction diagnal: must be one of \"diagonal\", \"horizontal\", \"vertical\", "

@@ -16,11 +16,11 @@ namespace poissonlab {
 namespace {
 
 /// The error for a set that is neither known nor a file: it may be a slip of the pen.
-InputError unknown_set(const std::string& name)
+InputError unknown_set(const std::string& command, const std::string& name)
 {
     const auto names = aperiodic_set_names();
-    return InputError(fmt::format("aperiodic: set \"{}\": unknown, and no such file{} (known: {})", name,
-                                  did_you_mean(name, names), fmt::join(names, ", ")));
+    return InputError(fmt::format("{}: SET {}: must be one of \"{}\", or a file of tiles{}", command,
+                                  shortened(printable(name)), fmt::join(names, "\", \""), did_you_mean(name, names)));
 }
 
 template <class Tile>
@@ -33,11 +33,11 @@ std::vector<Tile> tiles_at(const std::vector<Tile>& tiles, std::span<const ListP
 
 }
 
-ChosenTiles chosen_set(const std::string& name)
+ChosenTiles chosen_set(const std::string& command, const std::string& name)
 {
     if (const AperiodicSet* const known = find_aperiodic_set(name)) return {name, known->tiles()};
     std::error_code unknown;
-    if (!std::filesystem::exists(name, unknown)) throw unknown_set(name);
+    if (!std::filesystem::exists(name, unknown)) throw unknown_set(command, name);
     ReadTiles read = read_tile_list(name);
     for (const std::string& warning : read.warnings) fmt::print(stderr, "poissonlab: warning: {}\n", warning);
     ChosenTiles chosen{name, std::move(read.wang)};
@@ -60,7 +60,7 @@ void check_repetitions(const std::string& command, std::uint32_t repetitions)
 ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
                               std::uint32_t repetitions)
 {
-    ChosenTiles chosen = chosen_set(set);
+    ChosenTiles chosen = chosen_set(command, set);
     check_repetitions(command, repetitions);
     if (construction.empty()) return chosen;
     auto steps = repeat_construction(chosen.wang, chosen_construction(command, construction), repetitions);

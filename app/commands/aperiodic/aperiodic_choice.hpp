@@ -25,7 +25,7 @@ struct ChosenTiles
 };
 
 /// A known set, or that of a file, whose warnings go to standard error. Throws InputError.
-ChosenTiles chosen_set(const std::string& name);
+ChosenTiles chosen_set(const std::string& command, const std::string& name);
 
 /// Throws InputError for other words than those of corner_constructions; `command` is "aperiodic convert" and so on.
 CornerConstruction chosen_construction(const std::string& command, const std::string& word);

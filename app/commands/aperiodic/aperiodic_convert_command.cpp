@@ -90,7 +90,7 @@ void convert(const AperiodicConvertOptions& options)
 {
     const CornerConstruction construction = chosen_construction("aperiodic convert", options.construction);
     check_repetitions("aperiodic convert", options.repeat);
-    const ChosenTiles chosen = chosen_set(options.set);
+    const ChosenTiles chosen = chosen_set("aperiodic convert", options.set);
     const auto steps = repeat_construction(chosen.wang, construction, options.repeat);
     if (!options.out.empty()) write_corners(options.out, chosen.name, steps.back());
     if (options.json)

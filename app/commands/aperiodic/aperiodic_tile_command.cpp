@@ -124,7 +124,7 @@ struct MadeTiling
 
 MadeTiling made_tiling(const AperiodicTileOptions& o, TilingMethod method, const TileWindow& window)
 {
-    MadeTiling made{chosen_set(o.set), {}};
+    MadeTiling made{chosen_set("aperiodic tile", o.set), {}};
     const WangList base = made.chosen.wang;
     WindowMaker maker = [&o, method, base](const TileWindow& w) {
         return method == TilingMethod::beatty         ? beatty_window(o, w)

@@ -67,14 +67,14 @@ TEST(AnalysisOptions, SayWhatIsAllowed)
     EXPECT_THAT(error_of("spectrum_size=7"), testing::HasSubstr("spectrum_size = 7: must be even"));
     EXPECT_THAT(error_of("spectrum_size=8194"), testing::HasSubstr("must be an integer from 4 to 8192"));
     EXPECT_THAT(error_of("spectrum_size=514", 3), testing::HasSubstr("must be an integer from 4 to 512"));
-    EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be \"fast\" or \"exact\" or \"none\""));
+    EXPECT_THAT(error_of("spectrum=quick"), testing::HasSubstr("must be one of \"fast\", \"exact\", \"none\""));
     EXPECT_THAT(error_of("bin_width=0.5"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("bin_width=wide"), testing::HasSubstr("must be a number from 1 to 100"));
     EXPECT_THAT(error_of("tiles=1"), testing::HasSubstr("must be an integer from 2 to 4096"));
     EXPECT_THAT(error_of("zone_plate=true", 3), testing::HasSubstr("needs dimension = 2"));
     EXPECT_THAT(error_of("volume=true"), testing::HasSubstr("needs dimension = 3"));
-    EXPECT_THAT(error_of("measures=few"), testing::HasSubstr("must be \"all\" or \"distances\""));
-    EXPECT_THAT(error_of("point_files=none"), testing::HasSubstr("must be \"all\" or \"first\""));
+    EXPECT_THAT(error_of("measures=few"), testing::HasSubstr("must be one of \"all\", \"distances\""));
+    EXPECT_THAT(error_of("point_files=none"), testing::HasSubstr("must be one of \"all\", \"first\""));
     EXPECT_THAT(error_of("tile=4"), testing::HasSubstr("did you mean \"tiles\"?"));
 }
 

@@ -97,9 +97,9 @@ TEST(ConfigError, Seed)
 TEST(ConfigError, Engine)
 {
     EXPECT_EQ(error_of("engine = \"refrence\"\n" + good_method),
-              "c.toml:1: engine = \"refrence\": must be \"opencl\" or \"reference\"; did you mean \"reference\"?");
+              "c.toml:1: engine = \"refrence\": must be one of \"opencl\", \"reference\"; did you mean \"reference\"?");
     EXPECT_EQ(error_of("engine = true\n" + good_method),
-              "c.toml:1: engine = true: must be \"opencl\" or \"reference\"");
+              "c.toml:1: engine = true: must be one of \"opencl\", \"reference\"");
 }
 
 TEST(ConfigError, PointsAndRealizations)
@@ -143,7 +143,7 @@ TEST(ConfigError, Dimension)
     EXPECT_EQ(error_of("[analysis]\ndimension = 4\n" + good_method),
               "c.toml:2: dimension = 4: must be an integer from 2 to 3");
     EXPECT_EQ(error_of("[analysis]\nspectrum = \"exakt\"\n" + good_method),
-              "c.toml:2: spectrum = \"exakt\": must be \"fast\" or \"exact\" or \"none\"; did you mean \"exact\"?");
+              "c.toml:2: spectrum = \"exakt\": must be one of \"fast\", \"exact\", \"none\"; did you mean \"exact\"?");
     EXPECT_EQ(error_of("[analysis]\ndimension = 2.0\n" + good_method),
               "c.toml:2: dimension = 2.0: must be an integer from 2 to 3");
 }

@@ -84,7 +84,7 @@ TEST(ConstructionTable, SaysWhatIsAllowed)
         return message_of([&] { constructions_of("[[construction]]\n" + lines + "\n"); });
     };
     EXPECT_THAT(error_of("kind = \"wang\""),
-                HasSubstr("c.toml:2: kind = \"wang\": must be \"corner\" or \"edge\" or \"template\" or \"sphere\""));
+                HasSubstr("c.toml:2: kind = \"wang\": must be one of \"corner\", \"edge\", \"template\", \"sphere\""));
     EXPECT_THAT(error_of("show = \"face\""), HasSubstr("c.toml:2: show = \"face\": must be one of \"regions\""));
     EXPECT_THAT(error_of("kind = \"sphere\"\nshow = \"tiling\""), HasSubstr("c.toml:3: show = \"tiling\""));
     EXPECT_THAT(error_of("colors = 0"), HasSubstr("c.toml:2: colors = 0: must be an integer from 1 to 32"));
