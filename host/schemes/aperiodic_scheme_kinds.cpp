@@ -167,6 +167,9 @@ void shape_keys(Keys& keys, IsohedralSettings& s, const IsohedralType& type)
         .otherwise("straight");
     for (const char* const key : {"parameters", "curves"})
         if (s.is_random && keys.is_given(key)) throw keys.invalid(key, "does not go with random = true");
+    const std::size_t given = s.parameters.deformations.size(), needed = type.shape.parameters();
+    if (given > 0 && given != needed)
+        throw keys.invalid("parameters", fmt::format("must be as many as IH{} has: {}", type.number, needed));
     if (s.parameters.curves.size() > type.shape.curve_shapes.size())
         throw keys.invalid("curves",
                            fmt::format("must be at most {} for IH{}", type.shape.curve_shapes.size(), type.number));

@@ -46,7 +46,7 @@ const IsohedralType& chosen_type(const std::string& word)
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || end != digits.data() + digits.size() || number < 1 || number > 93)
         throw InputError(
-            fmt::format("isohedral draw: type \"{}\": must be an integer from 1 to 93, or all", shortened(word)));
+            fmt::format("isohedral draw: TYPE {}: must be an integer from 1 to 93, or all", shortened(word)));
     return isohedral_types()[static_cast<std::size_t>(number - 1)];
 }
 
@@ -81,6 +81,10 @@ IsohedralTile chosen_tile(const IsohedralDrawOptions& o, const IsohedralType& ty
         throw InputError("isohedral draw: --random: goes without --parameters and --curve");
     if (o.random) return random_tile(type, o.seed, drawn_deformation, drawn_amplitude);
     IsohedralParameters parameters{numbers_of("--parameters", o.parameters), {}};
+    const std::size_t given = parameters.deformations.size(), needed = type.shape.parameters();
+    if (given > 0 && given != needed)
+        throw InputError(fmt::format("isohedral draw: --parameters {}: must be as many as IH{} has: {}",
+                                     shortened(o.parameters), type.number, needed));
     for (const std::string& text : o.curves) parameters.curves.push_back(curve_of(text));
     if (parameters.curves.size() > type.shape.curve_shapes.size())
         throw InputError(fmt::format("isohedral draw: --curve: IH{} has {} curves, not {}", type.number,
