@@ -38,8 +38,8 @@ void check_sampler(const SamplerSpec& sampler, const Parameters& parameters, con
                    const SourceLocation& where)
 {
     if (std::ranges::find(sampler.dimensions, request.dimension) == sampler.dimensions.end())
-        throw InputError::at(
-            where, fmt::format("sampler = \"{}\": this method has no {}D sets", sampler.name, request.dimension));
+        throw InputError::at(where, fmt::format("sampler = \"{}\": this method has no {}D sets; dimension must be {}",
+                                                sampler.name, request.dimension, sampler.dimensions.front()));
     for_each_start(parameters, [&](const SamplerChoice& start, const SourceLocation& place) {
         check_sampler(*start.spec, start.parameters, request, place);
     });

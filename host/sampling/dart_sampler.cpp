@@ -61,7 +61,8 @@ void check_points(const std::string& name, const Parameters& parameters, const S
                   const SourceLocation& where)
 {
     if (!parameters.is_given("relative_radius")) {
-        throw InputError::at(where, fmt::format("sampler = {}: needs relative_radius, or stop = \"saturation\"", name));
+        throw InputError::at(where,
+                             fmt::format("sampler = \"{}\": needs relative_radius, or stop = \"saturation\"", name));
     }
     if (parameters.is_given("min_distance")) {
         throw parameters.error("min_distance",

@@ -19,7 +19,7 @@ constexpr const char* path_key = "path";
 
 InputError path_error(const Parameters& parameters, const std::string& path, const std::string& allowed)
 {
-    return invalid_value(parameters.location(path_key), path_key, path, allowed);
+    return invalid_value(parameters.location(path_key), path_key, fmt::format("\"{}\"", path), allowed);
 }
 
 /// The files that one entry of `path` stands for: at least one.
@@ -84,8 +84,9 @@ void check_file(const Parameters& parameters, const SampleRequest& request, cons
     }
     const std::vector<PointSet> realizations = read_realizations(parameters);
     if (realizations.front().dimension != request.dimension) {
-        throw parameters.error(path_key, fmt::format("holds {}D points; the experiment has dimension = {}",
-                                                     realizations.front().dimension, request.dimension));
+        throw path_error(parameters, to_string(ParameterValue(parameters.texts(path_key))),
+                         fmt::format("holds {}D points; the experiment has dimension = {}",
+                                     realizations.front().dimension, request.dimension));
     }
 }
 

@@ -88,7 +88,10 @@ const SamplerChoice& Parameters::sampler(const std::string& key) const
 
 InputError Parameters::error(const std::string& key, const std::string& allowed) const
 {
-    return invalid_value(location(key), key, to_string(at(key)), allowed);
+    const ParameterValue& value = at(key);
+    const bool is_text = std::holds_alternative<std::string>(value);
+    return invalid_value(location(key), key, is_text ? fmt::format("\"{}\"", to_string(value)) : to_string(value),
+                         allowed);
 }
 
 }

@@ -44,7 +44,7 @@ void check_effort(const Parameters& parameters, const SampleRequest& request, co
     for (const char* key : {"factor", "attempts"}) {
         if (parameters.is_given(key)) throw parameters.error(key, problem);
     }
-    throw InputError::at(where, "sampler = relaxation-dart-throwing: " + problem);
+    throw InputError::at(where, "sampler = \"relaxation-dart-throwing\": " + problem);
 }
 
 class RelaxationDartThrowingSampler final : public DeviceSampler

@@ -148,7 +148,7 @@ TEST(Start, IsCheckedLikeAMethod)
     EXPECT_EQ(start("{ sampler = \"dart-throwing\", relative_radius = [0.7,\n 1.5] }"),
               "c.toml:4: relative_radius = 1.5: must be a number greater than 0 and at most 1");
     EXPECT_EQ(start("\"dart-throwing\""),
-              "c.toml:3: sampler = dart-throwing: needs relative_radius, or stop = \"saturation\"");
+              "c.toml:3: sampler = \"dart-throwing\": needs relative_radius, or stop = \"saturation\"");
     EXPECT_EQ(start("{ sampler = \"random\", points = 4 }"), "c.toml:3: points = 4: unknown key; known keys: sampler")
         << "as many as its method has";
     EXPECT_THAT(start("{ sampler = \"dart-throwing\", relative_radius = 0.95 }"),
@@ -201,13 +201,13 @@ TEST(Start, DimensionsAreThoseOfAllSamplers)
                   make_plan(
                       parse_config("[[method]]\nsampler = \"relax\"\nstart = \"random\"\n", "c.toml", {}, registry));
               }),
-              "c.toml:3: sampler = \"random\": this method has no 2D sets");
+              "c.toml:3: sampler = \"random\": this method has no 2D sets; dimension must be 3");
 }
 
 TEST(Start, MethodsOfThePlaneAreRefusedInSpace)
 {
     EXPECT_EQ(error_of("start = \"random\"", {"analysis.dimension=3"}),
-              "c.toml:1: sampler = \"relax\": this method has no 3D sets");
+              "c.toml:1: sampler = \"relax\": this method has no 3D sets; dimension must be 2");
 }
 
 TEST(Start, DecidesWhetherRealizationsDiffer)

@@ -19,9 +19,12 @@ std::filesystem::path curve_file(const Parameters& parameters)
     const std::string& entry = parameters.texts("curve").front();
     const auto folder = std::filesystem::path(parameters.location("curve").file).parent_path();
     const auto files = named_files(folder, entry);
-    if (files.empty()) throw invalid_value(parameters.location("curve"), "curve", entry, no_such_file(folder, entry));
+    if (files.empty())
+        throw invalid_value(parameters.location("curve"), "curve", fmt::format("\"{}\"", entry),
+                            no_such_file(folder, entry));
     if (files.size() > 1)
-        throw invalid_value(parameters.location("curve"), "curve", entry, "must be one file; several match");
+        throw invalid_value(parameters.location("curve"), "curve", fmt::format("\"{}\"", entry),
+                            "must be one file; several match");
     return files.front();
 }
 
@@ -126,7 +129,7 @@ void check_target(const Parameters& parameters, const SampleRequest& request, co
 {
     const std::string& target = parameters.text("target");
     if (target == "curve" && !parameters.is_given("curve"))
-        throw InputError::at(where, "sampler = target-spectrum: target = \"curve\" needs curve, a table");
+        throw InputError::at(where, "sampler = \"target-spectrum\": target = \"curve\" needs curve, a table");
     for (const char* key : {"curve", "curve_points"})
         if (target != "curve" && parameters.is_given(key))
             throw parameters.error(key, "goes with target = \"curve\" only");

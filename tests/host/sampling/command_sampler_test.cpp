@@ -217,15 +217,17 @@ TEST_F(CommandSampling, MistakesShowBeforeAnythingRuns)
     };
     EXPECT_EQ(error_of(""),
               "c.toml:1: sampler = \"command\": needs command, such as \"mysampler {points} {seed} {out}\"");
-    EXPECT_EQ(error_of("command = \"no-such-program {out}\"\n"),
-              "c.toml:3: command = no-such-program {out}: there is no program no-such-program in the folders of PATH");
+    EXPECT_EQ(
+        error_of("command = \"no-such-program {out}\"\n"),
+        "c.toml:3: command = \"no-such-program {out}\": there is no program no-such-program in the folders of PATH");
     EXPECT_THAT(error_of("command = \"./nothing {out}\"\n"),
                 HasSubstr("there is no program ./nothing (paths are relative"));
-    EXPECT_THAT(error_of("command = \"sh {points}\"\n"), HasSubstr("c.toml:3: command = sh {points}: must have {out}"));
+    EXPECT_THAT(error_of("command = \"sh {points}\"\n"),
+                HasSubstr("c.toml:3: command = \"sh {points}\": must have {out}"));
     EXPECT_THAT(error_of("command = 3\n"), HasSubstr("must be a command in quotes, such as"));
     EXPECT_THAT(error_of("command = \"sh {out}\"\ntime_limit = 0\n"), HasSubstr("must be a number greater than 0"));
     EXPECT_THAT(error_of("command = \"sh {out}\"\nneeds = \"sh '\"\n"),
-                HasSubstr("c.toml:4: needs = sh ': a quote or backslash at the end is left open"));
+                HasSubstr("c.toml:4: needs = \"sh '\": a quote or backslash at the end is left open"));
 }
 
 TEST_F(CommandSampling, IsLeftOutWhereWhatItNeedsIsNotThere)

@@ -87,16 +87,16 @@ TEST_F(FileSampler, TakesEveryRealizationOfAFile)
 TEST_F(FileSampler, TakesNoSetTwice)
 {
     folder.write("a.dat", "0.1 0\n");
-    EXPECT_THAT(error({"a.dat", "*.dat"}), StartsWith("experiment.toml:12: path = *.dat: a.dat is named twice"));
+    EXPECT_THAT(error({"a.dat", "*.dat"}), StartsWith("experiment.toml:12: path = \"*.dat\": a.dat is named twice"));
     EXPECT_THAT(error({"a.dat", "./a.dat"}), HasSubstr("named twice"));
 }
 
 TEST_F(FileSampler, SaysWhichNameHasNoFile)
 {
     folder.write("a.dat", "0.1 0\n");
-    EXPECT_EQ(error({"a.dat", "b*.dat"}), "experiment.toml:12: path = b*.dat: no such file in " +
+    EXPECT_EQ(error({"a.dat", "b*.dat"}), "experiment.toml:12: path = \"b*.dat\": no such file in " +
                                               folder.path().string() + ", the folder of the config");
-    EXPECT_EQ(error({"/no/such/folder/*"}), "experiment.toml:12: path = /no/such/folder/*: no such file");
+    EXPECT_EQ(error({"/no/such/folder/*"}), "experiment.toml:12: path = \"/no/such/folder/*\": no such file");
 }
 
 TEST_F(FileSampler, RefusesSetsOfUnequalSize)
@@ -104,14 +104,15 @@ TEST_F(FileSampler, RefusesSetsOfUnequalSize)
     folder.write("a.dat", "0.1 0\n0.2 0\n");
     folder.write("b.dat", "0.1 0\n0.2 0\n#\n0.3 0\n");
     EXPECT_EQ(error({"*.dat"}),
-              "experiment.toml:12: path = *.dat: all realizations must be of one size, but a.dat has 2 2D points, "
+              "experiment.toml:12: path = \"*.dat\": all realizations must be of one size, but a.dat has 2 2D points, "
               "and b.dat has 1 2D points (realization 3)");
 }
 
 TEST_F(FileSampler, RefusesSetsOfAnotherDimension)
 {
     folder.write("a.dat", "0.1 0 0\n");
-    EXPECT_EQ(error({"a.dat"}), "experiment.toml:12: path = a.dat: holds 3D points; the experiment has dimension = 2");
+    EXPECT_EQ(error({"a.dat"}),
+              "experiment.toml:12: path = \"a.dat\": holds 3D points; the experiment has dimension = 2");
     folder.write("b.dat", "0.1 0\n");
     EXPECT_THAT(error({"b.dat", "a.dat"}), HasSubstr("b.dat has 1 2D points, and a.dat has 1 3D points"));
 }
@@ -125,8 +126,8 @@ TEST_F(FileSampler, PassesOnWhatIsWrongInAFile)
 TEST_F(FileSampler, RefusesWhatHasNoEndOrCanBeReadOnce)
 {
     ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
-    EXPECT_EQ(error({"pipe"}), "experiment.toml:12: path = pipe: pipe is a pipe or a device; a file is needed");
-    EXPECT_THAT(error({"/dev/zero"}), HasSubstr("path = /dev/zero: /dev/zero is a pipe or a device"));
+    EXPECT_EQ(error({"pipe"}), "experiment.toml:12: path = \"pipe\": pipe is a pipe or a device; a file is needed");
+    EXPECT_THAT(error({"/dev/zero"}), HasSubstr("path = \"/dev/zero\": /dev/zero is a pipe or a device"));
 }
 
 TEST_F(FileSampler, NeedsAPath)

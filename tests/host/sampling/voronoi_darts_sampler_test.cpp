@@ -30,7 +30,8 @@ TEST(VoronoiDartsSampler, TakesWhatDartThrowingTakes)
     EXPECT_EQ(voronoi_refusal(voronoi_parameters({{"relative_radius", 0.75}})), "accepted");
     EXPECT_EQ(voronoi_refusal(voronoi_parameters({{"stop", std::string("saturation")}, {"min_distance", 0.01}})),
               "accepted");
-    EXPECT_THAT(voronoi_refusal(voronoi_parameters({})), HasSubstr("sampler = voronoi-darts: needs relative_radius"));
+    EXPECT_THAT(voronoi_refusal(voronoi_parameters({})),
+                HasSubstr("sampler = \"voronoi-darts\": needs relative_radius"));
     EXPECT_THAT(voronoi_refusal(voronoi_parameters({{"relative_radius", 0.8}})),
                 HasSubstr("test.toml:10: relative_radius = 0.8: "));
 }

@@ -142,7 +142,8 @@ TEST(TargetSpectrumSampler, TakesCurvesFromTables)
     };
     Parameters parameters(spec.parameters);
     set(parameters, "target", std::string("curve"));
-    EXPECT_THAT(refusal(parameters), testing::HasSubstr("test.toml:2: sampler = target-spectrum: target = \"curve\" "));
+    EXPECT_THAT(refusal(parameters),
+                testing::HasSubstr("test.toml:2: sampler = \"target-spectrum\": target = \"curve\" "));
     set(parameters, "curve", std::vector<std::string>{"radial.csv"});
     EXPECT_THAT(refusal(parameters), testing::HasSubstr("no such file"));
     std::vector<RadialBin> bins;

@@ -84,7 +84,7 @@ TEST_F(PenroseSamplerTest, RefusesDensitiesInOneLine)
 {
     const std::string place = (cache_.path() / "test.toml").string() + ":7: ";
     give("density", std::string("0"));
-    EXPECT_THAT(refusal(), AllOf(StartsWith(place + "density = 0: "), HasSubstr("is 0 everywhere")));
+    EXPECT_THAT(refusal(), AllOf(StartsWith(place + "density = \"0\": "), HasSubstr("is 0 everywhere")));
     give("density", std::string("x"));
     EXPECT_THAT(refusal(), AllOf(StartsWith(place), HasSubstr("not negative")));
     give("density", std::string("missing.png"));

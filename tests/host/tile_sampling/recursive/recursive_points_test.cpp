@@ -397,7 +397,7 @@ TEST_F(RecursiveSamplers, RefuseToDrawTwiceWhereThatIsToDrawOnce)
     given.set("drawing", std::string("twice"), {"test.toml", 3});
     const std::size_t full = std::size_t{16} * tile_points;
     EXPECT_EQ(make(given, full)->sample(0), make(parameters(), full)->sample(0));
-    EXPECT_THAT(refused(given, full), StartsWith("test.toml:3: drawing = twice: differs from \"once\" only where"));
+    EXPECT_THAT(refused(given, full), StartsWith("test.toml:3: drawing = \"twice\": differs from \"once\" only where"));
     EXPECT_EQ(refused(given, full + 16), "accepted");
     EXPECT_NE(make(given, full + 16)->sample(0).size(), make(parameters(), full + 16)->sample(0).size());
     EXPECT_EQ(refused(parameters(), full), "accepted");
@@ -410,7 +410,7 @@ TEST_F(RecursiveSamplers, RefuseDensitiesThatAreNone)
 {
     Parameters given = parameters();
     given.set("density", std::string("1 +"), {"test.toml", 3});
-    EXPECT_THAT(refused(given), StartsWith("test.toml:3: density = 1 +: "));
+    EXPECT_THAT(refused(given), StartsWith("test.toml:3: density = \"1 +\": "));
     given.set("density", std::string("no-such.png"), {"test.toml", 3});
     EXPECT_THAT(refused(given), HasSubstr("no-such.png: no such file"));
     given.set("density", std::string("x"), {"test.toml", 3});
@@ -420,7 +420,7 @@ TEST_F(RecursiveSamplers, RefuseDensitiesThatAreNone)
                 StartsWith("test.toml:1: sampler = \"recursive-wang-tiles\": the densest"));
     Parameters channel = parameters();
     channel.set("density_from", std::string("ink"), {"test.toml", 4});
-    EXPECT_THAT(refused(channel), StartsWith("test.toml:4: density_from = ink: is for a density"));
+    EXPECT_THAT(refused(channel), StartsWith("test.toml:4: density_from = \"ink\": is for a density"));
 }
 
 }
