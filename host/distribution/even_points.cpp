@@ -192,7 +192,11 @@ SquarePoints sampled_points(const SamplerChoice& method, std::size_t points, dou
     const SampleRequest request{static_cast<std::size_t>(in_square), 2, seed, place.on_step};
     if (std::ranges::find(spec.dimensions, 2) == spec.dimensions.end())
         throw InputError(fmt::format("sampler \"{}\": has no sets in the plane", spec.name));
-    if (spec.check) spec.check(method.parameters, request, {spec.name});
+    try {
+        if (spec.check) spec.check(method.parameters, request, {});
+    } catch (const InputError& error) { // what is missing has no place of its own
+        throw error.place().file.empty() ? InputError(fmt::format("method: {}", error.what())) : error;
+    }
     if (spec.device_memory && place.engine == Engine::opencl) {
         const DeviceInfo& device = place.device().info();
         check_fits(fmt::format("sampler \"{}\"", spec.name), spec.device_memory(method.parameters, request, device),

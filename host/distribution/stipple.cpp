@@ -178,14 +178,15 @@ InkPicture read_ink(const StippleSettings& settings)
     PixelValues& ink = picture.ink;
     for (std::size_t i = 0; i < ink.values.size(); ++i) {
         if (!(ink.values[i] >= 0 && ink.values[i] <= 1))
-            throw InputError(fmt::format("{}: {}: ink {}: must be from 0, white, to 1, black",
+            throw InputError(fmt::format("image {}: {}: ink {}: must be from 0, white, to 1, black",
                                          printable(shortened(settings.image)), pixel_name(ink.width, ink.height, i),
                                          ink.values[i]));
         ink.values[i] *= settings.ink;
         picture.total += ink.values[i];
     }
     if (picture.total == 0)
-        throw InputError(fmt::format("{}: has no ink: is white everywhere", printable(shortened(settings.image))));
+        throw InputError(
+            fmt::format("image {}: has no ink: is white everywhere", printable(shortened(settings.image))));
     picture.density = density_of_values(ink.width, ink.height, ink.values, printable(shortened(settings.image)));
     return picture;
 }

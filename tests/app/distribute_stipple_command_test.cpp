@@ -129,7 +129,8 @@ TEST_F(DistributeStipple, SaysWhatIsTooDark)
 TEST_F(DistributeStipple, RefusesWhatItCannotDo)
 {
     expect_error({"--image", "none.png", "--points", "9"}, "distribute stipple: --image: none.png: no such file");
-    expect_error({"--image", "2", "--points", "9"}, "distribute stipple: 2: pixel (0, 1023): ink 2: must be from 0");
+    expect_error({"--image", "2", "--points", "9"},
+                 "distribute stipple: image 2: pixel (0, 1023): ink 2: must be from 0");
     expect_error({"--image", "0.5"}, "distribute stipple: needs --points or --dot");
     expect_error({"--image", "0.5", "--dot", "-3"}, "distribute stipple: --dot -3: must be a number from 0.01");
     expect_error({"--image", "0.5", "--dot", "9000"}, "distribute stipple: 0 marks for the ink of");
@@ -138,9 +139,9 @@ TEST_F(DistributeStipple, RefusesWhatItCannotDo)
     expect_error({"--image", "0.5", "--points", "9", "--by", "rank"},
                  "--by rank: must be one of \"gaussian\", \"warping\", \"ranks\"");
     expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--method", "random"},
-                 "--method random: does not go with by = ranks");
+                 "--method random: does not go with --by ranks");
     expect_error({"--image", "0.5", "--points", "9", "--by", "ranks", "--iterations", "3"},
-                 "--iterations 3: is for by = gaussian");
+                 "--iterations 3: is for --by gaussian");
     expect_error({"--image", "0.5", "--points", "9", "--pixels", "40000"}, "--pixels 40000: must be at most 32768");
     expect_error({"--image", "0.5", "--points", "9", "--slenderness", "0"}, "--slenderness 0: must be a number from 1",
                  "hatch");

@@ -41,8 +41,9 @@ void mark_keys(Keys& keys, StippleSettings& s)
     if (s.points == 0 && s.mark_width == 0)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of(width)));
     if (keys.is_given("iterations") && s.by != MarkPlaces::gaussian)
-        throw keys.invalid("iterations", "is for by = gaussian");
-    if (s.method.sampler && s.by == MarkPlaces::ranks) throw keys.invalid("method", "does not go with by = ranks");
+        throw keys.invalid("iterations", "is for " + keys.shown("by", "gaussian"));
+    if (s.method.sampler && s.by == MarkPlaces::ranks)
+        throw keys.invalid("method", "does not go with " + keys.shown("by", "ranks"));
     keys.check("image", [&] { values_of_text(s.image, s.from, 1, 1); });
 }
 

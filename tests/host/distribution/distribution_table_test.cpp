@@ -97,8 +97,8 @@ TEST(DistributionTable, ReadsStipplingAndHatching)
     expect_refusal(image, "needs points or dot");
     expect_refusal(image + "points = 3\ndot = 2", "c.toml:6: dot = 2: does not go with points");
     expect_refusal(image + "points = 3\nby = \"rank\"", "by = \"rank\"");
-    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "does not go with by = ranks");
-    expect_refusal(image + "points = 3\nby = \"ranks\"\niterations = 3", "iterations = 3: is for by = gaussian");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\nmethod = \"random\"", "does not go with by = \"ranks\"");
+    expect_refusal(image + "points = 3\nby = \"ranks\"\niterations = 3", "iterations = 3: is for by = \"gaussian\"");
     expect_refusal(image + "points = 3\nink = 2", "ink = 2: must be");
     expect_refusal(image + "points = 3\nangle = 2", "c.toml:6: angle");
 }
