@@ -157,17 +157,13 @@ Option OutputFiles::option()
 void OutputFiles::check(const std::string& command) const
 {
     for (const std::filesystem::path file : names) {
-        const std::string begin = fmt::format("{}: --out {}: ", command, printable(file.string()));
         const bool is_known = std::ranges::find(kinds, file.extension().string()) != kinds.end();
         if (!is_known && may_be_points)
             check_point_target(command, file, kinds.empty() ? "" : ", " + either(kinds));
         else if (!is_known)
-            throw InputError(begin + fmt::format("must end in {}", either(kinds)));
-        const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-        std::error_code unknown;
-        if (!std::filesystem::is_directory(folder, unknown))
-            throw InputError(begin + "there is no folder " + printable(folder.string()));
-        if (std::filesystem::is_directory(file, unknown)) throw InputError(begin + "is a folder");
+            throw InputError(
+                fmt::format("{}: --out {}: must end in {}", command, printable(file.string()), either(kinds)));
+        check_target_folder(command, file);
     }
 }
 

@@ -1,6 +1,7 @@
 // poissonlab tiles build: constructs a Poisson disk (sphere) tile set, proves its minimum distance, and
 // writes it.
 #include "app/commands/kind_options.hpp"
+#include "app/commands/point_target.hpp"
 #include "base/errors/errors.hpp"
 #include "experiment/run/progress.hpp"
 #include "host/kinds/kinds.hpp"
@@ -37,11 +38,7 @@ struct TilesBuildOptions : KindOptions
 void check_target(const std::filesystem::path& file)
 {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code unknown;
-    if (!std::filesystem::is_directory(folder, unknown))
-        throw InputError(fmt::format("tiles build: --out {}: there is no folder {}", file.string(), folder.string()));
-    if (std::filesystem::is_directory(file, unknown))
-        throw InputError(fmt::format("tiles build: --out {}: is a folder", file.string()));
+    check_target_folder("tiles build", file);
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw StorageError(fmt::format("tiles build: --out {}: cannot be written: {}", file.string(),
                                        std::generic_category().message(errno)));
