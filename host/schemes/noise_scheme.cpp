@@ -116,10 +116,12 @@ void add_hash_numbers(const PermutationHash& plain, const LongPeriodHash& combin
 void add_costs(const PermutationHash& plain, const LongPeriodHash& combined, DistributionResult& result)
 {
     const std::vector<double> times = noise_costs(plain, combined);
+    const std::size_t first_time = result.numbers.size();
     result.numbers.push_back({"plain_hash_ns", "Permutation table", times[0], "ns an evaluation"});
     result.numbers.push_back({"hash_time_ratio", "Long-period hash", times[1] / times[0], "times as long"});
     result.numbers.push_back({"plain_noise_ns", "Noise, permutation table", times[2], "ns an evaluation"});
     result.numbers.push_back({"noise_time_ratio", "Noise, long-period hash", times[3] / times[2], "times as long"});
+    for (std::size_t i = first_time; i < result.numbers.size(); ++i) result.numbers[i].is_time = true;
 }
 
 }

@@ -124,7 +124,8 @@ public:
     {
         const std::vector<double> times = median_nanoseconds(work_, tiles_);
         for (std::size_t i = 0; i < times.size(); ++i)
-            result_.numbers.push_back({names_[i].first + "_ns", names_[i].second, times[i], "ns a tile"});
+            result_.numbers.push_back(
+                {names_[i].first + "_ns", names_[i].second, times[i], "ns a tile", {}, false, true});
     }
 
 private:

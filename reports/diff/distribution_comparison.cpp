@@ -22,13 +22,6 @@ Better better_of(const DistributionResult& result, const std::string& key)
     return row == texture_measures().end() ? Better::neither : row->better;
 }
 
-/// Times of a machine, and what is computed from them, differ from run to run. They are known by their keys.
-bool is_of_times(const std::string& key)
-{
-    return key == "frames" || key.ends_with("_ns") || key.ends_with("_time_ratio") || key.starts_with("lookups_") ||
-           key.starts_with("noise_calls_");
-}
-
 SampleMean mean_of_number(const DistributionResult& result, const DistributionNumber& number)
 {
     const DistributionNumber* const sets = find_number(result, "sets");
@@ -62,7 +55,7 @@ std::vector<NumberComparison> compare_distributions(const SeriesComparison& pair
         if (other) number.after = mean_of_number(after, *other);
         if (!other)
             number.note = "only in the old results";
-        else if (is_of_times(old.key))
+        else if (old.is_time || other->is_time)
             number.note = "a time of the machine";
         else
             judge(number, terms);

@@ -45,7 +45,8 @@ void serialize(Archive& archive, SceneSummary& summary)
 template <class Archive>
 void serialize(Archive& archive, DistributionNumber& number)
 {
-    archive(number.key, number.title, number.value, number.meaning, number.standard_error, number.is_in_table);
+    archive(number.key, number.title, number.value, number.meaning, number.standard_error, number.is_in_table,
+            number.is_time);
 }
 
 template <class Archive>

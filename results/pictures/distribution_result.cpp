@@ -16,6 +16,7 @@ void describe_number(JsonMembers& m, Stored<DistributionNumber> auto& number)
     if (m.is_there("standard_error", number.standard_error.has_value()))
         m.member("standard_error", number.standard_error);
     m.if_any("in_table", number.is_in_table);
+    m.if_any("time", number.is_time);
 }
 
 void describe_parameter(JsonMembers& m, Stored<DistributionParameter> auto& parameter)

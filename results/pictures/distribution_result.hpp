@@ -20,6 +20,7 @@ struct DistributionNumber
     std::string meaning;                       ///< in a few words, with the unit
     std::optional<double> standard_error = {}; ///< over several sets
     bool is_in_table = false;                  ///< of the same result: pages say it there
+    bool is_time = false;                      ///< of this machine, or computed from such: it differs from run to run
 
     bool operator==(const DistributionNumber&) const = default;
 };

@@ -126,6 +126,7 @@ void add_costs(const ObjectSettings& settings, const ObjectTileSet& tiles, Distr
     const LookupCosts costs = lookup_costs(tiles);
     result.numbers.push_back({"timed_dimension", "Dimension of look-ups", static_cast<double>(settings.dimension),
                               "of what follows, on the host, by one thread"});
+    const std::size_t first_time = result.numbers.size();
     result.numbers.push_back({"lookups_anywhere", "Look-ups a second", costs.lookups_anywhere, "at random places"});
     result.numbers.push_back({"lookups_in_rows", "Look-ups a second", costs.lookups_in_rows, "in rows of pixels"});
     result.numbers.push_back({"noise_calls_anywhere", "Calls of Perlin's noise",
@@ -133,6 +134,7 @@ void add_costs(const ObjectSettings& settings, const ObjectTileSet& tiles, Distr
                               "in the time of a look-up, random places"});
     result.numbers.push_back({"noise_calls_in_rows", "Calls of Perlin's noise",
                               costs.noise_in_rows / costs.lookups_in_rows, "in the time of a look-up, rows of pixels"});
+    for (std::size_t i = first_time; i < result.numbers.size(); ++i) result.numbers[i].is_time = true;
 }
 
 ObjectPicture painted(const ObjectTileSet& tiles, const PoissonTiling& tiling, const ObjectScene& scene,

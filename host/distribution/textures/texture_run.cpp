@@ -301,7 +301,10 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
             frames = frames_a_second(place.device(), texture_pyramid(built.set, request.seed));
     }
     result.numbers = numbers_of(values);
-    if (frames) result.numbers.push_back(texture_number("frames", *frames, std::nullopt));
+    if (frames) {
+        result.numbers.push_back(texture_number("frames", *frames, std::nullopt));
+        result.numbers.back().is_time = true;
+    }
     return result;
 }
 

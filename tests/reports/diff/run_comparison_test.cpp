@@ -173,7 +173,11 @@ void write_run_with_scheme(const std::filesystem::path& folder, const std::map<s
     nlohmann::json results = test::write_made_up_run(folder, {});
     nlohmann::json numbers = nlohmann::json::array();
     for (const auto& [key, value] : values)
-        numbers.push_back({{"key", key}, {"title", key}, {"value", value}, {"meaning", ""}});
+        numbers.push_back({{"key", key},
+                           {"title", key},
+                           {"value", value},
+                           {"meaning", ""},
+                           {"time", key == "hash" || key == "look-ups"}});
     results["schemes"] = nlohmann::json::array({{{"name", "scheme-noise"},
                                                  {"label", "Noise"},
                                                  {"kind", "noise"},
@@ -188,20 +192,23 @@ void write_run_with_scheme(const std::filesystem::path& folder, const std::map<s
 TEST_F(CompareResults, ComparesSchemes)
 {
     const auto old = folder_.path() / "old", other = folder_.path() / "new";
-    write_run_with_scheme(old, {{"hash_time_ratio", 5}, {"lookups_anywhere", 1e6}, {"period", 739'024}, {"gone", 1}});
-    write_run_with_scheme(other, {{"hash_time_ratio", 9}, {"lookups_anywhere", 2e6}, {"period", 739'024}, {"here", 1}});
+    write_run_with_scheme(old, {{"hash", 5}, {"look-ups", 1e6}, {"period", 739'024}, {"gone", 1}});
+    write_run_with_scheme(other, {{"hash", 9}, {"look-ups", 2e6}, {"period", 739'024}, {"here", 1}});
     const auto same = compare_results(old, other);
     EXPECT_FALSE(same.changed());
     std::map<std::string, NumberComparison> numbers;
     for (const NumberComparison& number : same.series.back().numbers) numbers[number.quantity] = number;
     EXPECT_EQ(numbers.size(), 5u);
     EXPECT_EQ(numbers["period"].verdict, Verdict::identical);
-    EXPECT_EQ(numbers["hash_time_ratio"].verdict, Verdict::not_judged);
-    EXPECT_EQ(numbers["lookups_anywhere"].note, "a time of the machine");
+    EXPECT_EQ(numbers["hash"].verdict, Verdict::not_judged);
+    EXPECT_EQ(numbers["look-ups"].note, "a time of the machine");
     EXPECT_EQ(numbers["gone"].note, "only in the old results");
     EXPECT_EQ(numbers["here"].note, "only in the new results");
     EXPECT_THAT(comparison_table(same, true), HasSubstr("only in the new results"));
     write_run_with_scheme(other, {{"period", 739'025}});
+    EXPECT_TRUE(compare_results(old, other).changed());
+    write_run_with_scheme(old, {{"offset_ns", 1}}); // how a key is spelled says nothing
+    write_run_with_scheme(other, {{"offset_ns", 2}});
     EXPECT_TRUE(compare_results(old, other).changed());
     test::write_made_up_run(other, {});
     EXPECT_THAT(compare_results(old, other).missing, testing::ElementsAre("scheme-noise"));
