@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -51,18 +53,11 @@ public:
 
     std::string read_linear(const std::filesystem::path& path, LinearPicture& picture) const override
     {
-        OIIO::ImageSpec settings;
-        settings.attribute("oiio:UnassociatedAlpha", 1);
-        const auto input = OIIO::ImageInput::open(path.string(), &settings);
+        const auto input = opened(path);
         if (!input) return reason(OIIO::geterror());
         const OIIO::ImageSpec spec = input->spec();
-        if (spec.nchannels < 1 || spec.nchannels > most_channels || spec.width < 1 || spec.height < 1)
-            return "it has no pixels, or hundreds of channels";
-        if (spec.depth > 1) return "it has layers";
+        if (const std::string lack = lack_of(spec); !lack.empty()) return lack;
         const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
-        if (pixels > most_pixels)
-            return std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels: must be at most " +
-                   std::to_string(most_pixels);
         std::vector<float> values(pixels * static_cast<std::uint64_t>(spec.nchannels));
         if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
             return reason(input->geterror());
@@ -70,8 +65,105 @@ public:
         return upright(spec, values, picture);
     }
 
+    std::string read_header(const std::filesystem::path& path, PictureHeader& header) const override
+    {
+        const auto input = opened(path);
+        if (!input) return reason(OIIO::geterror());
+        const OIIO::ImageSpec& spec = input->spec();
+        header = {spec.width, spec.height, spec.nchannels, type_of(spec)};
+        if (spec.get_int_attribute("Orientation", 1) > 4) std::swap(header.width, header.height);
+        return lack_of(spec);
+    }
+
+    std::string read_raw(const std::filesystem::path& path, RawPicture& picture) const override
+    {
+        const auto input = opened(path);
+        if (!input) return reason(OIIO::geterror());
+        const OIIO::ImageSpec spec = input->spec();
+        if (const std::string lack = lack_of(spec); !lack.empty()) return lack;
+        const std::optional<SampleType> type = type_of(spec);
+        if (!type) return "it has numbers of another kind";
+        picture = {spec.width, spec.height, *type, spec.channelnames, {}};
+        picture.bytes.resize(picture.at(0, spec.height));
+        if (!input->read_image(0, 0, 0, spec.nchannels, stored_as(*type), picture.bytes.data()))
+            return reason(input->geterror());
+        const int orientation = spec.get_int_attribute("Orientation", 1);
+        return orientation == 1 ? "" : turn(orientation, picture);
+    }
+
+    std::string write_raw(const std::filesystem::path& path, const RawPicture& picture) const override
+    {
+        const int channels = static_cast<int>(picture.channels.size());
+        OIIO::ImageSpec spec(picture.width, picture.height, channels, stored_as(picture.type));
+        spec.attribute("oiio:UnassociatedAlpha", 1); // else colours would be divided by it
+        const auto output = OIIO::ImageOutput::create("png");
+        if (!output) return OIIO::geterror();
+        const bool is_written = output->open(path.string(), spec) &&
+                                output->write_image(spec.format, picture.bytes.data()) && output->close();
+        return is_written ? "" : reason(output->geterror());
+    }
+
 private:
     static constexpr int most_channels = 256;
+
+    /// A file whose colours are not multiplied by alpha.
+    static std::unique_ptr<OIIO::ImageInput> opened(const std::filesystem::path& path)
+    {
+        OIIO::ImageSpec settings;
+        settings.attribute("oiio:UnassociatedAlpha", 1);
+        return OIIO::ImageInput::open(path.string(), &settings);
+    }
+
+    /// The words for a picture that is not read, empty for others.
+    static std::string lack_of(const OIIO::ImageSpec& spec)
+    {
+        if (spec.nchannels < 1 || spec.nchannels > most_channels || spec.width < 1 || spec.height < 1)
+            return "it has no pixels, or hundreds of channels";
+        if (spec.depth > 1) return "it has layers";
+        if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_pixels)
+            return std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels: must be at most " +
+                   std::to_string(most_pixels);
+        return "";
+    }
+
+    static OIIO::TypeDesc stored_as(SampleType type)
+    {
+        return type == SampleType::byte   ? OIIO::TypeDesc::UINT8
+               : type == SampleType::word ? OIIO::TypeDesc::UINT16
+                                          : OIIO::TypeDesc::FLOAT;
+    }
+
+    /// The type that holds all numbers of a picture as they are, if there is one.
+    static std::optional<SampleType> type_of(const OIIO::ImageSpec& spec)
+    {
+        std::optional<SampleType> all;
+        for (int channel = 0; channel < spec.nchannels; ++channel) {
+            const OIIO::TypeDesc format = spec.channelformat(channel);
+            std::optional<SampleType> one;
+            if (format == OIIO::TypeDesc::UINT8) one = SampleType::byte;
+            if (format == OIIO::TypeDesc::UINT16) one = SampleType::word;
+            if (format == OIIO::TypeDesc::HALF || format == OIIO::TypeDesc::FLOAT) one = SampleType::real;
+            if (!one || (all && *all != *one)) return {};
+            all = one;
+        }
+        return all;
+    }
+
+    /// Turns pixels as the camera says that it was held.
+    static std::string turn(int orientation, RawPicture& picture)
+    {
+        const int channels = static_cast<int>(picture.channels.size());
+        OIIO::ImageSpec layout(picture.width, picture.height, channels, stored_as(picture.type));
+        layout.attribute("Orientation", orientation);
+        const OIIO::ImageBuf turned = OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(layout, picture.bytes.data()));
+        if (turned.has_error()) return reason(turned.geterror());
+        picture.width = turned.spec().width;
+        picture.height = turned.spec().height;
+        std::vector<std::uint8_t> bytes(picture.bytes.size());
+        if (!turned.get_pixels(turned.roi(), stored_as(picture.type), bytes.data())) return reason(turned.geterror());
+        picture.bytes = std::move(bytes);
+        return "";
+    }
 
     template <class Pixels>
     static std::string read_channels(const std::filesystem::path& path, Pixels& pixels, OIIO::TypeDesc type)
