@@ -83,7 +83,7 @@ Option KindOptions::option_of(Typed& typed) const
     const std::string help = key_help(spec);
     if (is_flag(spec)) return {typed.name, &typed.is_set, help};
     Option option{typed.name, &typed.words, help, value_name_of(spec)}; // what is needed is said by whoever reads it
-    option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.count);
+    option.most_values = static_cast<int>(spec.is_spread ? 2 : spec.is_file ? 1 : spec.count); // files: once for each
     if (spec.value.kind == ValueKind::choice) option.words = spec.value.choices;
     if (spec.value.kind == ValueKind::boolean) option.words = {"on", "off"};
     if (!spec.excludes.empty()) option.excludes = option_name(spec.excludes);

@@ -13,9 +13,9 @@ namespace poissonlab {
 namespace {
 
 /// The sRGB byte of an amount of light (IEC 61966-2-1); the inverse of what reading made of a byte.
-std::uint8_t srgb_byte(float light)
+std::uint8_t srgb_byte(double light)
 {
-    const double v = std::clamp(static_cast<double>(light), 0.0, 1.0);
+    const double v = std::clamp(light, 0.0, 1.0);
     return static_cast<std::uint8_t>(
         std::lround(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055)));
 }
@@ -30,9 +30,54 @@ std::vector<std::size_t> shown_channels(const LinearPicture& picture)
     return channels;
 }
 
+/// The light that the shown channels of a picture have.
+struct LightRange
+{
+    double brightest = 1; ///< at least 1
+    double lowest = 0;    ///< at most 0
+};
+
+/// Throws InputError for numbers that are not finite.
+LightRange light_range(const LinearPicture& picture, const std::vector<std::size_t>& channels, const std::string& file)
+{
+    LightRange range;
+    for (int row = 0; row < picture.height; ++row)
+        for (int column = 0; column < picture.width; ++column)
+            for (const std::size_t channel : channels) {
+                const double light = picture.at(column, row, channel);
+                if (!std::isfinite(light))
+                    throw InputError(
+                        fmt::format("{}: the pixel in column {}, row {} is not a finite number", file, column, row));
+                range.brightest = std::max(range.brightest, light);
+                range.lowest = std::min(range.lowest, light);
+            }
+    return range;
+}
+
+std::string light_note(const LightRange& range, const std::string& file)
+{
+    std::string words;
+    if (range.brightest > 1) words = fmt::format("light up to {:.4g} is tone-mapped", range.brightest);
+    if (range.lowest < 0)
+        words +=
+            fmt::format("{}negative numbers, down to {:.4g}, count as 0", words.empty() ? "" : " and ", range.lowest);
+    return words.empty() ? "" : fmt::format("{}: {} where tiles are chosen and cut", printable(file), words);
+}
+
+}
+
+double tone_mapped(double light, double brightest)
+{
+    return brightest <= 1 ? light : light * (1 + light / (brightest * brightest)) / (1 + light);
 }
 
 PngPixels read_exemplar(const std::filesystem::path& file)
+{
+    std::string note;
+    return read_exemplar(file, note);
+}
+
+PngPixels read_exemplar(const std::filesystem::path& file, std::string& note)
 {
     const LinearPicture picture = read_linear_picture(file);
     const std::vector<std::size_t> channels = shown_channels(picture);
@@ -40,15 +85,14 @@ PngPixels read_exemplar(const std::filesystem::path& file)
     if (picture.width > most_exemplar_pixels || picture.height > most_exemplar_pixels)
         throw InputError(fmt::format("{}: {} x {} pixels: must have at most {} along a side", file.string(),
                                      picture.width, picture.height, most_exemplar_pixels));
+    const LightRange range = light_range(picture, channels, file.string());
+    note = light_note(range, file.filename().string());
     PngPixels exemplar{picture.width, picture.height, static_cast<int>(channels.size()), {}};
     for (int row = 0; row < picture.height; ++row)
         for (int column = 0; column < picture.width; ++column)
             for (const std::size_t channel : channels) {
-                const float light = picture.at(column, row, channel);
-                if (!std::isfinite(light))
-                    throw InputError(fmt::format("{}: the pixel in column {}, row {} is not a finite number",
-                                                 file.string(), column, row));
-                exemplar.values.push_back(srgb_byte(light));
+                const double light = std::max(0.0, static_cast<double>(picture.at(column, row, channel)));
+                exemplar.values.push_back(srgb_byte(tone_mapped(light, range.brightest)));
             }
     return exemplar;
 }

@@ -1,5 +1,8 @@
 """Kinds of work in Python: what they make is what the program makes, and refuses."""
 
+import pathlib
+import shutil
+import tempfile
 import unittest
 
 import numpy
@@ -80,6 +83,21 @@ class OtherKinds(unittest.TestCase):
                                         show=["tiling"], engine="reference")
         self.assertEqual(made.numbers["tiles"], 16)
         self.assertIn("tiling", made.pictures)
+
+    def test_textures_have_companions(self):
+        small = {"size": 16, "colors": 2, "attempts": 2, "show": ["set"], "engine": "reference"}
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            poissonlab.texture.build("corner", pattern="noise", pattern_size=64, **small).save(folder / "first")
+            picture = folder / "first" / "exemplar.png"
+            height = shutil.copy(picture, folder / "height.png")
+            poissonlab.texture.build("corner", exemplar=picture, also=[height], **small).save(folder / "set")
+            self.assertEqual((folder / "set" / "atlas-height.png").read_bytes(),
+                             (folder / "set" / "atlas.png").read_bytes())
+            with self.assertRaisesRegex(poissonlab.InputError, r"also: .*atlas.png: 64 x 64 pixels: must have 80 x 80"):
+                poissonlab.texture.build("corner", pattern="noise", pattern_size=80, **small).save(folder / "large")
+                poissonlab.texture.build("corner", exemplar=folder / "large" / "exemplar.png",
+                                         also=[folder / "set" / "atlas.png"], **small)
 
     def test_schemes_and_constructions_are_drawn(self):
         self.assertTrue(poissonlab.tilings.isohedral(type=16, random=True, rng=5).pictures)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/images/png_file.hpp"
+#include "base/images/raw_picture.hpp"
 #include "base/word_table.hpp"
 #include "tiles/tilings/tile_set.hpp"
 
@@ -47,6 +48,16 @@ struct TextureTile
     bool operator==(const TextureTile&) const = default;
 };
 
+/// A picture that lies over the exemplar, pixel on pixel, such as normals, heights or the exemplar itself with more
+/// than 8 bits: tiles show it at the same sources. See companion_maps.hpp.
+struct CompanionMap
+{
+    std::string picture_file, atlas_file; ///< in the set's folder
+    bool is_original = false;             ///< it is the exemplar as its file has it
+    std::string hash;                     ///< of the picture's samples
+    RawPicture picture;                   ///< empty in a set that was read
+};
+
 /// A set of T x T tiles.
 struct TextureSet
 {
@@ -62,6 +73,7 @@ struct TextureSet
     std::vector<SourcePixel> sources;              ///< T^2 a tile, tile after tile
     std::vector<std::uint8_t> values;              ///< the same with the exemplar's channels side by side
     std::map<std::string, std::string> parameters; ///< how it was made, for people
+    std::vector<CompanionMap> companions;
 
     bool has_corners() const { return kind != TextureKind::wang; }
     std::size_t pixels_a_tile() const { return static_cast<std::size_t>(size) * static_cast<std::size_t>(size); }
@@ -99,8 +111,8 @@ inline constexpr int least_tile_pixels = 16, most_tile_pixels = 512;
 inline constexpr int most_exemplar_pixels = 16'384;
 inline constexpr std::size_t most_atlas_pixels = std::size_t{1} << 28;
 
-/// Writes atlas.png, sources.png (16 bits: column, row, 0), exemplar.png and texture.json into a folder that is made
-/// where it is not there; texture.json comes last. Throws StorageError.
+/// Writes atlas.png, sources.png (16 bits: column, row, 0), exemplar.png, two files of each companion, and texture.json
+/// into a folder that is made where it is not there; texture.json comes last. Throws StorageError.
 void write_texture_set(const std::filesystem::path& folder, const TextureSet& set);
 
 /// The same files, each where `place` says for its name.

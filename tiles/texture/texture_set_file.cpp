@@ -4,6 +4,7 @@
 #include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "tiles/texture/companion_maps.hpp"
 #include "tiles/texture/marked_tiles.hpp"
 #include "tiles/texture/texture_set.hpp"
 
@@ -41,6 +42,15 @@ void members(JsonMembers& m, Tile& tile)
     m.member("row", tile.row);
 }
 
+template <Stored<CompanionMap> Map>
+void name_companion(JsonMembers& m, Map& map)
+{
+    m.file_name("picture", map.picture_file);
+    m.file_name("atlas", map.atlas_file);
+    m.if_any("original", map.is_original);
+    m.member("hash", map.hash);
+}
+
 /// The contents of the JSON file; the pictures' checksums are those of their pixels.
 struct StoredTextureSet
 {
@@ -72,6 +82,9 @@ void members(JsonMembers& m, Set& stored)
     m.member("atlas_hash", stored.atlas_hash);
     m.member("sources_hash", stored.sources_hash);
     m.objects("tiles", stored.tiles);
+    if (m.is_there("companions", !stored.set.companions.empty()))
+        m.objects("companions", stored.set.companions,
+                  [](JsonMembers& of_map, auto& map) { name_companion(of_map, map); });
     m.group("parameters", [&](JsonMembers& of_parameters) {
         if constexpr (std::is_const_v<Set>)
             for (const auto& [name, value] : stored.set.parameters) of_parameters.member(name, value);
@@ -234,11 +247,14 @@ void write_texture_files(const std::function<fs::path(const std::string& name)>&
     stored.set.marked_column = set.marked_column;
     stored.set.is_smoothed = set.is_smoothed;
     stored.set.parameters = set.parameters;
+    for (const CompanionMap& map : set.companions)
+        stored.set.companions.push_back({map.picture_file, map.atlas_file, map.is_original, map.hash, {}});
     for (std::size_t i = 0; i < set.tiles.size(); ++i)
         stored.tiles.push_back({set.tiles[i], layout.places[i].first, layout.places[i].second});
     write_pixels(place(exemplar_name), set.exemplar);
     write_pixels(place(atlas_name), atlas);
     write_deep_png(place(sources_name), sources);
+    write_companions(place, set);
     const auto& written = stored;
     write_whole_file(place(json_name), json_text([&](JsonMembers& m) { members(m, written); }, 2) + "\n");
 }

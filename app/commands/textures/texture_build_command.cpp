@@ -6,7 +6,7 @@
 #include "host/device/kernel.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
-#include "host/texture/exemplar.hpp"
+#include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/texture_build.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 #include "tiles/texture/texture_tiling.hpp"
@@ -30,6 +30,9 @@ half of the compact ones that is enough where marks are at random (64).
 omega: --tiles 16 (the default), 16b, 4, 8 or 32 of Ng and others, over 4 colours, for scanlines.
 The outermost pixels of a tile, its ring, depend on the colours that it shares alone. DIR gets atlas.png, sources.png,
 exemplar.png and texture.json: see docs/texture-set.md.
+With --also normal.png, which may be repeated, tiles of that picture are cut along the same curves, into atlas-normal.png,
+number for number. An exemplar of 16 bits or floating-point numbers, NAME, is chosen and cut by 8 bits of sRGB; atlas-NAME
+has its own numbers.
   poissonlab texture build corner --colors 3 --exemplar gravel.png --size 64 --out gravel)";
 
 struct TextureBuildOptions : KindOptions
@@ -69,6 +72,7 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
                                     {"joints", proof.joints},
                                     {"exceptions", proof.exceptions},
                                     {"seconds", seconds}};
+        for (const CompanionMap& map : set.companions) json["companions"].push_back(printable(map.atlas_file));
         if (repeated) {
             json["exemplar_power"] = repeated->exemplar_power;
             json["repetition"] = repeated->times;
@@ -88,6 +92,12 @@ void print_built(const TextureBuildOptions& options, const BuiltTexture& built, 
         fmt::print("A tiling repeats {:.1f} times as much as the picture itself: {:.1f} % of its power recur with each "
                    "tile, of the picture's {:.1f} %\n",
                    repeated->times, 100 * repeated->times * repeated->exemplar_power, 100 * repeated->exemplar_power);
+    for (const CompanionMap& map : set.companions)
+        fmt::print("{}: {}, {} of {}, at the same sources\n", printable(map.atlas_file),
+                   map.is_original ? "the exemplar's own numbers" : "a companion",
+                   map.picture.channels.size() == 1 ? "a channel"
+                                                    : fmt::format("{} channels", map.picture.channels.size()),
+                   sample_types[map.picture.type]);
 }
 
 /// Smoothing is what a device does here: without it, none is opened.
@@ -97,26 +107,21 @@ HarmonicSolver harmonic_solver(const DistributionPlace& place)
     return [device = place.device](GradientDomain& domain) { relax_on(device(), domain, default_work_group_size); };
 }
 
-/// The pictures side by side, and where that of marked corners begins.
-PngPixels exemplar_of_tiles(const TextureSettings& asked, TextureRequest& request)
-{
-    PngPixels exemplar = read_exemplar(asked.exemplar);
-    if (asked.marked_exemplar.empty()) return exemplar;
-    request.split = exemplar.width;
-    return side_by_side(exemplar, read_exemplar(asked.marked_exemplar));
-}
-
 BuiltTexture built_texture(const TextureBuildOptions& options, const TextureSettings& asked)
 {
     const DistributionPlace place = options.place();
     TextureRequest request = asked.request;
     request.seed = options.seed();
-    const PngPixels exemplar = exemplar_of_tiles(asked, request);
+    ExemplarPictures pictures = read_exemplar_pictures(asked.exemplar, asked.marked_exemplar, asked.also);
+    request.split = pictures.split;
+    for (const std::string& note : pictures.notes) options.say_note(note);
     const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {
         place.on_step(fmt::format("{}: {} of {}", stage, done, total));
     };
     try {
-        return build_texture(request, exemplar, tell, harmonic_solver(place));
+        BuiltTexture built = build_texture(request, pictures.exemplar, tell, harmonic_solver(place));
+        built.set.companions = std::move(pictures.companions);
+        return built;
     } catch (const InputError& error) {
         throw error.moved_to({asked.exemplar.string()});
     }

@@ -1,6 +1,7 @@
 // poissonlab texture verify: proves from the files of a texture set that its tiles fit together.
 #include "app/commands/command.hpp"
 #include "base/errors/errors.hpp"
+#include "tiles/texture/companion_maps.hpp"
 #include "tiles/texture/seam_measures.hpp"
 #include "tiles/texture/texture_certificate.hpp"
 
@@ -13,7 +14,8 @@ namespace {
 constexpr auto texture_verify_notes =
     R"(Compares every pair of tiles that may lie side by side, pixel by pixel, through their places in the exemplar:
 each pixel continues its neighbour across the border, or has the joint that the shared colours have everywhere. The pixels of
-all rings with the same colours are the same, and all pixels those of their places. Exit status 2 if anything is not so.
+all rings with the same colours are the same, and all pixels those of their places; so are those of companions (--also) and
+of exemplars with more than 8 bits, bit for bit. Exit status 2 if anything is not so.
 Wang tiles have exceptions beside their corners, which are counted.
 Seams inside of tiles: mismatch is how much both pictures differ there, excess how much the step from one to the other is
 larger than their own; conspicuous steps are larger than 95 % of those of the exemplar.)";
@@ -37,24 +39,28 @@ void verify_texture(const TextureVerifyOptions& options)
 {
     const TextureSet set = read_texture_set(options.folder);
     const TextureCertificate proof = proof_of(options.folder, set);
+    std::vector<std::pair<std::string, std::size_t>> companions; // atlases with their numbers of pixels
+    for (const CompanionMap& map : set.companions)
+        companions.emplace_back(map.atlas_file, certify_companion(options.folder, set, map));
     const SeamMeasures seams = seam_measures(set);
     if (options.json) {
-        const nlohmann::ordered_json json{{"folder", options.folder.string()},
-                                          {"kind", texture_kinds[set.kind]},
-                                          {"tiles", set.tiles.size()},
-                                          {"tile_size", set.size},
-                                          {"ring", set.ring},
-                                          {"tile_pairs", proof.tile_pairs},
-                                          {"pixel_pairs", proof.pixel_pairs},
-                                          {"joints", proof.joints},
-                                          {"exceptions", proof.exceptions},
-                                          {"seam_pairs_a_tile", seams.pairs_a_tile},
-                                          {"seam_mismatch", seams.mismatch},
-                                          {"seam_excess", seams.excess},
-                                          {"conspicuous_seams", seams.conspicuous},
-                                          {"conspicuous_exemplar", seams.natural},
-                                          {"longest_run", seams.longest_run},
-                                          {"coverage", seams.coverage}};
+        nlohmann::ordered_json json{{"folder", options.folder.string()},
+                                    {"kind", texture_kinds[set.kind]},
+                                    {"tiles", set.tiles.size()},
+                                    {"tile_size", set.size},
+                                    {"ring", set.ring},
+                                    {"tile_pairs", proof.tile_pairs},
+                                    {"pixel_pairs", proof.pixel_pairs},
+                                    {"joints", proof.joints},
+                                    {"exceptions", proof.exceptions},
+                                    {"seam_pairs_a_tile", seams.pairs_a_tile},
+                                    {"seam_mismatch", seams.mismatch},
+                                    {"seam_excess", seams.excess},
+                                    {"conspicuous_seams", seams.conspicuous},
+                                    {"conspicuous_exemplar", seams.natural},
+                                    {"longest_run", seams.longest_run},
+                                    {"coverage", seams.coverage}};
+        for (const auto& [file, pixels] : companions) json["companions"][file] = pixels;
         fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
         return;
     }
@@ -69,6 +75,8 @@ void verify_texture(const TextureVerifyOptions& options)
         "exemplar is shown\n",
         seams.pairs_a_tile, set.is_smoothed ? " before smoothing" : "", seams.mismatch, seams.excess,
         100 * seams.conspicuous, 100 * seams.natural, seams.longest_run, 100 * seams.coverage);
+    for (const auto& [file, pixels] : companions)
+        fmt::print("{}: all {} pixels have the bits of their sources\n", printable(file), pixels);
 }
 
 }

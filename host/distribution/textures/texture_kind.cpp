@@ -2,6 +2,7 @@
 #include "host/distribution/distribution_run.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/distributions/texture_config.hpp"
+#include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 
 #include <fmt/format.h>
@@ -85,11 +86,24 @@ void marked_exemplar_key(Keys& keys, TextureSettings& s)
     s.request.split = s.marked_exemplar.empty() ? 0 : 1; // until the pictures are read
 }
 
+/// Wrong companions are said before any work: their headers suffice.
+void also_key(Keys& keys, TextureSettings& s)
+{
+    keys.pictures("also", s.also,
+                  "pictures of the exemplar's size, such as normals, roughness and heights, that are cut as it is")
+        .otherwise("none");
+    if (s.also.empty()) return;
+    if (s.exemplar.empty()) throw keys.invalid("also", "needs exemplar");
+    if (!s.marked_exemplar.empty()) throw keys.invalid("also", "does not go with " + keys.name_of("marked_exemplar"));
+    keys.check("also", [&] { check_companions(s.exemplar, s.also); });
+}
+
 void texture_set_keys(Keys& keys, TextureSettings& s)
 {
     request_keys(keys, s.request, true);
     keys.picture("exemplar", s.exemplar, "the picture, of any kind that OpenImageIO reads").required();
     marked_exemplar_key(keys, s);
+    also_key(keys, s);
     if (keys.is_read()) keys.check([&] { check(s.request); });
 }
 
@@ -127,6 +141,7 @@ void texture_keys(Keys& keys, TextureSettings& s)
         throw keys.problem("needs exemplar, a picture's file, or pattern");
     keys.integer("pattern_size", s.pattern_size, 16, 4096, "the side of a pattern").unit("pixels");
     marked_exemplar_key(keys, s);
+    also_key(keys, s);
     keys.picture("marks", s.marks, "a picture over the window, whose lighter part is marked")
         .otherwise("corners are marked at random");
     if (!s.marks.empty() && s.marked_exemplar.empty()) throw keys.invalid("marks", "needs marked_exemplar");

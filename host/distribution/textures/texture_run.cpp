@@ -10,6 +10,7 @@
 #include "host/distribution/textures/step_picture.hpp"
 #include "host/distribution/textures/texture_pictures.hpp"
 #include "host/texture/exemplar.hpp"
+#include "host/texture/exemplar_pictures.hpp"
 #include "host/texture/synthetic_exemplar.hpp"
 #include "host/texture/texture_build.hpp"
 #include "results/texture_measures.hpp"
@@ -84,13 +85,14 @@ std::vector<DistributionNumber> numbers_of(const std::vector<TextureValues>& set
     return numbers;
 }
 
-PngPixels exemplar_of(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+ExemplarPictures pictures_of(const TextureSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    if (settings.pattern.empty()) return read_exemplar(settings.exemplar);
+    if (settings.pattern.empty())
+        return read_exemplar_pictures(settings.exemplar, settings.marked_exemplar, settings.also);
     SquarePoints places;
     if (settings.pattern == "pebbles")
         places = even_points(default_even_method(), pebble_count(settings.pattern_size), 1, 1, seed, place);
-    return synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places);
+    return {synthetic_exemplar(settings.pattern, settings.pattern_size, seed, places), 0, {}, {}};
 }
 
 /// Makes the pictures that a table asks for.
@@ -258,6 +260,8 @@ void add_set(const TextureSettings& settings, const BuiltTexture& built, const D
     write_texture_files([&](const std::string& name) { return files.add(name); }, built.set);
     for (const char* name : {"texture.json", "atlas.png", "sources.png", "exemplar.png"})
         result.files.emplace_back(name);
+    for (const CompanionMap& map : built.set.companions)
+        for (const std::string& name : {map.atlas_file, map.picture_file}) result.files.emplace_back(name);
     TextureShow show(settings, built, place, files, result);
     for (const std::string& word : settings.show) show.add(word);
 }
@@ -269,12 +273,7 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
 {
     TextureSettings settings = asked;
     settings.request.seed = seed; // of the first set
-    PngPixels exemplar = exemplar_of(settings, settings.request.seed, place);
-    int split = 0;
-    if (!settings.marked_exemplar.empty()) {
-        split = exemplar.width;
-        exemplar = side_by_side(exemplar, read_exemplar(settings.marked_exemplar));
-    }
+    const ExemplarPictures pictures = pictures_of(settings, settings.request.seed, place);
     const HarmonicSolver solve = [&](GradientDomain& domain) {
         if (place.engine == Engine::reference)
             relax_reference(domain);
@@ -288,15 +287,17 @@ DistributionResult make_texture(const TextureSettings& asked, std::uint64_t seed
     for (int number = 0; number < settings.sets; ++number) {
         TextureRequest request = settings.request;
         request.seed += static_cast<std::uint64_t>(number);
-        request.split = split;
+        request.split = pictures.split;
         const auto tell = [&](const std::string& stage, std::size_t done, std::size_t total) {
             stop_if_interrupted();
             if (place.on_step) place.on_step(fmt::format("set {}, {}: {} of {}", number + 1, stage, done, total));
         };
-        const BuiltTexture built = build_texture(request, exemplar, tell, solve);
+        BuiltTexture built = build_texture(request, pictures.exemplar, tell, solve);
         values.push_back(values_of(built.set, request.seed));
         if (number > 0) continue;
+        built.set.companions = pictures.companions;
         add_set(settings, built, place, files, result);
+        result.facts.insert(result.facts.end(), pictures.notes.begin(), pictures.notes.end());
         if (settings.has_timing && place.engine == Engine::opencl)
             frames = frames_a_second(place.device(), texture_pyramid(built.set, request.seed));
     }

@@ -14,14 +14,15 @@ namespace poissonlab {
 /// A table [[texture]]: tiles from a picture, how well they fit, and a tiling with them.
 struct TextureSettings
 {
-    TextureRequest request;                ///< without seed
-    std::filesystem::path exemplar;        ///< empty: a pattern
-    std::filesystem::path marked_exemplar; ///< of marked corners; empty: none are marked
-    std::filesystem::path marks;           ///< a picture whose lighter part is marked; empty: corners are at random
-    std::string pattern;                   ///< one of exemplar_patterns()
-    int pattern_size = 256;                ///< pixels along a side
-    int sets = 1;                          ///< with other patches each, over which measures are averaged
-    std::uint64_t columns = 8;             ///< tiles of the window that is drawn
+    TextureRequest request;                  ///< without seed
+    std::filesystem::path exemplar;          ///< empty: a pattern
+    std::filesystem::path marked_exemplar;   ///< of marked corners; empty: none are marked
+    std::filesystem::path marks;             ///< a picture whose lighter part is marked; empty: corners are at random
+    std::vector<std::filesystem::path> also; ///< pictures over the exemplar that are cut as well
+    std::string pattern;                     ///< one of exemplar_patterns()
+    int pattern_size = 256;                  ///< pixels along a side
+    int sets = 1;                            ///< with other patches each, over which measures are averaged
+    std::uint64_t columns = 8;               ///< tiles of the window that is drawn
     std::uint64_t rows = 4;
     std::vector<std::string> show; ///< some of texture_shows()
     bool has_timing = false;       ///< frames a second are measured

@@ -18,6 +18,8 @@
 namespace poissonlab {
 namespace {
 
+constexpr std::size_t most_listed_files = 16;
+
 using ValueKind = ParameterSpec::Kind;
 
 /// The number that a node is, if it lies within the ends.
@@ -316,6 +318,33 @@ Keys::Said Keys::file(const std::string& key, std::filesystem::path& value, std:
     value = named_file(text);
     if (const std::string lack = lack_of_file(value); !lack.empty()) throw invalid(key, lack + ": must be " + what);
     return said;
+}
+
+Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::path>& values, std::string help)
+{
+    const std::string files = where_.is_argument ? "a picture's file" : "a list of pictures' files, in quotes";
+    KeySpec spec{.value = {.key = key, .kind = ValueKind::text, .help = std::move(help)},
+                 .count = most_listed_files,
+                 .is_file = true,
+                 .own = "a list of pictures' files"};
+    std::string all;
+    if (const ConfigNode* node = given(key)) {
+        const auto* items = node->get_if<ConfigList>();
+        values.clear();
+        for (const ConfigNode& item : items ? *items : ConfigList{*node}) {
+            const auto* text = item.get_if<std::string>();
+            if (!text) throw invalid(key, "must be " + files);
+            check_text(key, *text);
+            all += (all.empty() ? "" : ", ") + *text;
+            values.emplace_back(named_file(*text));
+            if (const std::string lack = lack_of_file(values.back()); !lack.empty())
+                throw invalid(
+                    key, fmt::format("{}{}: must be {}", items && items->size() > 1 ? *text + ": " : "", lack, files));
+        }
+        if (values.size() > spec.count) throw invalid(key, fmt::format("must be at most {} files", spec.count));
+    }
+    resolve(key, all);
+    return describe(std::move(spec));
 }
 
 Keys::Said Keys::region(std::string& value)

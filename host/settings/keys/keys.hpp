@@ -145,6 +145,9 @@ public:
                     where_.is_argument ? "a picture's file" : "a picture's file, by its path from the config's folder");
     }
 
+    /// Files of pictures, in a list: options of commands are given once for each, and a single one needs no list.
+    Said pictures(const std::string& key, std::vector<std::filesystem::path>& values, std::string help);
+
     /// The key `region`, which is required: a region's file, or what describes one, see read_region().
     Said region(std::string& value);
 

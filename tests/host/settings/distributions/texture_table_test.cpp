@@ -2,12 +2,15 @@
 #include "host/settings/distributions/texture_config.hpp"
 
 #include "base/files/whole_file.hpp"
+#include "base/images/png_file.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/exhibits.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <map>
 
 namespace poissonlab {
 namespace {
@@ -54,6 +57,31 @@ TEST(TextureTable, FindsPicturesFromTheConfigsFolder)
     const auto read = exhibits_in("[[texture]]\nexemplar = \"a.png\"\n", (folder.path() / "c.toml").string());
     EXPECT_EQ(read[0].settings.as<TextureSettings>().exemplar, folder.path() / "a.png");
     EXPECT_THAT(read[0].settings.inputs, ElementsAre(folder.path() / "a.png"));
+}
+
+/// Sizes and names are checked before any work, and what companions hold decides stored results.
+TEST(TextureTable, ChecksCompanions)
+{
+    const TemporaryFolder folder;
+    const std::vector<std::uint8_t> grey(12 * 12);
+    for (const auto& [name, height] : std::map<std::string, int>{{"a.png", 12}, {"b.png", 12}, {"low.png", 10}})
+        write_png(folder.path() / name, {12, height, 1},
+                  [&](int row, int) { return &grey[static_cast<std::size_t>(12 * row)]; });
+    const std::string config = (folder.path() / "c.toml").string(), at = folder.path().string() + "/";
+    const auto read = exhibits_in("[[texture]]\nexemplar = \"a.png\"\nalso = [\"b.png\"]\n", config);
+    EXPECT_THAT(read[0].settings.as<TextureSettings>().also, ElementsAre(folder.path() / "b.png"));
+    EXPECT_THAT(read[0].settings.inputs, ElementsAre(folder.path() / "a.png", folder.path() / "b.png"));
+    const auto refusal = [&](const std::string& also) {
+        return message_of([&] { exhibits_in("[[texture]]\nexemplar = \"a.png\"\nalso = " + also + "\n", config); });
+    };
+    EXPECT_EQ(refusal("[\"b.png\", \"low.png\"]"),
+              config + ":3: also: " + at + "low.png: 12 x 10 pixels: must have 12 x 12, as " + at + "a.png has");
+    EXPECT_EQ(refusal("[\"b.png\", \"b.png\"]"),
+              config + ":3: also: " + at + "b.png: is called as " + at + "b.png is: both would be atlas-b");
+    EXPECT_THAT(refusal("[7]"), HasSubstr(":3: also = [7]: must be a list of pictures' files, in quotes"));
+    EXPECT_THAT(refusal("\"c.png\""),
+                HasSubstr(":3: also = \"c.png\": no such file: must be a list of pictures' files"));
+    expect_texture_refusal("pattern = \"noise\"\nalso = [\"" + at + "b.png\"]", "needs exemplar");
 }
 
 TEST(TextureTable, RefusesWhatCannotBe)
