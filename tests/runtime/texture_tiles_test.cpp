@@ -6,6 +6,7 @@
 #include "runtime/poisson_tiles.h"
 #include "tests/tiles/texture/quartered_set.hpp"
 #include "tiles/packing/closed_packing.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,59 @@ TEST(TextureTilesHeader, HasTheColorsOfPoissonDiskTiles)
         for (const std::uint32_t is_vertical : {0u, 1u})
             EXPECT_EQ(ttiles_edge_color(seed, 5, x, y, is_vertical), ptiles_hash(seed, x, y, is_vertical) % 5);
     }
+}
+
+/// All tiles of a kind, without pixels.
+TextureSet tiles_without_pixels(TextureKind kind, Color colors)
+{
+    TextureSet set;
+    set.kind = kind;
+    set.colors = {colors, colors};
+    for (TileIndex index = 0; index < colors * colors * colors * colors; ++index) set.tiles.push_back({index, 0});
+    return set;
+}
+
+/// Where in the atlas the tile at a place of a window lies, as the header counts.
+std::uint32_t place_in_atlas(const TextureSet& set, const TextureWindow& window, std::size_t column, std::size_t north)
+{
+    const AtlasLayout layout = atlas_layout(set);
+    const auto [x, y] = layout.places[window.tiles[(window.rows - 1 - north) * window.columns + column]];
+    return static_cast<std::uint32_t>((layout.rows - 1 - y) * layout.columns + x);
+}
+
+/// `texture tile` and tables [[texture]] lay the tiles that the header says, also left of 0 and around 2^32.
+TEST(TextureTilesHeader, LaysTheTilesOfTilings)
+{
+    for (const TextureKind kind : {TextureKind::corner, TextureKind::wang})
+        for (const Color colors : {2u, 3u, 5u}) {
+            const TextureSet set = tiles_without_pixels(kind, colors);
+            const auto place = kind == TextureKind::wang ? ttiles_wang_place : ttiles_place;
+            for (const std::int64_t west : {-6ll, (1ll << 32) - 5}) {
+                const TextureWindow window = texture_window(set, {west, 7 - west, 12, 9}, 2147483653u);
+                for (std::uint32_t column = 0; column < 12; ++column)
+                    for (std::uint32_t north = 0; north < 9; ++north)
+                        ASSERT_EQ(place_in_atlas(set, window, column, north),
+                                  place(2147483653u, colors, static_cast<std::uint32_t>(west) + column,
+                                        static_cast<std::uint32_t>(7 - west) + north))
+                            << texture_kinds[kind] << " " << colors << " " << column << " " << north;
+            }
+        }
+}
+
+/// Corners with a map of marks have colours that a program can count as well: the hash of half of them, and the mark.
+TEST(TextureTilesHeader, LaysTheTilesOfMarkedCorners)
+{
+    TextureSet set = tiles_without_pixels(TextureKind::corner, 6);
+    set.classes = 2;
+    const auto is_marked = [](std::uint64_t column, std::uint64_t row) { return (column * 5 + row * 3) % 7 < 3; };
+    const TextureWindow window = marked_texture_window(set, {-4, 9, 11, 8}, 5, is_marked);
+    const auto color = [&](std::uint32_t column, std::uint32_t north) {
+        return ttiles_color(5, 3, column - 4u, north + 9u) + (is_marked(column, north) ? 3u : 0u);
+    };
+    for (std::uint32_t x = 0; x < 11; ++x)
+        for (std::uint32_t y = 0; y < 8; ++y)
+            ASSERT_EQ(place_in_atlas(set, window, x, y),
+                      ttiles_corner_place(6, color(x + 1, y + 1), color(x + 1, y), color(x, y), color(x, y + 1)));
 }
 
 /// Every texel shows the patch of the nearest lattice point, in tiles of quarters: neighbours are contiguous but where

@@ -9,4 +9,21 @@ std::uint32_t endless_place(TileKind kind, std::uint32_t seed, Color colors, std
     return kind == TileKind::wang ? ttiles_wang_place(seed, colors, x, y) : ttiles_place(seed, colors, x, y);
 }
 
+TileIndex endless_index(TileKind kind, std::uint32_t seed, WangColors colors, std::uint32_t x, std::uint32_t y)
+{
+    if (kind == TileKind::wang) {
+        const auto going_east = [&](std::uint32_t row) {
+            return ttiles_edge_color(seed, colors.horizontal, x, row, 0);
+        };
+        const auto going_north = [&](std::uint32_t column) {
+            return ttiles_edge_color(seed, colors.vertical, column, y, 1);
+        };
+        return wang_index({going_east(y + 1), going_north(x + 1), going_east(y), going_north(x)}, colors);
+    }
+    const auto corner = [&](std::uint32_t east, std::uint32_t north) {
+        return ttiles_color(seed, colors.horizontal, x + east, y + north);
+    };
+    return corner_index({corner(1, 1), corner(1, 0), corner(0, 0), corner(0, 1)}, colors.horizontal);
+}
+
 }

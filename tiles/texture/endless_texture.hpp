@@ -1,4 +1,5 @@
-// Where the tiles of endless textures lie in their atlas, as runtime/texture_tiles.h has it for other programs.
+// Which tiles endless textures have where, and where those lie in their atlas, as runtime/texture_tiles.h has it for
+// other programs.
 #pragma once
 
 #include "tiles/tilings/tile_set.hpp"
@@ -10,5 +11,8 @@ namespace poissonlab {
 /// The place in the atlas, y C^2 + x from the lower left, of the tile whose lower left corner is the lattice point (x,
 /// y), modulo 2^32. Tiles are corner or Wang tiles.
 std::uint32_t endless_place(TileKind kind, std::uint32_t seed, Color colors, std::uint32_t x, std::uint32_t y);
+
+/// The index of that tile; Wang tiles may have other numbers of colours of horizontal and of vertical edges.
+TileIndex endless_index(TileKind kind, std::uint32_t seed, WangColors colors, std::uint32_t x, std::uint32_t y);
 
 }

@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/programs/interrupt.hpp"
 #include "base/random/random_words.hpp"
+#include "tiles/texture/endless_texture.hpp"
 #include "tiles/texture/marked_tiles.hpp"
 #include "tiles/tilings/scanline_tiling.hpp"
 
@@ -68,14 +69,18 @@ std::vector<TileIndex> laid_indices(const TextureSet& set, const TileWindow& win
     return laid;
 }
 
+/// The tiles that programs with runtime/texture_tiles.h and `texture map` show there: one hash for all of them, of
+/// places and seeds modulo 2^32.
 std::vector<TileIndex> hashed_indices(bool has_corners, WangColors colors, const TileWindow& window, std::uint64_t seed)
 {
-    const Tiling tiling(has_corners ? DirectAlgorithm::corner : DirectAlgorithm::wang_edge_hash, colors,
-                        HashKind::long_period, seed);
+    const TileKind kind = has_corners ? TileKind::corner : TileKind::wang;
+    const auto low = [](std::uint64_t n) { return static_cast<std::uint32_t>(n); };
     std::vector<TileIndex> tiles;
-    tiling.stream(window, [&](std::int64_t, std::int64_t, std::span<const TileIndex> row) {
-        tiles.insert(tiles.end(), row.begin(), row.end());
-    });
+    tiles.reserve(window.width * window.height);
+    for (std::uint64_t row = window.height; row-- > 0;)
+        for (std::uint64_t column = 0; column < window.width; ++column)
+            tiles.push_back(endless_index(kind, low(seed), colors, low(static_cast<std::uint64_t>(window.x) + column),
+                                          low(static_cast<std::uint64_t>(window.y) + row)));
     return tiles;
 }
 

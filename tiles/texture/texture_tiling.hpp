@@ -1,7 +1,7 @@
 // Which tile of a texture set lies where, and the picture of a window of a tiling.
 //
-// Complete sets are laid by a hash of place and seed, anywhere; other sets by scanlines from their north-west tile
-// (Cohen and others 2003, section 2; Ng and others 2005, section 4.2).
+// Complete sets are laid by the hash of place and seed in runtime/texture_tiles.h, anywhere; other sets by scanlines
+// from their north-west tile (Cohen and others 2003, section 2; Ng and others 2005, section 4.2).
 #pragma once
 
 #include "tiles/texture/texture_set.hpp"

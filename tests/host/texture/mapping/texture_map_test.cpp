@@ -7,6 +7,7 @@
 #include "runtime/texture_tiles.h"
 #include "tests/host/texture/mapped_noise.hpp"
 #include "tests/support/errors.hpp"
+#include "tiles/texture/texture_tiling.hpp"
 
 #include <gmock/gmock.h>
 
@@ -263,6 +264,26 @@ TEST(TextureMap, ShowsTheBytesOfTheAtlasWhereNothingIsFiltered)
                                                         north / tile_pixels, x % tile_pixels, north % tile_pixels) +
                                        c]);
             }
+}
+
+/// What `texture tile` draws is what the map shows from straight above, texel by texel, also left of and below 0.
+TEST(TextureMap, ShowsThePlaneOfTheTiling)
+{
+    constexpr int tiles = 6;
+    for (const TextureKind kind : {TextureKind::corner, TextureKind::wang}) {
+        const TextureSet set = test::mapped_noise(kind, 3, 3, 1);
+        const TextureWindow window = texture_window(set, {-2, -2, tiles + 1, tiles + 1}, tiling_seed);
+        const PngPixels drawn = texture_window_pixels(set, window, set.values, 3);
+        constexpr int size = tiles * tile_pixels;
+        // The view's first row is one texel above so many tiles north of its start.
+        const auto light = reference_map_texture(texture_pyramid(set, tiling_seed), TextureLookup::exact,
+                                                 plan_view(1, -2 * tile_pixels + 0.5, size, TextureFilter::nearest));
+        const PngPixels seen = encoded_pixels(light, size, size, 3);
+        for (int y = 0; y < size; ++y)
+            for (int i = 0; i < 3 * size; ++i)
+                ASSERT_EQ(seen.values[seen.at(0, y, i)], drawn.values[drawn.at(0, y + tile_pixels - 1, i)])
+                    << i / 3 << " " << y;
+    }
 }
 
 /// Tiles far away, and places left of 0: the view from another tile is the same picture.
