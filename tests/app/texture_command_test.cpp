@@ -93,6 +93,23 @@ TEST_F(TextureCommand, MapsThePlane)
         "from their colours; others are laid in scanlines, one by one");
 }
 
+/// Straight above, with a texel a pixel, the map is what `texture tile` draws: its middle is that of tile (-3, 5).
+TEST_F(TextureCommand, MapsThePlaneThatItDraws)
+{
+    for (const std::string kind : {"corner", "wang"}) {
+        printed("build " + kind + " --colors 3 --exemplar noise.png --size 16 --attempts 2 --quiet --out " + kind);
+        printed("map " + kind +
+                " --size 64 64 --tile -3 5 --above 2 --pitch 90 --field 90 --filter nearest --seed 7 "
+                "--engine reference --out map.png");
+        printed("tile " + kind + " --window -5 3 5 5 --seed 7 --out tile.png");
+        const PngPixels map = read_png(folder_.path() / "map.png"), tile = read_png(folder_.path() / "tile.png");
+        ASSERT_EQ(tile.width, 80);
+        for (int row = 0; row < 64; ++row)
+            for (int i = 0; i < 3 * 64; ++i)
+                ASSERT_EQ(map.values[map.at(0, row, i)], tile.values[tile.at(8, row + 8, i)]) << i / 3 << " " << row;
+    }
+}
+
 TEST_F(TextureCommand, MakesTilesWithMarkedCorners)
 {
     const std::string build = "build wang --colors 2 --exemplar noise.png --marked-exemplar noise.png --size 16 "
