@@ -225,6 +225,19 @@ TEST_F(TextureCompanions, AreProvenPixelByPixel)
                                "set/exemplar-rough.png is missing");
 }
 
+/// What is left of an earlier set would be cut by other sources.
+TEST_F(TextureCompanions, DoNotOutliveTheirSet)
+{
+    const std::string build = "build corner --colors 2 --exemplar noise.png --quiet --out set" + small_;
+    printed(build + "--also rough.png --also normal.png");
+    folder_.write("set/atlas-mine.png", "of somebody else");
+    printed(build + "--seed 2 --also normal.png");
+    EXPECT_FALSE(std::filesystem::exists(file("set/atlas-rough.png")));
+    EXPECT_FALSE(std::filesystem::exists(file("set/exemplar-rough.png")));
+    EXPECT_TRUE(std::filesystem::exists(file("set/atlas-mine.png")));
+    expect_cut("set", "atlas-normal.png", "normal.png");
+}
+
 TEST_F(TextureCompanions, WrongOnesAreSaidBeforeTheWork)
 {
     test::write_raw_png(file("small.png"), noise(3, 8, 1, 50, 54));

@@ -1,12 +1,17 @@
 #include "tiles/texture/companion_maps.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/json_file.hpp"
+#include "base/files/stored_object.hpp"
 #include "base/files/xxh64_bytes.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace poissonlab {
 namespace {
@@ -51,6 +56,21 @@ void check_pictures(const fs::path& picture_file, const RawPicture& picture, con
                                          printable(picture_file.filename().string())));
 }
 
+/// The files that a stored set names; none where there is no set.
+std::vector<std::string> stored_companion_files(const fs::path& file)
+{
+    std::vector<std::string> names;
+    try {
+        const nlohmann::json json = read_json_file(file);
+        const StoredObject set(json, file);
+        if (!set.has("companions")) return names;
+        for (const StoredObject& map : set.objects("companions"))
+            for (const char* member : {"picture", "atlas"}) names.push_back(map.file_name(member));
+    } catch (const InputError&) { // whatever it is, it is written anew
+    }
+    return names;
+}
+
 }
 
 CompanionMap companion_map(const std::string& name, RawPicture picture, bool is_original)
@@ -77,6 +97,20 @@ void write_companions(const std::function<fs::path(const std::string& name)>& pl
     for (const CompanionMap& map : set.companions) {
         write_raw_picture(place(map.picture_file), map.picture);
         write_raw_picture(place(map.atlas_file), companion_atlas(set, map.picture));
+    }
+}
+
+void remove_other_companions(const fs::path& folder, const TextureSet& set)
+{
+    const auto is_kept = [&](const std::string& name) {
+        return std::ranges::any_of(set.companions, [&](const CompanionMap& map) {
+            return map.picture_file == name || map.atlas_file == name;
+        });
+    };
+    for (const std::string& name : stored_companion_files(folder / "texture.json")) {
+        const bool is_ours = name.starts_with("exemplar-") || name.starts_with("atlas-");
+        std::error_code ignored;
+        if (is_ours && !is_kept(name)) fs::remove(folder / name, ignored);
     }
 }
 

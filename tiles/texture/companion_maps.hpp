@@ -23,6 +23,10 @@ RawPicture companion_atlas(const TextureSet& set, const RawPicture& picture);
 void write_companions(const std::function<std::filesystem::path(const std::string& name)>& place,
                       const TextureSet& set);
 
+/// Removes the files of companions that a set stored in the folder has and `set` has not: they would be those of other
+/// sources. Files that cannot be read or removed stay.
+void remove_other_companions(const std::filesystem::path& folder, const TextureSet& set);
+
 /// Proves that each pixel of a stored atlas has the bits of the stored picture at its source, and returns how many
 /// pixels those are. Throws InputError that names the first file or pixel of which it is not so.
 std::size_t certify_companion(const std::filesystem::path& folder, const TextureSet& set, const CompanionMap& map);

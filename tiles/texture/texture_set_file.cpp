@@ -222,6 +222,7 @@ void write_texture_set(const fs::path& folder, const TextureSet& set)
     std::error_code problem;
     fs::create_directories(folder, problem);
     if (problem) throw StorageError(fmt::format("{}: cannot be made: {}", folder.string(), problem.message()));
+    remove_other_companions(folder, set);
     write_texture_files([&](const std::string& name) { return folder / name; }, set);
 }
 
