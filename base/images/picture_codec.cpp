@@ -56,7 +56,7 @@ public:
         const auto input = opened(path);
         if (!input) return reason(OIIO::geterror());
         const OIIO::ImageSpec spec = input->spec();
-        if (const std::string lack = lack_of(spec); !lack.empty()) return lack;
+        if (const std::string lack = lack_of(spec, most_pixels); !lack.empty()) return lack;
         const auto pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
         std::vector<float> values(pixels * static_cast<std::uint64_t>(spec.nchannels));
         if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
@@ -72,7 +72,7 @@ public:
         const OIIO::ImageSpec& spec = input->spec();
         header = {spec.width, spec.height, spec.nchannels, type_of(spec)};
         if (spec.get_int_attribute("Orientation", 1) > 4) std::swap(header.width, header.height);
-        return lack_of(spec);
+        return lack_of(spec, most_raw_pixels(spec));
     }
 
     std::string read_raw(const std::filesystem::path& path, RawPicture& picture) const override
@@ -80,7 +80,7 @@ public:
         const auto input = opened(path);
         if (!input) return reason(OIIO::geterror());
         const OIIO::ImageSpec spec = input->spec();
-        if (const std::string lack = lack_of(spec); !lack.empty()) return lack;
+        if (const std::string lack = lack_of(spec, most_raw_pixels(spec)); !lack.empty()) return lack;
         const std::optional<SampleType> type = type_of(spec);
         if (!type) return "it has numbers of another kind";
         picture = {spec.width, spec.height, *type, spec.channelnames, {}};
@@ -115,15 +115,21 @@ private:
     }
 
     /// The words for a picture that is not read, empty for others.
-    static std::string lack_of(const OIIO::ImageSpec& spec)
+    static std::string lack_of(const OIIO::ImageSpec& spec, std::size_t most)
     {
         if (spec.nchannels < 1 || spec.nchannels > most_channels || spec.width < 1 || spec.height < 1)
             return "it has no pixels, or hundreds of channels";
         if (spec.depth > 1) return "it has layers";
-        if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most_pixels)
+        if (static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) > most)
             return std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels: must be at most " +
-                   std::to_string(most_pixels);
+                   std::to_string(most);
         return "";
+    }
+
+    /// Atlases of tiles are larger than what weights are made of.
+    static std::size_t most_raw_pixels(const OIIO::ImageSpec& spec)
+    {
+        return most_png_values / static_cast<std::size_t>(std::max(1, spec.nchannels));
     }
 
     static OIIO::TypeDesc stored_as(SampleType type)

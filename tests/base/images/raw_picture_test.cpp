@@ -1,6 +1,7 @@
 // Pictures as their files have them, against files that libpng and OpenEXR write and read.
 #include "base/images/raw_picture.hpp"
 
+#include "base/images/linear_picture.hpp"
 #include "tests/support/errors.hpp"
 #include "tests/support/raw_png.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -129,6 +130,17 @@ TEST(RawPicture, KeepsTheNumbersOfHalves)
         else
             ASSERT_EQ(value, static_cast<float>(halves[i])) << i;
     }
+}
+
+/// Atlases have more pixels than pictures that become weights may have.
+TEST(RawPicture, MayBeAsLargeAsAnAtlas)
+{
+    const TemporaryFolder folder;
+    const RawPicture large{8193, 1024, SampleType::byte, {"Y"}, std::vector<std::uint8_t>(8193 * 1024, 7)};
+    write_raw_picture(folder.path() / "large.png", large);
+    EXPECT_EQ(read_raw_picture(folder.path() / "large.png").bytes, large.bytes);
+    EXPECT_THAT(message_of([&] { read_linear_picture(folder.path() / "large.png"); }),
+                HasSubstr("8193 x 1024 pixels: must be at most 8388608"));
 }
 
 TEST(RawPicture, RefusesNumbersThatFilesDoNotHold)
