@@ -382,14 +382,14 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 ///
 /// `parent_cells` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their
 /// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
-/// for DART_WORDS each, group for GROUP_WORDS. Without REGION `region_bits` and what follows are not there.
+/// for DART_WORDS each, group for GROUP_WORDS. Without REGION `region` and what follows are not there.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
                         global const uint* positions, constant const uint* thresholds, global uint* open_cells,
                         global uint* darts, global uint* counters, local uint* staged_cells, local uint* staged_darts,
                         local uint* group
 #if REGION
                         ,
-                        uint region_bits, uint region_margin, ulong squared_margin, global const uint* region_cells, global const uint* region_edges,
+                        struct RegionGrid region, global const uint* region_cells, global const uint* region_edges,
                         global const uint* region_filled
 #endif
 )
@@ -404,7 +404,7 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
     const uint first = min((uint)get_global_id(0) * THROW_RUN, batch.parents);
     const uint count = min((uint)THROW_RUN, batch.parents - first);
 #if REGION
-    const Grid grid = {masks, positions, {region_bits, region_margin, squared_margin, region_cells, region_edges, region_filled}};
+    const Grid grid = {masks, positions, {region, region_cells, region_edges, region_filled}};
 #else
     const Grid grid = {masks, positions, {0}};
 #endif

@@ -13,6 +13,17 @@ constexpr std::size_t cells_an_edge = 16;
 constexpr int least_grid_bits = 5;
 constexpr int most_grid_bits = 11;
 
+constexpr std::uint32_t most_coordinate = (1u << FixedRegion::coordinate_bits) - 1;
+
+FixedEdgeKind kind_of(const FixedEdge& e)
+{
+    return FixedEdgeKind{e[0] >> FixedRegion::coordinate_bits | e[2] >> FixedRegion::coordinate_bits << 1};
+}
+
+FixedEdge ends_of(const FixedEdge& e) { return {e[0] & most_coordinate, e[1], e[2] & most_coordinate, e[3]}; }
+
+bool is_of_boundary(const FixedEdge& e) { return kind_of(e) == FixedEdgeKind::boundary; }
+
 std::int64_t whole(std::uint32_t value) { return static_cast<std::int64_t>(value); }
 
 /// Positive on one side of the edge's line, negative on the other, and 0 on it.
@@ -51,11 +62,10 @@ bool touches(const FixedEdge& e, const FixedBox& box)
 /// The box and what is so near to it along the axes, as far as coordinates go.
 FixedBox enlarged(const FixedBox& box, std::uint32_t margin)
 {
-    constexpr std::uint32_t most = (1u << FixedRegion::coordinate_bits) - 1;
     FixedBox large;
     for (std::size_t k = 0; k < 2; ++k) {
         large.low[k] = box.low[k] - std::min(box.low[k], margin);
-        large.high[k] = box.high[k] + std::min(most - box.high[k], margin);
+        large.high[k] = box.high[k] + std::min(most_coordinate - box.high[k], margin);
     }
     return large;
 }
@@ -83,38 +93,71 @@ bool is_all_near(const FixedEdge& e, const FixedBox& box, std::uint64_t squared)
 }
 
 FixedRegion::FixedRegion(const PlaneRegion& region, double margin)
-    : box_(box_of(region)), unit_(torus_side(box_) * 0x1p-32), area_(area_of(region)),
-      margin_(static_cast<std::uint32_t>(std::ceil(margin * 0x1p32))), squared_margin_(squared_threshold(margin))
+    : FixedRegion(region, margin, KeptAway{{}, {}, 0, 0, box_of(region)})
+{}
+
+FixedRegion::FixedRegion(const PlaneRegion& region, double margin, const KeptAway& kept_away)
+    : box_(kept_away.box), unit_(torus_side(box_) * 0x1p-32), area_(area_of(region))
 {
+    const std::array margins{margin, kept_away.from_lines, kept_away.from_points};
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+        margins_[i] = static_cast<std::uint32_t>(std::ceil(margins[i] * 0x1p32));
+        squared_margins_[i] = squared_threshold(margins[i]);
+    }
     for (const RegionPolygon& polygon : region.polygons) {
         add_ring(polygon.outline);
         for (const RegionRing& hole : polygon.holes) add_ring(hole);
     }
+    for (const auto& [x0, y0, x1, y1] : kept_away.lines) add_edge({x0, y0}, {x1, y1}, FixedEdgeKind::line);
+    for (const auto& point : kept_away.points) add_edge(point, point, FixedEdgeKind::point);
     const auto wanted = static_cast<int>(std::bit_width(cells_an_edge * edges_.size() - 1));
     bits_ = std::clamp((wanted + 1) / 2, least_grid_bits, most_grid_bits);
-    // Cells no narrower than the margin, so that they are near few others.
-    while (bits_ > 0 && margin_ >> shift() != 0) --bits_;
+    // Cells no narrower than the margins, so that they are near few others.
+    while (bits_ > 0 && std::ranges::max(margins_) >> shift() != 0) --bits_;
     list_edges();
     find_corners();
     count_filled();
 }
 
+TorusPoint<2> FixedRegion::rounded(const std::array<double, 2>& corner) const
+{
+    TorusPoint<2> position;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double exact = std::round((corner[k] - box_.low[k]) / unit_);
+        position[k] = static_cast<std::uint32_t>(std::clamp(exact, 0.0, 0x1p31 - 1));
+    }
+    return position;
+}
+
+void FixedRegion::add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind)
+{
+    TorusPoint<2> a = rounded(from), b = rounded(to);
+    if (a == b && kind == FixedEdgeKind::boundary) return;
+    if (std::pair(b[1], b[0]) < std::pair(a[1], a[0])) std::swap(a, b);
+    const std::uint32_t line = kind == FixedEdgeKind::line, point = kind == FixedEdgeKind::point;
+    edges_.push_back({a[0] | line << coordinate_bits, a[1], b[0] | point << coordinate_bits, b[1]});
+}
+
 void FixedRegion::add_ring(const RegionRing& ring)
 {
-    const auto rounded = [&](const std::array<double, 2>& corner) {
-        TorusPoint<2> position;
-        for (std::size_t k = 0; k < 2; ++k) {
-            const double exact = std::round((corner[k] - box_.low[k]) / unit_);
-            position[k] = static_cast<std::uint32_t>(std::clamp(exact, 0.0, 0x1p31 - 1));
-        }
-        return position;
-    };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        TorusPoint<2> a = rounded(ring[i]), b = rounded(ring[(i + 1) % ring.size()]);
-        if (a == b) continue;
-        if (std::pair(b[1], b[0]) < std::pair(a[1], a[0])) std::swap(a, b);
-        edges_.push_back({a[0], a[1], b[0], b[1]});
-    }
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        add_edge(ring[i], ring[(i + 1) % ring.size()], FixedEdgeKind::boundary);
+}
+
+std::uint32_t FixedRegion::margin_of(const FixedEdge& edge) const
+{
+    return margins_[static_cast<std::size_t>(kind_of(edge))];
+}
+
+std::uint64_t FixedRegion::squared_margin_of(const FixedEdge& edge) const
+{
+    return squared_margins_[static_cast<std::size_t>(kind_of(edge))];
+}
+
+bool FixedRegion::is_too_near(const FixedEdge& edge, const TorusPoint<2>& position) const
+{
+    const std::uint64_t squared = squared_margin_of(edge);
+    return squared != 0 && is_near(ends_of(edge), position, squared);
 }
 
 /// The cells that an edge is near are found row by row, nearly, and then exactly.
@@ -123,25 +166,25 @@ void FixedRegion::list_edges()
     const std::uint32_t width = 1u << shift();
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found; // cell, edge
     for (std::uint32_t number = 0; number < edges_.size(); ++number) {
-        const FixedEdge& e = edges_[number];
-        const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin_);
+        const FixedEdge e = ends_of(edges_[number]);
+        const std::uint32_t margin = margin_of(edges_[number]);
+        const FixedBox box = enlarged({{std::min(e[0], e[2]), e[1]}, {std::max(e[0], e[2]), e[3]}}, margin);
         const double slope = e[3] == e[1] ? 0 : (double{1} * e[2] - e[0]) / (double{1} * e[3] - e[1]);
         for (std::uint32_t row = box.low[1] >> shift(); row <= box.high[1] >> shift(); ++row) {
             const std::uint32_t bottom = row << shift(), top = bottom + width - 1;
             double first = box.low[0], last = box.high[0];
             if (e[1] != e[3]) {
                 // Heights of the edge that are near the row, from its lower end.
-                const double below =
-                    std::clamp(double{1} * bottom - margin_, double{1} * e[1], double{1} * e[3]) - e[1];
-                const double above = std::clamp(double{1} * top + margin_, double{1} * e[1], double{1} * e[3]) - e[1];
+                const double below = std::clamp(double{1} * bottom - margin, double{1} * e[1], double{1} * e[3]) - e[1];
+                const double above = std::clamp(double{1} * top + margin, double{1} * e[1], double{1} * e[3]) - e[1];
                 const auto [least, most] = std::minmax({e[0] + slope * below, e[0] + slope * above});
-                first = std::max(first, least - margin_ - 2);
-                last = std::min(last, most + margin_ + 2);
+                first = std::max(first, least - margin - 2);
+                last = std::min(last, most + margin + 2);
             }
             const auto last_column = static_cast<std::uint32_t>(last) >> shift();
             for (std::uint32_t c = static_cast<std::uint32_t>(first) >> shift(); c <= last_column; ++c) {
                 const std::uint32_t left = c << shift();
-                if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin_)))
+                if (touches(e, enlarged({{left, bottom}, {left + width - 1, top}}, margin)))
                     found.emplace_back(static_cast<std::uint32_t>(cell_at(c, row)), number);
             }
         }
@@ -160,7 +203,7 @@ void FixedRegion::find_corners()
 {
     std::vector<bool> turns(std::size_t{1} << 2 * bits_);
     for (const FixedEdge& e : edges_) {
-        if (e[1] == e[3]) continue;
+        if (e[1] == e[3] || !is_of_boundary(e)) continue;
         const std::uint32_t width = 1u << shift();
         for (std::uint32_t row = (e[1] + width - 1) >> shift(); row < size() && row << shift() < e[3]; ++row) {
             const std::int64_t y = whole(row) << shift();
@@ -196,31 +239,32 @@ void FixedRegion::count_filled()
         }
 }
 
-bool FixedRegion::contains(const TorusPoint<2>& p, std::uint64_t squared_margin) const
+bool FixedRegion::contains(const TorusPoint<2>& p, bool has_margins) const
 {
     if ((p[0] | p[1]) >> coordinate_bits != 0) return false;
     const TorusPoint<2> corner{p[0] >> shift() << shift(), p[1] >> shift() << shift()};
     const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
-    bool is_inside = cells_[cell] % 2 == 1;
+    bool is_inside = cells_[cell] % 2 == 1, is_on_edge = false;
     for (const FixedEdge& e : edges_of(cell)) {
+        if (has_margins && is_too_near(e, p)) return false;
+        if (!is_of_boundary(e)) continue;
         const std::int64_t side = line_side(e, whole(p[0]), whole(p[1]));
-        if (squared_margin != 0 && is_near(e, p, squared_margin)) return false;
-        if (side == 0 && is_between(e, p)) return true;
+        is_on_edge |= side == 0 && is_between(e, p);
         const std::int64_t above_corner = line_side(e, whole(corner[0]), whole(p[1]));
         if (spans_height(e, p[1])) is_inside ^= is_left(e, side) != is_left(e, above_corner);
         if (spans_width(e, corner[0]))
             is_inside ^= is_below(e, above_corner) != is_below(e, line_side(e, whole(corner[0]), whole(corner[1])));
     }
-    return is_inside;
+    return is_inside || is_on_edge;
 }
 
 bool FixedRegion::contains_plainly(const TorusPoint<2>& p) const
 {
     if ((p[0] | p[1]) >> coordinate_bits != 0) return false;
-    const auto is_edge_near = [&](const FixedEdge& e) { return is_near(e, p, squared_margin_); };
-    if (squared_margin_ != 0 && std::ranges::any_of(edges_, is_edge_near)) return false;
+    if (std::ranges::any_of(edges_, [&](const FixedEdge& e) { return is_too_near(e, p); })) return false;
     bool is_inside = false;
     for (const FixedEdge& e : edges_) {
+        if (!is_of_boundary(e)) continue;
         const std::int64_t side = line_side(e, whole(p[0]), whole(p[1]));
         if (side == 0 && is_between(e, p)) return true;
         if (spans_height(e, p[1])) is_inside ^= is_left(e, side);
@@ -231,8 +275,7 @@ bool FixedRegion::contains_plainly(const TorusPoint<2>& p) const
 RegionSide FixedRegion::side_of(const FixedBox& box) const
 {
     if ((box.low[0] | box.low[1]) >> coordinate_bits != 0) return RegionSide::outside;
-    constexpr std::uint32_t most = (1u << coordinate_bits) - 1;
-    const FixedBox cut{box.low, {std::min(box.high[0], most), std::min(box.high[1], most)}};
+    const FixedBox cut{box.low, {std::min(box.high[0], most_coordinate), std::min(box.high[1], most_coordinate)}};
     const std::uint32_t left = cut.low[0] >> shift(), right = cut.high[0] >> shift();
     const std::uint32_t bottom = cut.low[1] >> shift(), top = cut.high[1] >> shift();
     const std::size_t stride = size() + 1;
@@ -240,17 +283,18 @@ RegionSide FixedRegion::side_of(const FixedBox& box) const
                                  filled_[stride * bottom + right + 1] + filled_[stride * bottom + left];
     if (filled == 0) return RegionSide::outside;
     if (right > left + 1 || top > bottom + 1) return RegionSide::crossed;
-    const FixedBox large = enlarged(cut, margin_);
     bool is_crossed = false, is_near_edge = false;
     for (std::uint32_t row = bottom; row <= top; ++row)
         for (std::uint32_t column = left; column <= right; ++column)
             for (const FixedEdge& e : edges_of(cell_at(column, row))) {
-                if (squared_margin_ != 0 && is_all_near(e, cut, squared_margin_)) return RegionSide::outside;
-                is_crossed |= touches(e, cut);
-                is_near_edge |= touches(e, large);
+                const FixedEdge ends = ends_of(e);
+                const std::uint64_t squared = squared_margin_of(e);
+                if (squared != 0 && is_all_near(ends, cut, squared)) return RegionSide::outside;
+                is_crossed |= is_of_boundary(e) && touches(ends, cut);
+                is_near_edge |= touches(ends, enlarged(cut, margin_of(e)));
             }
     if (is_crossed) return RegionSide::crossed;
-    if (!contains(box.low, 0)) return RegionSide::outside;
+    if (!contains(box.low, false)) return RegionSide::outside;
     return cut.high == box.high && !is_near_edge ? RegionSide::inside : RegionSide::crossed;
 }
 

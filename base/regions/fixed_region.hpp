@@ -10,7 +10,7 @@
 // touched. kernels/common/regions/inside_region.clh does the same.
 //
 // With a margin positions that are nearer than it to an edge are outside as well, and cells have all edges that are so
-// near to them.
+// near to them. Lines and points to keep away from are edges with margins of their own, which nothing is inside of.
 #pragma once
 
 #include "base/geometry/torus.hpp"
@@ -23,8 +23,27 @@
 
 namespace poissonlab {
 
-/// An edge from its lower end to its upper one: x, y, x, y.
+/// An edge from its lower end to its upper one: x, y, x, y. The highest bit of the first x is that of lines to keep
+/// away from, the highest bit of the second x that of points.
 using FixedEdge = std::array<std::uint32_t, 4>;
+
+/// What an edge is; margins are listed in this order.
+enum class FixedEdgeKind : std::uint32_t
+{
+    boundary,
+    line,
+    point
+};
+
+/// What positions keep away from besides the boundary.
+struct KeptAway
+{
+    std::vector<std::array<double, 4>> lines;  ///< from x, y to x, y in units of the region
+    std::vector<std::array<double, 2>> points; ///< in these units
+    double from_lines = 0;                     ///< the margin of lines, in unit lengths of the torus
+    double from_points = 0;                    ///< that of points
+    RegionBox box; ///< which all of this lies in, and the region: the grid is that of this box
+};
 
 /// Positions low, low + 1, ..., high along each axis.
 struct FixedBox
@@ -53,7 +72,9 @@ public:
     /// Of a region that check_region() takes. `margin` in unit lengths of the torus, from 0 to 1/2.
     explicit FixedRegion(const PlaneRegion& region, double margin = 0);
 
-    bool contains(const TorusPoint<2>& position) const { return contains(position, squared_margin_); }
+    FixedRegion(const PlaneRegion& region, double margin, const KeptAway& kept_away);
+
+    bool contains(const TorusPoint<2>& position) const { return contains(position, true); }
 
     /// The same without the grid, by all edges: to test it.
     bool contains_plainly(const TorusPoint<2>& position) const;
@@ -69,8 +90,9 @@ public:
 
     // What the grid consists of.
     int bits() const { return bits_; }
-    std::uint32_t margin() const { return margin_; }                 ///< in positions, rounded up
-    std::uint64_t squared_margin() const { return squared_margin_; } ///< in units of 2^-64, rounded up
+    const std::array<std::uint32_t, 3>& margins() const { return margins_; } ///< in positions, rounded up
+    /// In units of 2^-64, rounded up.
+    const std::array<std::uint64_t, 3>& squared_margins() const { return squared_margins_; }
 
     /// For each cell, x fastest, twice the number of its first edge in edges(), plus 1 where its lowest corner is
     /// inside; then the end of the last.
@@ -81,9 +103,14 @@ public:
     std::span<const std::uint32_t> filled() const { return filled_; }
 
 private:
+    TorusPoint<2> rounded(const std::array<double, 2>& corner) const;
+    void add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind);
     void add_ring(const RegionRing& ring);
-    /// Is the position inside and no nearer to an edge?
-    bool contains(const TorusPoint<2>& position, std::uint64_t squared_margin) const;
+    /// Is the position inside? With margins: and no nearer to an edge than its margin?
+    bool contains(const TorusPoint<2>& position, bool has_margins) const;
+    bool is_too_near(const FixedEdge& edge, const TorusPoint<2>& position) const;
+    std::uint32_t margin_of(const FixedEdge& edge) const;
+    std::uint64_t squared_margin_of(const FixedEdge& edge) const;
 
     void list_edges();
     void find_corners();
@@ -100,9 +127,9 @@ private:
     RegionBox box_;
     double unit_ = 1, area_ = 0;
     int bits_ = 0;
-    std::uint32_t margin_ = 0;         ///< rounded up
-    std::uint64_t squared_margin_ = 0; ///< of the margin that is not rounded
-    std::vector<FixedEdge> edges_;     ///< each once
+    std::array<std::uint32_t, 3> margins_{};         ///< rounded up
+    std::array<std::uint64_t, 3> squared_margins_{}; ///< of margins that are not rounded
+    std::vector<FixedEdge> edges_;                   ///< each once
     std::vector<FixedEdge> listed_;
     std::vector<std::uint32_t> cells_, filled_;
 };

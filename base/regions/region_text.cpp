@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/regions/obstacles.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +27,18 @@ bool begins_with(std::string_view text, std::string_view word)
            });
 }
 
+/// The word alone, before a bracket or before blanks: what goes on otherwise is a file's name, such as points.geojson.
+bool begins_with_whole(std::string_view text, std::string_view word)
+{
+    if (!begins_with(text, word)) return false;
+    return text.size() == word.size() || std::string_view("( \t\r\n").find(text[word.size()]) != std::string_view::npos;
+}
+
 bool is_wkt(std::string_view text)
 {
-    return begins_with(text, "POLYGON") || begins_with(text, "MULTIPOLYGON") || begins_with(text, "SRID=");
+    if (begins_with(text, "MULTI")) text.remove_prefix(5);
+    return begins_with_whole(text, "POLYGON") || begins_with_whole(text, "POINT") ||
+           begins_with_whole(text, "LINESTRING") || begins_with(text, "SRID=");
 }
 
 std::string_view without_blanks_around(std::string_view text)
@@ -94,33 +104,84 @@ bool is_far_away(const RegionBox& box)
     return nearest > far_away * box.longest();
 }
 
-void refuse_degrees(const PlaneRegion& region, const std::string& name, const std::string& why)
+void refuse_degrees(const RegionBox& box, const std::string& name, const std::string& why)
 {
-    const RegionBox box = box_of(region);
     throw InputError(
         fmt::format("{}: {}: coordinates from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) look like longitude and latitude, "
                     "whose degrees are no lengths: project them to metres, or say that they are lengths (planar)",
                     name, why, box.low[0], box.low[1], box.high[0], box.high[1]));
 }
 
+/// What stands before WKT, and the rest.
+struct WktBegin
+{
+    bool says_degrees = false;
+    bool says_metres = false;
+    std::string text;
+};
+
+WktBegin wkt_begin(std::string_view text, const std::string& name)
+{
+    if (!begins_with(text, "SRID=")) return {false, false, std::string(text)};
+    const std::size_t end = text.find(';');
+    if (end == std::string_view::npos) throw InputError(name + ": is not WKT: no ; after SRID=");
+    const std::string_view system = text.substr(5, end - 5);
+    const bool says_degrees = system == "4326" || system == "4269" || system == "4258";
+    return {says_degrees, !says_degrees, std::string(without_blanks_around(text.substr(end + 1)))};
+}
+
 PlaneRegion read_wkt(std::string_view text, const std::string& name, bool is_planar)
 {
-    bool says_degrees = false, says_metres = false;
-    if (begins_with(text, "SRID=")) {
-        const std::size_t end = text.find(';');
-        if (end == std::string_view::npos) throw InputError(name + ": is not WKT: no ; after SRID=");
-        const std::string_view system = text.substr(5, end - 5);
-        says_degrees = system == "4326" || system == "4269" || system == "4258";
-        says_metres = !says_degrees;
-        text = without_blanks_around(text.substr(end + 1));
-    }
-    PlaneRegion region = region_of_wkt(std::string(text), name);
+    const WktBegin begin = wkt_begin(text, name);
+    PlaneRegion region = region_of_wkt(begin.text, name);
     check_region(region, name);
-    if (is_planar || says_metres) return region;
+    if (is_planar || begin.says_metres) return region;
     const RegionBox box = box_of(region);
-    if (says_degrees) refuse_degrees(region, name, "its SRID is one of degrees");
-    if (fits_globe(box) && is_far_away(box)) refuse_degrees(region, name, "it is small and far from 0");
+    if (begin.says_degrees) refuse_degrees(box, name, "its SRID is one of degrees");
+    if (fits_globe(box) && is_far_away(box)) refuse_degrees(box, name, "it is small and far from 0");
     return region;
+}
+
+/// A region's text, what messages call it, and what it holds.
+struct TypedRegion
+{
+    std::string name, content;
+
+    explicit TypedRegion(const std::string& text)
+    {
+        const bool is_file = !is_region_text(text);
+        name = is_file ? printable(text) : shortened(printable(text), 40);
+        content = without_blanks_around(is_file ? read_whole_file(text) : text);
+        if (!is_region_text(content))
+            throw InputError(name + ": is neither GeoJSON nor WKT, nor rectangle X0 Y0 X1 Y1, nor disk X Y RADIUS");
+    }
+};
+
+PlaneRegion shape_of(const std::string& text)
+{
+    return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
+}
+
+/// As if lines and points were outlines.
+PlaneRegion outlines_of(const Obstacles& obstacles)
+{
+    PlaneRegion all{obstacles.polygons};
+    for (const RegionRing& line : obstacles.lines) all.polygons.push_back({line});
+    all.polygons.push_back({obstacles.points});
+    return all;
+}
+
+RegionBox box_of_all(const Obstacles& obstacles) { return box_of(outlines_of(obstacles)); }
+
+void check_obstacles(const Obstacles& obstacles, const std::string& name)
+{
+    if (obstacles.count() == 0) throw InputError(name + ": has no point, line or polygon to keep away from");
+    for (const RegionPolygon& polygon : outlines_of(obstacles).polygons)
+        for (const auto& [x, y] : polygon.outline)
+            if (!std::isfinite(x) || !std::isfinite(y)) throw InputError(name + ": has a coordinate that is no number");
+    for (std::size_t i = 0; i < obstacles.polygons.size(); ++i)
+        check_region({{obstacles.polygons[i]}},
+                     obstacles.polygons.size() == 1 ? name : fmt::format("{}: polygon {}", name, i + 1));
 }
 
 }
@@ -133,24 +194,37 @@ bool is_region_text(std::string_view text)
 
 PlaneRegion read_region(const std::string& text, bool is_planar)
 {
-    const bool is_file = !is_region_text(text);
-    const std::string name = is_file ? printable(text) : shortened(printable(text), 40);
-    const std::string content = is_file ? read_whole_file(text) : text;
-    const std::string_view begin = without_blanks_around(content);
-    if (begin.starts_with('{')) {
-        bool says_metres = false;
-        PlaneRegion region = region_of_geojson(content, name, says_metres);
-        check_region(region, name);
-        if (!is_planar && !says_metres && fits_globe(box_of(region)))
-            refuse_degrees(region, name, "GeoJSON without another crs");
-        return region;
-    }
-    if (is_wkt(begin)) return read_wkt(begin, name, is_planar);
-    if (!is_region_text(begin))
-        throw InputError(name + ": is neither GeoJSON nor WKT, nor rectangle X0 Y0 X1 Y1, nor disk X Y RADIUS");
-    PlaneRegion region = begins_with(begin, "disk ") ? disk_of(std::string(begin)) : rectangle_of(std::string(begin));
-    check_region(region, name);
+    const TypedRegion typed(text);
+    if (is_wkt(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
+    const bool is_json = typed.content.starts_with('{');
+    bool says_metres = false;
+    PlaneRegion region = is_json ? region_of_geojson(typed.content, typed.name, says_metres) : shape_of(typed.content);
+    check_region(region, typed.name);
+    if (is_json && !is_planar && !says_metres && fits_globe(box_of(region)))
+        refuse_degrees(box_of(region), typed.name, "GeoJSON without another crs");
     return region;
+}
+
+Obstacles read_obstacles(const std::string& text, bool is_planar)
+{
+    const TypedRegion typed(text);
+    Obstacles obstacles;
+    std::string degrees; // why coordinates are taken for degrees
+    if (is_wkt(typed.content)) {
+        const WktBegin begin = wkt_begin(typed.content, typed.name);
+        obstacles = obstacles_of_wkt(begin.text, typed.name);
+        if (begin.says_degrees) degrees = "its SRID is one of degrees";
+    } else if (typed.content.starts_with('{')) {
+        bool says_metres = false;
+        obstacles = obstacles_of_geojson(typed.content, typed.name, says_metres);
+        if (!says_metres && obstacles.count() > 0 && fits_globe(box_of_all(obstacles)))
+            degrees = "GeoJSON without another crs";
+    } else {
+        obstacles.polygons = shape_of(typed.content).polygons;
+    }
+    check_obstacles(obstacles, typed.name);
+    if (!degrees.empty() && !is_planar) refuse_degrees(box_of_all(obstacles), typed.name, degrees);
+    return obstacles;
 }
 
 }

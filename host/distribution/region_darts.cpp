@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/plane_delaunay.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
@@ -30,6 +31,59 @@ double rounding_of(double distance, const RegionBox& box)
     return 4 * largest * std::numeric_limits<double>::epsilon() + distance * 0x1p-50;
 }
 
+/// Obstacles are kept this part of the minimum distance away at least: slits between walls that all but touch would
+/// take points otherwise, and to find whether they do takes boxes as small as the slit.
+constexpr double least_gap = 1.0 / 1024;
+
+/// How far points keep away from obstacles, in units of the region: from lines and edges of polygons, and from points.
+struct ObstacleDistances
+{
+    double lines = 0;
+    double points = 0;
+};
+
+ObstacleDistances obstacle_distances(const DartSettings& settings, double min_distance)
+{
+    const double least = settings.boundary == RegionBoundary::disks ? min_distance / 2 : min_distance * least_gap;
+    return {std::max(settings.obstacle_distance.value_or(0), least),
+            std::max(settings.obstacle_distance.value_or(min_distance), least)};
+}
+
+/// A box that is larger on all sides.
+RegionBox enlarged_box(RegionBox box, double by)
+{
+    for (std::size_t k = 0; k < 2; ++k) {
+        box.low[k] -= by;
+        box.high[k] += by;
+    }
+    return box;
+}
+
+/// What is cut off at the border of the grid lies farther away than it matters, by this part of the region's extent.
+constexpr double spare_border = 1e-6;
+
+/// Corners of obstacles and of what is left of the region are rounded, by less than a position along each axis: an edge
+/// moves by less than two.
+constexpr double lost_by_rounding = 2;
+
+KeptAway kept_away_of(const Obstacles& obstacles, const RegionBox& box, const ObstacleDistances& distances)
+{
+    // What is not there makes the grid no larger.
+    const double lines = obstacles.lines.empty() && obstacles.polygons.empty() ? 0 : distances.lines;
+    const double points = obstacles.points.empty() ? 0 : distances.points;
+    KeptAway kept;
+    kept.box = enlarged_box(box, std::max(lines, points) + box.longest() * spare_border);
+    kept.lines = lines_within(obstacles, kept.box);
+    kept.points = points_within(obstacles, kept.box);
+    const double side = FixedRegion::torus_side(kept.box);
+    const auto margin = [&](double distance) {
+        return (distance + rounding_of(distance, kept.box)) / side + lost_by_rounding * 0x1p-32;
+    };
+    if (!kept.lines.empty()) kept.from_lines = margin(lines);
+    if (!kept.points.empty()) kept.from_points = margin(points);
+    return kept;
+}
+
 double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
 {
     const double dx = points[i][0] - points[j][0], dy = points[i][1] - points[j][1];
@@ -41,19 +95,31 @@ double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
 RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed)
 {
     RegionDartRequest request;
-    const PlaneRegion plane = read_region(settings.region, settings.is_planar);
-    const RegionBox box = box_of(plane);
+    const PlaneRegion whole = read_region(settings.region, settings.is_planar);
+    if (!settings.obstacles.empty()) request.obstacles = read_obstacles(settings.obstacles, settings.is_planar);
+    request.plane = without_polygons(whole, request.obstacles.polygons);
+    if (request.plane.polygons.empty()) throw InputError("the obstacles cover the region: nothing is left of it");
+    const PlaneRegion& plane = request.plane;
     request.min_distance = settings.min_distance ? *settings.min_distance
                                                  : min_distance_for(settings.relative_radius, *settings.points, 2) *
                                                        std::sqrt(area_of(plane));
-    const double longest = box.longest();
+    const double longest = box_of(whole).longest();
     if (settings.min_distance && request.min_distance > longest)
         throw InputError(
             fmt::format("{:.6g} is more than the region's longest side, {:.6g}: there is room for one point",
                         request.min_distance, longest));
+    KeptAway kept{{}, {}, 0, 0, box_of(whole)};
+    if (!settings.obstacles.empty()) {
+        if (settings.obstacle_distance.value_or(0) > longest)
+            throw InputError(fmt::format("obstacles at a distance of {:.6g}: that is more than the region's longest "
+                                         "side, {:.6g}",
+                                         *settings.obstacle_distance, longest));
+        kept = kept_away_of(request.obstacles, kept.box, obstacle_distances(settings, request.min_distance));
+    }
+    request.near_obstacles = kept.lines.size() + kept.points.size();
     // A single point, or a few in a thin region, would be as far apart as one likes.
-    const double side = FixedRegion::torus_side(box);
-    const double distance = std::min(request.min_distance + rounding_of(request.min_distance, box), side / 2);
+    const double side = FixedRegion::torus_side(kept.box);
+    const double distance = std::min(request.min_distance + rounding_of(request.min_distance, kept.box), side / 2);
     if (level_0_cells(distance / side, 2) > max_level_0_cells)
         throw InputError(
             fmt::format("a minimum distance of {:.3g} needs a finer grid than memory has room for; at least "
@@ -63,7 +129,7 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
     request.darts.points = settings.points;
     request.darts.stream = stream_key(seed, Purpose::dart_throwing, 0, region_stream);
     request.region = std::make_shared<const FixedRegion>(
-        plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0);
+        plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0, kept);
     request.darts.region = request.region;
     return request;
 }
@@ -80,9 +146,12 @@ RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed,
         check_fits("dart throwing", DartThrower::memory(request, device.info()), device.info());
         fixed = DartThrower(device).throw_darts(request);
     }
+    const std::string among = settings.obstacles.empty() ? "" : " among the obstacles";
     if (fixed.size() == 0)
-        throw InputError(
-            fmt::format("the region has no room for a disk of diameter {:.6g}", darts.request.min_distance));
+        throw InputError(settings.boundary == RegionBoundary::disks
+                             ? fmt::format("the region has no room for a disk of diameter {:.6g}{}",
+                                           darts.request.min_distance, among)
+                             : "the region has no room for a point" + among);
     if (settings.points && fixed.size() < *settings.points) {
         const double share = static_cast<double>(fixed.size()) / static_cast<double>(*settings.points);
         const std::string less =

@@ -3,10 +3,14 @@
 // The region lies on a quarter of the unit torus (see base/regions/fixed_region.hpp), and so do the darts, which dart
 // throwing drops where they fall outside: the law is that of darts that are thrown into the region alone, which has no
 // neighbours beyond its boundary.
+//
+// Obstacles that are polygons are taken out of the region. Besides, points keep away from edges of polygons, from lines
+// and from points, wherever these lie, by margins of the region's grid.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
 #include "base/regions/fixed_region.hpp"
+#include "base/regions/obstacles.hpp"
 #include "host/kinds/distribution_place.hpp"
 #include "host/sampling/dart_throwing.hpp"
 #include "host/settings/distributions/distribution_config.hpp"
@@ -18,6 +22,9 @@ namespace poissonlab {
 /// What is asked for, in the units of the torus and in those of the region.
 struct RegionDartRequest
 {
+    PlaneRegion plane; ///< without polygons among the obstacles
+    Obstacles obstacles;
+    std::size_t near_obstacles = 0; ///< lines, edges of polygons and points that are near enough to matter, nearly
     std::shared_ptr<const FixedRegion> region;
     double min_distance = 0; ///< in the region's units
     DartThrowingRequest darts;

@@ -6,12 +6,14 @@
 #include "base/geometry/torus.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
 #include "kernels/common/darts/dart_throwing.h"
+#include "kernels/common/regions/region_grid.h"
 
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 namespace poissonlab {
@@ -69,6 +71,15 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
     for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
         buffers.push_back(buffer);
     return buffers;
+}
+
+contract::regions::RegionGrid region_grid(const FixedRegion& region)
+{
+    contract::regions::RegionGrid grid{
+        .squared_margins = {}, .margins = {}, .bits = static_cast<unsigned>(region.bits())};
+    std::ranges::copy(region.squared_margins(), std::begin(grid.squared_margins));
+    std::ranges::copy(region.margins(), std::begin(grid.margins));
+    return grid;
 }
 
 KernelProgram throwing_program(const DartTorus& torus, bool has_region)
@@ -172,8 +183,7 @@ private:
                            local_words(contract::dart_throwing::GROUP_WORDS), region...);
             };
             if (request_.region)
-                run(u32(static_cast<std::size_t>(request_.region->bits())), request_.region->margin(),
-                    request_.region->squared_margin(), b.region_cells, b.region_edges, b.region_filled);
+                run(region_grid(*request_.region), b.region_cells, b.region_edges, b.region_filled);
             else
                 run();
             std::array<std::uint32_t, 2> counts;

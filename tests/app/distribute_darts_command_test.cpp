@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <tuple>
 
 namespace poissonlab {
@@ -38,6 +39,25 @@ TEST_F(DistributeDarts, WritesPointsInUnitsOfTheRegion)
     EXPECT_EQ(read_points(folder_.path() / "b.csv", CoordinateRange{0, 1000}).at(0), points);
 }
 
+TEST_F(DistributeDarts, KeepsAwayFromObstacles)
+{
+    folder_.write("trees.wkt", "MULTIPOINT ((20 20), (70 60))");
+    const std::vector<std::string> words{"--region", "rectangle 0 0 90 90", "--min-distance", "9", "--out", "a.txt"};
+    std::vector<std::string> among = words, far = words;
+    among.insert(among.end(), {"--obstacles", "trees.wkt", "--obstacle-distance", "15"});
+    far.insert(far.end(), {"--obstacles", "POINT (500 500)"});
+    EXPECT_EQ(run(among).status, 0);
+    const PointSet points = read_points(folder_.path() / "a.txt", CoordinateRange{0, 1000}).at(0);
+    EXPECT_GT(points.size(), 20U);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        EXPECT_GE(std::hypot(points[i][0] - 20, points[i][1] - 20), 15);
+        EXPECT_GE(std::hypot(points[i][0] - 70, points[i][1] - 60), 15);
+    }
+    const Outcome outcome = run(far);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.error, HasSubstr("no obstacle is near enough to matter: are they in the units of the region?"));
+}
+
 TEST_F(DistributeDarts, RefusesWhatItCannotDo)
 {
     folder_.write("degrees.geojson", R"({"type": "Polygon", "coordinates": [[[4,50],[5,50],[5,51],[4,50]]]})");
@@ -50,6 +70,14 @@ TEST_F(DistributeDarts, RefusesWhatItCannotDo)
            "--min-distance: 2 is more than the region's longest side, 1"},
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--points", "900"},
            "distribute darts: the region is saturated with"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "none.geojson"},
+           "distribute darts: --obstacles: none.geojson"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "LINESTRING (1 2)"},
+           "--obstacles: LINESTRING (1 2): a line must have two positions or more"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacle-distance", "0.2"},
+           "--obstacle-distance 0.2: goes with --obstacles"},
+          {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "rectangle 0 0 2 2"},
+           "the obstacles cover the region: nothing is left of it"},
           {Words{"--region", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))", "--points", "9"}, "crosses or touches itself"}}) {
         Words all = words;
         all.insert(all.end(), {"--out", "out.txt"});

@@ -21,8 +21,11 @@ the boundary are inside; with --boundary disks whole disks of half the distance 
   "POLYGON ((...))"            WKT, also MULTIPOLYGON
 Longitudes and latitudes are refused, as their degrees are no lengths: project them first, or say --planar where
 coordinates only look like them. GeoJSON without a crs is in degrees by its standard.
+Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT. They
+are never in polygons, and nearer than --obstacle-distance to none: by default than --min-distance to points.
   poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
-  poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt)help";
+  poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
+  poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv)help";
 
 struct DartOptions : KindOptions
 {
@@ -40,6 +43,8 @@ void throw_darts(const DartOptions& o)
         fmt::format("{} points at least {:.17g} apart{}", darts.points.size(), darts.request.min_distance,
                     darts.is_saturated ? ", between which no further one fits" : "");
     o.say_note(what);
+    if (darts.request.obstacles.count() > 0 && darts.request.near_obstacles == 0)
+        o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
     for (const std::string& out : o.outs.names)
         write_points(out, darts.points,
                      fmt::format("poissonlab distribute darts --region {} --seed {}: {}, in units of the region",

@@ -35,7 +35,16 @@ void dart_keys(Keys& keys, DartSettings& s)
         .excludes("min_distance");
     keys.word("boundary", s.boundary, region_boundary_names,
               "what is inside: points, or whole disks of half the minimum distance around them");
+    keys.region("obstacles", s.obstacles,
+                "what points keep away from: a file of GeoJSON or WKT with points, lines and polygons")
+        .otherwise("none");
+    keys.number("obstacle_distance", s.obstacle_distance, {0, 1e12}, "the least distance of points from obstacles")
+        .unit("units of the region")
+        .otherwise("min_distance from points, 0 from lines and polygons");
     if (!keys.is_read()) return;
+    if (keys.is_given("obstacle_distance") && s.obstacles.empty())
+        throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
+    if (keys.is_given("obstacles")) keys.check("obstacles", [&] { read_obstacles(s.obstacles, s.is_planar); });
     keys.check("region", [&] { read_region(s.region, s.is_planar); });
     if (!s.points && !s.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
@@ -46,8 +55,8 @@ void dart_keys(Keys& keys, DartSettings& s)
 
 std::string dart_label(const DartSettings& s) { return "Darts in " + name_of_input(s.region); }
 
-/// The region's outlines and holes as lines, and points as disks of a third of their distance.
-MarkPicture picture_of(const RegionDarts& darts, const PlaneRegion& plane)
+/// The region's outlines and holes as lines, obstacles beside them, and points as disks of a third of their distance.
+MarkPicture picture_of(const RegionDarts& darts)
 {
     const RegionBox& box = darts.request.region->box();
     const double margin = picture_side / 100, scale = (picture_side - 2 * margin) / box.longest();
@@ -55,39 +64,48 @@ MarkPicture picture_of(const RegionDarts& darts, const PlaneRegion& plane)
     const auto placed = [&](double x, double y) {
         return std::array{margin + (x - box.low[0]) * scale, margin + (y - box.low[1]) * scale};
     };
-    MarkGroup lines{"#8a8f98"}, dots{"#000000"};
-    const auto add_ring = [&](const RegionRing& ring) {
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const auto& next = ring[(i + 1) % ring.size()];
-            const auto [x0, y0] = placed(ring[i][0], ring[i][1]);
-            const auto [x1, y1] = placed(next[0], next[1]);
-            lines.strokes.push_back({x0, y0, x1, y1, picture_side / 500});
-        }
+    const auto add_line = [&](MarkGroup& group, const std::array<double, 2>& from, const std::array<double, 2>& to) {
+        const auto [x0, y0] = placed(from[0], from[1]);
+        const auto [x1, y1] = placed(to[0], to[1]);
+        group.strokes.push_back({x0, y0, x1, y1, picture_side / 500});
     };
-    for (const RegionPolygon& polygon : plane.polygons) {
-        add_ring(polygon.outline);
-        for (const RegionRing& hole : polygon.holes) add_ring(hole);
+    const auto add_ring = [&](MarkGroup& group, const RegionRing& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i) add_line(group, ring[i], ring[(i + 1) % ring.size()]);
+    };
+    MarkGroup lines{"#8a8f98"}, dots{"#000000"}, obstacles{"#c2410c"};
+    for (const RegionPolygon& polygon : darts.request.plane.polygons) {
+        add_ring(lines, polygon.outline);
+        for (const RegionRing& hole : polygon.holes) add_ring(lines, hole);
     }
+    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.obstacles, box))
+        add_line(obstacles, {x0, y0}, {x1, y1});
     const double radius = std::min(darts.request.min_distance * scale / 6, picture_side / 100);
+    for (const auto& [x, y] : points_within(darts.request.obstacles, box)) {
+        const auto [left, top] = placed(x, y);
+        obstacles.disks.push_back({left, top, radius});
+    }
     for (std::size_t i = 0; i < darts.points.size(); ++i) {
         const auto [x, y] = placed(darts.points[i][0], darts.points[i][1]);
         dots.disks.push_back({x, y, radius});
     }
     picture.groups = {std::move(lines), std::move(dots)};
+    if (darts.request.obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
     return picture;
 }
 
 DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
                               DistributionFiles& files)
 {
-    const PlaneRegion plane = read_region(settings.region, settings.is_planar);
     const RegionDarts darts = throw_region_darts(settings, seed, place);
+    const PlaneRegion& plane = darts.request.plane;
     DistributionResult result;
     result.facts = {fmt::format("{} points", darts.points.size()),
                     darts.is_saturated ? "saturated: no further point fits" : "stopped at that number",
                     fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane))};
+    if (const std::size_t obstacles = darts.request.obstacles.count(); obstacles > 0)
+        result.facts.push_back(fmt::format("{} obstacles", obstacles));
     if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
-    files.add_marks("points.json", picture_of(darts, plane), "The points in their region.", result);
+    files.add_marks("points.json", picture_of(darts), "The points in their region.", result);
     write_points(files.add("points.npy"), darts.points);
     result.files.push_back("points.npy");
     result.numbers = dart_numbers(darts);

@@ -125,6 +125,8 @@ struct DartSettings
     std::optional<double> min_distance; ///< in the region's units
     double relative_radius = 0.7;       ///< of so many points, where there is no minimum distance
     RegionBoundary boundary = RegionBoundary::inside;
+    std::string obstacles;                   ///< empty: none; else see read_obstacles()
+    std::optional<double> obstacle_distance; ///< of points from them; none: min_distance from points, else 0
 };
 
 /// kind = "instances": see host/distribution/instances/instances.hpp.

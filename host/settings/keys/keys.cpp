@@ -349,10 +349,15 @@ Keys::Said Keys::pictures(const std::string& key, std::vector<std::filesystem::p
 
 Keys::Said Keys::region(std::string& value)
 {
-    const Said said = text("region", value, "where points lie, in units of its own: a file of GeoJSON or WKT");
+    return region("region", value, "where points lie, in units of its own: a file of GeoJSON or WKT").required();
+}
+
+Keys::Said Keys::region(const std::string& key, std::string& value, std::string help)
+{
+    const Said said = text(key, value, std::move(help));
     specs_.back().is_file = specs_.back().is_region = true;
-    if (is_given("region") && !is_region_text(value)) value = named_file(value);
-    return Said(said).required();
+    if (is_given(key) && !is_region_text(value)) value = named_file(value);
+    return said;
 }
 
 Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, std::string help)

@@ -150,6 +150,8 @@ public:
 
     /// The key `region`, which is required: a region's file, or what describes one, see read_region().
     Said region(std::string& value);
+    /// A key of the same manner that may be left out.
+    Said region(const std::string& key, std::string& value, std::string help);
 
     /// A picture's file, or a formula, and the key `KEY_from`, which says what of the picture is meant.
     Said picture_or_formula(const std::string& key, std::string& value, std::string help);
