@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -92,14 +93,24 @@ double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
 
 }
 
-RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed)
+RegionLand region_land(const DartSettings& settings)
+{
+    RegionLand land{read_region(settings.region, settings.is_planar), {}, {}};
+    if (!settings.obstacles.empty()) land.obstacles = read_obstacles(settings.obstacles, settings.is_planar);
+    const double longest = box_of(land.whole).longest();
+    if (settings.obstacle_distance.value_or(0) > longest)
+        throw InputError(fmt::format("a distance of {:.6g} from them is more than the region's longest side, {:.6g}",
+                                     *settings.obstacle_distance, longest));
+    land.rest = without_polygons(land.whole, land.obstacles.polygons);
+    if (land.rest.polygons.empty()) throw InputError("they cover the region: nothing is left of it");
+    return land;
+}
+
+RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed, RegionLand land)
 {
     RegionDartRequest request;
-    const PlaneRegion whole = read_region(settings.region, settings.is_planar);
-    if (!settings.obstacles.empty()) request.obstacles = read_obstacles(settings.obstacles, settings.is_planar);
-    request.plane = without_polygons(whole, request.obstacles.polygons);
-    if (request.plane.polygons.empty()) throw InputError("the obstacles cover the region: nothing is left of it");
-    const PlaneRegion& plane = request.plane;
+    request.land = std::move(land);
+    const PlaneRegion &whole = request.land.whole, &plane = request.land.rest;
     request.min_distance = settings.min_distance ? *settings.min_distance
                                                  : min_distance_for(settings.relative_radius, *settings.points, 2) *
                                                        std::sqrt(area_of(plane));
@@ -109,13 +120,8 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
             fmt::format("{:.6g} is more than the region's longest side, {:.6g}: there is room for one point",
                         request.min_distance, longest));
     KeptAway kept{{}, {}, 0, 0, box_of(whole)};
-    if (!settings.obstacles.empty()) {
-        if (settings.obstacle_distance.value_or(0) > longest)
-            throw InputError(fmt::format("obstacles at a distance of {:.6g}: that is more than the region's longest "
-                                         "side, {:.6g}",
-                                         *settings.obstacle_distance, longest));
-        kept = kept_away_of(request.obstacles, kept.box, obstacle_distances(settings, request.min_distance));
-    }
+    if (!settings.obstacles.empty())
+        kept = kept_away_of(request.land.obstacles, kept.box, obstacle_distances(settings, request.min_distance));
     request.near_obstacles = kept.lines.size() + kept.points.size();
     // A single point, or a few in a thin region, would be as far apart as one likes.
     const double side = FixedRegion::torus_side(kept.box);
@@ -136,7 +142,7 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
 
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    RegionDarts darts{region_dart_request(settings, seed), {}, false};
+    RegionDarts darts{region_dart_request(settings, seed, region_land(settings)), {}, false};
     const DartThrowingRequest& request = darts.request.darts;
     PointSet fixed;
     if (place.engine == Engine::reference) {

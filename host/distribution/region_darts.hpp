@@ -19,11 +19,21 @@
 
 namespace poissonlab {
 
+/// A region as it is read, and what obstacles leave of it.
+struct RegionLand
+{
+    PlaneRegion whole;
+    Obstacles obstacles;
+    PlaneRegion rest; ///< without polygons among the obstacles
+};
+
+/// Reads both. Throws InputError, also where nothing is left or the distance from obstacles is too large.
+RegionLand region_land(const DartSettings& settings);
+
 /// What is asked for, in the units of the torus and in those of the region.
 struct RegionDartRequest
 {
-    PlaneRegion plane; ///< without polygons among the obstacles
-    Obstacles obstacles;
+    RegionLand land;
     std::size_t near_obstacles = 0; ///< lines, edges of polygons and points that are near enough to matter, nearly
     std::shared_ptr<const FixedRegion> region;
     double min_distance = 0; ///< in the region's units
@@ -37,8 +47,8 @@ struct RegionDarts
     bool is_saturated = false; ///< no further point fits
 };
 
-/// Reads the region and checks that the distance suits it. Throws InputError.
-RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed);
+/// Checks that the distance suits the region. Throws InputError.
+RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed, RegionLand land);
 
 /// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.

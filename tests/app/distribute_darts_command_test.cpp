@@ -77,7 +77,7 @@ TEST_F(DistributeDarts, RefusesWhatItCannotDo)
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacle-distance", "0.2"},
            "--obstacle-distance 0.2: goes with --obstacles"},
           {Words{"--region", "rectangle 0 0 1 1", "--min-distance", "0.1", "--obstacles", "rectangle 0 0 2 2"},
-           "the obstacles cover the region: nothing is left of it"},
+           "--obstacles: they cover the region: nothing is left of it"},
           {Words{"--region", "POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))", "--points", "9"}, "crosses or touches itself"}}) {
         Words all = words;
         all.insert(all.end(), {"--out", "out.txt"});

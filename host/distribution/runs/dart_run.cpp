@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -44,13 +45,14 @@ void dart_keys(Keys& keys, DartSettings& s)
     if (!keys.is_read()) return;
     if (keys.is_given("obstacle_distance") && s.obstacles.empty())
         throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
-    if (keys.is_given("obstacles")) keys.check("obstacles", [&] { read_obstacles(s.obstacles, s.is_planar); });
-    keys.check("region", [&] { read_region(s.region, s.is_planar); });
+    RegionLand land;
+    if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
+    keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { land = region_land(s); });
     if (!s.points && !s.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
     if (keys.is_given("relative_radius") && !s.points)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
-    keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0); });
+    keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, std::move(land)); });
 }
 
 std::string dart_label(const DartSettings& s) { return "Darts in " + name_of_input(s.region); }
@@ -73,14 +75,14 @@ MarkPicture picture_of(const RegionDarts& darts)
         for (std::size_t i = 0; i < ring.size(); ++i) add_line(group, ring[i], ring[(i + 1) % ring.size()]);
     };
     MarkGroup lines{"#8a8f98"}, dots{"#000000"}, obstacles{"#c2410c"};
-    for (const RegionPolygon& polygon : darts.request.plane.polygons) {
+    for (const RegionPolygon& polygon : darts.request.land.rest.polygons) {
         add_ring(lines, polygon.outline);
         for (const RegionRing& hole : polygon.holes) add_ring(lines, hole);
     }
-    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.obstacles, box))
+    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land.obstacles, box))
         add_line(obstacles, {x0, y0}, {x1, y1});
     const double radius = std::min(darts.request.min_distance * scale / 6, picture_side / 100);
-    for (const auto& [x, y] : points_within(darts.request.obstacles, box)) {
+    for (const auto& [x, y] : points_within(darts.request.land.obstacles, box)) {
         const auto [left, top] = placed(x, y);
         obstacles.disks.push_back({left, top, radius});
     }
@@ -89,7 +91,7 @@ MarkPicture picture_of(const RegionDarts& darts)
         dots.disks.push_back({x, y, radius});
     }
     picture.groups = {std::move(lines), std::move(dots)};
-    if (darts.request.obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
+    if (darts.request.land.obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
     return picture;
 }
 
@@ -97,12 +99,12 @@ DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, 
                               DistributionFiles& files)
 {
     const RegionDarts darts = throw_region_darts(settings, seed, place);
-    const PlaneRegion& plane = darts.request.plane;
+    const PlaneRegion& plane = darts.request.land.rest;
     DistributionResult result;
     result.facts = {fmt::format("{} points", darts.points.size()),
                     darts.is_saturated ? "saturated: no further point fits" : "stopped at that number",
                     fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane))};
-    if (const std::size_t obstacles = darts.request.obstacles.count(); obstacles > 0)
+    if (const std::size_t obstacles = darts.request.land.obstacles.count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
     if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
     files.add_marks("points.json", picture_of(darts), "The points in their region.", result);

@@ -141,10 +141,10 @@ TEST(DartsAmongTracks, KeepAwayFromLines)
 TEST(DartsAmongObstaclesOfOwnUnits, AreRefusedWhereThereIsNoRoom)
 {
     for (const auto& [settings, words] : std::initializer_list<std::pair<DartSettings, std::string>>{
-             {among("rectangle 0 0 600000 6000000", 2), "the obstacles cover the region: nothing is left of it"},
+             {among("rectangle 0 0 600000 6000000", 2), "they cover the region: nothing is left of it"},
              {among("POINT (500030 5640020)", 2, 59), "no room for a point among the obstacles"},
              {among("POINT (500030 5640020)", 2, 61),
-              "obstacles at a distance of 61: that is more than the region's longest side, 60"}})
+              "a distance of 61 from them is more than the region's longest side, 60"}})
         EXPECT_THAT(message_of([&, &s = settings] { throw_region_darts(s, 1, on_host); }), HasSubstr(words));
 }
 
