@@ -85,7 +85,7 @@ protected:
     std::string failure_of(const std::string& script, const std::string& more = "") const
     {
         const std::string message = message_of([&] { sampler_of(script, more)->sample(1); });
-        const std::string command = "{out}: ";
+        const std::string command = "{out}\": ";
         const std::size_t at = message.find(command);
         EXPECT_THAT(message, HasSubstr("c.toml:7: command = "));
         return at == std::string::npos ? message : message.substr(at + command.size());

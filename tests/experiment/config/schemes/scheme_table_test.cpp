@@ -65,7 +65,7 @@ TEST(SchemeTable, ReadsKeys)
 
 TEST(SchemeTable, SaysWhatIsAllowed)
 {
-    expect_scheme_refusal("kind = \"magic\"", "c.toml:3: kind = \"magic\": must be \"corner-problem\"");
+    expect_scheme_refusal("kind = \"magic\"", "c.toml:3: kind = \"magic\": must be one of \"corner-problem\"");
     expect_scheme_refusal("kind = \"noise\"\npoints = 3", "unknown key");
     expect_scheme_refusal("kind = \"corner-problem\"\ncolors = 5", "must be an integer from 2 to 4");
     expect_scheme_refusal("kind = \"direct\"\nwindow = [0, 0, 17, 1]", "must be of 1 to 16 tiles along each axis");
@@ -79,7 +79,7 @@ TEST(SchemeTable, SaysWhatIsAllowed)
     expect_scheme_refusal("kind = \"diffraction\"\ncolor = 2", "must be an integer from 0 to 1");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 94", "must be an integer from 1 to 93");
     expect_scheme_refusal("kind = \"isohedral\"\ntype = 1\nparameters = [0.1]",
-                          "c.toml:2: [[scheme]]: IH1 has 4 parameters, not 1");
+                          "c.toml:5: parameters = [0.1]: must be as many as IH1 has: 4");
     expect_scheme_refusal("kind = \"isohedral\"\nrandom = true\nparameters = [1]", "does not go with random = true");
     expect_scheme_refusal("kind = \"isohedral\"\nparameters = [1e300, 1]",
                           "must be a list of numbers from -100 to 100");
