@@ -9,7 +9,8 @@
 
 namespace poissonlab {
 
-/// What it is called, means and may be; numbers have their range, words all that there are.
+/// Describes a key: its name, its meaning, its default, and what it may be; numbers have their range, words are all
+/// listed.
 nlohmann::ordered_json described_value(const ParameterSpec& spec, const std::string& allowed);
 
 }

@@ -42,7 +42,7 @@ struct RawPicture
     }
 };
 
-/// What a picture's file says before its pixels.
+/// The head of a picture's file, before its pixels.
 struct PictureHeader
 {
     int width = 0; ///< upright, whichever way it was photographed

@@ -27,7 +27,7 @@ namespace poissonlab {
 /// away from, the highest bit of the second x that of points.
 using FixedEdge = std::array<std::uint32_t, 4>;
 
-/// What an edge is; margins are listed in this order.
+/// The kinds of edges; margins are listed in this order.
 enum class FixedEdgeKind : std::uint32_t
 {
     boundary,
@@ -35,7 +35,7 @@ enum class FixedEdgeKind : std::uint32_t
     point
 };
 
-/// What positions keep away from besides the boundary.
+/// Edges and points that positions keep away from besides the boundary.
 struct KeptAway
 {
     std::vector<std::array<double, 4>> lines;  ///< from x, y to x, y in units of the region

@@ -1,4 +1,4 @@
-// What points of a region keep away from: points, lines and polygons in the region's units.
+// Obstacles, which points of a region keep away from: points, lines and polygons in the region's units.
 #pragma once
 
 #include "base/regions/plane_region.hpp"
@@ -23,7 +23,8 @@ struct Obstacles
 /// and lines of GeoJSON and WKT. Throws InputError as it does.
 Obstacles read_obstacles(const std::string& text, bool is_planar = false);
 
-/// Those of a GeoJSON or WKT text; `name` is what messages call it. They are not checked beyond their form.
+/// Reads the obstacles of a GeoJSON or WKT text; `name` is what messages call it. They are not checked beyond their
+/// form.
 Obstacles obstacles_of_geojson(std::string_view text, const std::string& name, bool& says_metres);
 Obstacles obstacles_of_wkt(const std::string& text, const std::string& name);
 

@@ -112,7 +112,7 @@ void refuse_degrees(const RegionBox& box, const std::string& name, const std::st
                     name, why, box.low[0], box.low[1], box.high[0], box.high[1]));
 }
 
-/// What stands before WKT, and the rest.
+/// The parts of a WKT text: what stands before the geometry, and the rest.
 struct WktBegin
 {
     bool says_degrees = false;

@@ -60,7 +60,8 @@ RegionBox enlarged_box(RegionBox box, double by)
     return box;
 }
 
-/// What is cut off at the border of the grid lies farther away than it matters, by this part of the region's extent.
+/// The part of the region's extent by which edges that are cut off at the border of the grid lie farther away than they
+/// matter.
 constexpr double spare_border = 1e-6;
 
 /// Corners of obstacles and of what is left of the region are rounded, by less than a position along each axis: an edge
