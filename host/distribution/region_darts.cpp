@@ -70,7 +70,7 @@ constexpr double lost_by_rounding = 2;
 
 KeptAway kept_away_of(const Obstacles& obstacles, const RegionBox& box, const ObstacleDistances& distances)
 {
-    // What is not there makes the grid no larger.
+    // Edges and points that are not there make the grid no larger.
     const double lines = obstacles.lines.empty() && obstacles.polygons.empty() ? 0 : distances.lines;
     const double points = obstacles.points.empty() ? 0 : distances.points;
     KeptAway kept;

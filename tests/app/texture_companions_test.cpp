@@ -225,7 +225,7 @@ TEST_F(TextureCompanions, AreProvenPixelByPixel)
                                "set/exemplar-rough.png is missing");
 }
 
-/// What is left of an earlier set would be cut by other sources.
+/// Companions that an earlier set left would be cut by other sources.
 TEST_F(TextureCompanions, DoNotOutliveTheirSet)
 {
     const std::string build = "build corner --colors 2 --exemplar noise.png --quiet --out set" + small_;
@@ -278,7 +278,7 @@ TEST_F(TextureCompanions, ExemplarsOfMoreThan8BitsStayWhatTheyAre)
     EXPECT_THAT(made.out, HasSubstr("atlas-light.exr: the exemplar's own numbers, 4 channels of floating point"));
     expect_cut("light", "atlas-light.exr", "light.exr");
     EXPECT_THAT(printed("verify light"), HasSubstr("atlas-light.exr: all 2048 pixels have the bits of their sources"));
-    // What all fits into 0 to 1 has nothing to say.
+    // Pictures whose numbers all lie in 0 to 1 need no note.
     FloatImage dim = float_noise({"Y"}, 9, 0);
     for (float& value : dim.channels["Y"]) value = std::min(value, 1.0F);
     write_float_image(file("dim.exr"), dim);

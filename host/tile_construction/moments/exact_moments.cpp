@@ -175,7 +175,7 @@ private:
         }
     }
 
-    /// Those first that leave least of the sum of products.
+    /// Finds the ways along y, those first that leave least of the sum of products.
     std::vector<UprightWay> upright_ways() const
     {
         const auto change = [&](std::size_t i, std::int64_t by) { return mixture(by, (2 * points_[i][1] + by) * by); };
@@ -191,7 +191,7 @@ private:
         return found;
     }
 
-    /// Those of so many points of the second half, by their product.
+    /// Finds the ways along x of the first half and of so many points of the second, sorted by their product.
     std::vector<LevelWay> level_ways(std::size_t count)
     {
         level_ = halves_;
@@ -227,7 +227,7 @@ private:
     bool search(const std::vector<UprightWay>& upright, const std::vector<LevelWay>& level)
     {
         for (const UprightWay& up : upright) {
-            // What both ways change together is at most this.
+            // Both ways together change the sum by at most this.
             constexpr auto most = static_cast<std::int64_t>(searched_points * upright_reach * level_reach);
             auto across = std::ranges::lower_bound(level, up.left - most, {}, &LevelWay::product);
             for (; across != level.end() && across->product <= up.left + most; ++across)

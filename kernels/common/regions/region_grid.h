@@ -5,7 +5,7 @@
 
 CONTRACT(regions)
 
-/// What is known of a FixedRegion beside its lists. Margins are those of kinds of edges: see FixedEdgeKind.
+/// The margins of a FixedRegion, one for each kind of edges (see FixedEdgeKind), and the bits of its grid.
 struct RegionGrid
 {
     ulong squared_margins[3]; ///< in units of 2^-64, rounded up

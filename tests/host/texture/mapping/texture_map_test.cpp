@@ -266,7 +266,7 @@ TEST(TextureMap, ShowsTheBytesOfTheAtlasWhereNothingIsFiltered)
             }
 }
 
-/// What `texture tile` draws is what the map shows from straight above, texel by texel, also left of and below 0.
+/// The map shows from straight above what `texture tile` draws, texel by texel, also left of and below 0.
 TEST(TextureMap, ShowsThePlaneOfTheTiling)
 {
     constexpr int tiles = 6;
