@@ -1,9 +1,6 @@
 // The member "measures" of a series in results.json: what is not there was not defined for its sets.
-#include "base/files/json_file.hpp"
 #include "base/files/json_members.hpp"
 #include "results/measures.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -118,10 +115,8 @@ std::string measures_text(const Measures& measures)
 
 Measures read_measures(const std::string& text)
 {
-    const nlohmann::json json = parsed_json(text, "measures");
-    JsonMembers m(StoredObject(json, "measures"));
     Measures measures;
-    members(m, measures);
+    read_unplaced(text, "measures", [&](JsonMembers& m) { members(m, measures); });
     return measures;
 }
 

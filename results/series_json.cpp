@@ -202,7 +202,7 @@ void members(JsonMembers& m, Series& series)
     describe(m, series);
     shown_members(m.stored(), "parameters", series.parameters);
     shown_members(m.stored(), "defaults", series.defaults);
-    check(m.stored(), series);
+    m.check([&](const StoredObject& object) { check(object, series); });
 }
 
 }

@@ -72,7 +72,7 @@ public:
     /// One entry an integrand, in the order of integrands(); none where no set was added.
     std::vector<IntegrationError> mean() const;
 
-    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
+    /// The sums as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

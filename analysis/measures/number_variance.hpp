@@ -49,7 +49,7 @@ public:
     /// The mean of what was added; empty where nothing was, and below least_points().
     std::vector<NumberVarianceBin> mean() const;
 
-    /// Cereal stores the sets' curves, and reads them into an estimate that was constructed alike.
+    /// The curves of the sets as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -56,7 +56,7 @@ public:
     /// The mean of what was added; no bins where nothing was.
     std::vector<PairCorrelationBin> mean() const;
 
-    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
+    /// The sums as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

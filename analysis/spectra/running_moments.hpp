@@ -25,7 +25,7 @@ public:
     /// Squared deviations from the mean, summed up: the variance times count - 1. Empty for one observation.
     std::span<const double> squares() const { return squares_; }
 
-    /// Cereal stores all members.
+    /// All members as bytes.
     template <class Archive>
     void serialize(Archive& archive)
     {

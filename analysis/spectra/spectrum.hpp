@@ -99,7 +99,7 @@ public:
     /// The periodogram of the last realization.
     const HalfSpectrum& last_periodogram() const { return periodogram_; }
 
-    /// Cereal stores the sums, and reads them into an estimate that was constructed alike.
+    /// The sums as bytes, which are read into an estimate that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -47,7 +47,7 @@ public:
     /// Ranges by distance of the pixels' centres, without those that hold no pixel.
     std::vector<ErrorBin> curve() const;
 
-    /// Cereal stores the sums, and reads them into an error that was constructed with the same reference.
+    /// The sums as bytes, which are read into an error that was constructed with the same reference.
     template <class Archive>
     void serialize(Archive& archive)
     {

@@ -1,5 +1,7 @@
 #include "base/files/json_members.hpp"
 
+#include "base/files/json_file.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -67,6 +69,14 @@ std::string json_text(const std::function<void(JsonMembers&)>& name_members, int
     JsonMembers m(object);
     name_members(m);
     return object.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void read_unplaced(const std::string& text, const std::string& title,
+                   const std::function<void(JsonMembers&)>& name_members)
+{
+    const nlohmann::json json = parsed_json(text, title);
+    JsonMembers m(StoredObject::unplaced(json, title));
+    name_members(m);
 }
 
 }

@@ -44,10 +44,11 @@ public:
     /// The object that is read.
     const StoredObject& stored() const { return read_.value(); }
 
-    /// Lets a function check what was read beyond single members. What is written was made here.
+    /// Lets a function check what was read beyond single members. What is written was made here, and what has no place
+    /// yet is not whole.
     void check(const auto& check) const
     {
-        if (read_) check(*read_);
+        if (read_ && !read_->is_unplaced()) check(*read_);
     }
 
     /// True if a member is there to be read, or, by the argument, to be written.
@@ -228,5 +229,9 @@ private:
 
 /// The text of an object whose members a function names; bytes that are not UTF-8 are replaced. indent -1: one line.
 std::string json_text(const std::function<void(JsonMembers&)>& name_members, int indent = -1);
+
+/// Reads what json_text() wrote of results that have no place yet, see StoredObject::unplaced(). Throws InputError.
+void read_unplaced(const std::string& text, const std::string& title,
+                   const std::function<void(JsonMembers&)>& name_members);
 
 }

@@ -14,6 +14,20 @@ StoredObject::StoredObject(const nlohmann::json& value, std::filesystem::path fi
         throw InputError::at({file_.string()}, (member_.empty() ? "" : member_ + ": ") + "must be an object");
 }
 
+StoredObject StoredObject::unplaced(const nlohmann::json& value, const std::string& title)
+{
+    StoredObject object(value, title);
+    object.is_unplaced_ = true;
+    return object;
+}
+
+StoredObject StoredObject::inner(const nlohmann::json& value, std::string member) const
+{
+    StoredObject object(value, file_, std::move(member));
+    object.is_unplaced_ = is_unplaced_;
+    return object;
+}
+
 InputError StoredObject::error(const std::string& name, const std::string& problem) const
 {
     const auto value = value_->find(name);
@@ -116,7 +130,7 @@ std::vector<std::string> StoredObject::texts(const std::string& name) const
     return list.get<std::vector<std::string>>();
 }
 
-StoredObject StoredObject::object(const std::string& name) const { return {at(name), file_, place_of(name)}; }
+StoredObject StoredObject::object(const std::string& name) const { return inner(at(name), place_of(name)); }
 
 std::vector<StoredObject> StoredObject::objects(const std::string& name) const
 {
@@ -124,7 +138,7 @@ std::vector<StoredObject> StoredObject::objects(const std::string& name) const
     if (!list.is_array()) throw error(name, "must be a list of objects");
     std::vector<StoredObject> result;
     for (const auto& value : list)
-        result.emplace_back(value, file_, place_of(name) + "[" + std::to_string(result.size()) + "]");
+        result.push_back(inner(value, place_of(name) + "[" + std::to_string(result.size()) + "]"));
     return result;
 }
 
@@ -159,6 +173,7 @@ std::vector<std::string> StoredObject::names() const
 
 std::string StoredObject::checked_file_name(const std::string& name, const std::string& value) const
 {
+    if (is_unplaced_) return value;
     const std::filesystem::path path = value;
     const bool climbs = std::ranges::any_of(path, [](const auto& part) { return part == ".."; });
     if (path.empty() || path.is_absolute() || climbs || printable(value) != value)
@@ -173,6 +188,7 @@ std::string StoredObject::checked_file_name(const std::string& name, const std::
 std::string StoredObject::folder_name(const std::string& name) const
 {
     const auto text = this->text(name);
+    if (is_unplaced_) return text;
     if (text.empty() || text == "." || text == ".." || text.find('/') != std::string::npos || printable(text) != text)
         throw error(name, "must be the name of a folder");
     return text;

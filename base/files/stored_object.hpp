@@ -22,6 +22,13 @@ public:
     /// `member` is the object's own place, for example "series[2].spectrum"; empty for the whole file.
     StoredObject(const nlohmann::json& value, std::filesystem::path file, std::string member = {});
 
+    /// An object about results that have no names yet, and whose files are elsewhere: neither are checked. `title`
+    /// stands in messages for the file.
+    static StoredObject unplaced(const nlohmann::json& value, const std::string& title);
+
+    /// True for such an object and those in it.
+    bool is_unplaced() const { return is_unplaced_; }
+
     /// All integers up to here are doubles as well: 2^53.
     static constexpr std::int64_t largest_integer = std::int64_t{1} << 53;
 
@@ -63,11 +70,13 @@ public:
 private:
     const nlohmann::json& at(const std::string& name) const;
     std::string place_of(const std::string& name) const;
+    StoredObject inner(const nlohmann::json& value, std::string member) const;
     std::string checked_file_name(const std::string& name, const std::string& value) const;
 
     const nlohmann::json* value_;
     std::filesystem::path file_;
     std::string member_;
+    bool is_unplaced_ = false;
 };
 
 }

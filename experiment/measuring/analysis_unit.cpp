@@ -2,15 +2,17 @@
 
 #include "analysis/spectra/spectrum_file.hpp"
 #include "base/errors/errors.hpp"
+#include "base/files/byte_archive.hpp"
+#include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/images/square_image_file.hpp"
-#include "results/archives.hpp"
 #include "results/curve_tables.hpp"
 #include "results/file_names.hpp"
 
 #include <tbb/parallel_invoke.h>
 
 #include <chrono>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -90,6 +92,7 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
     if (!iterations.empty()) write_text(file_names::iterations, iterations);
 
     Series result = series_.result();
+    if (series_.has_spectrum()) result.spectrum_file = file_names::spectrum;
     if (options_.zone_plate) {
         write_square_image(store.file(key, file_names::zone_plate), zone_plate_.first_image(), metadata);
         files.emplace_back(file_names::zone_plate);
@@ -98,7 +101,7 @@ void AnalysisUnit::store_analysis(UnitStore& store, const UnitKey& key,
         result.analysis_seconds += zone_plate_.seconds();
     }
     result.analysis_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    store.store(key, to_bytes(result), files);
+    store.store(key, json_text([&](JsonMembers& m) { members(m, std::as_const(result)); }), files);
 }
 
 std::optional<StoredAnalysis> stored_analysis(const UnitStore& store, const UnitKey& key)
@@ -106,7 +109,7 @@ std::optional<StoredAnalysis> stored_analysis(const UnitStore& store, const Unit
     const auto unit = store.find(key);
     if (!unit) return std::nullopt;
     StoredAnalysis analysis;
-    from_bytes(unit->record, analysis.result);
+    read_unplaced(unit->record, "stored analysis", [&](JsonMembers& m) { members(m, analysis.result); });
     analysis.files = unit->files;
     return analysis;
 }

@@ -22,6 +22,15 @@
 
 namespace poissonlab {
 
+/// Measures as results.json has them: what is stored there is all there is to know of them.
+template <class Archive>
+void serialize(Archive& archive, Measures& measures)
+{
+    std::string text = measures_text(measures);
+    archive(text);
+    if constexpr (Archive::reads) measures = read_measures(text);
+}
+
 /// Collects distances, and adds up periodograms, pair correlations and errors of integrals, in the order in which
 /// realizations come. The number of points and the dimension of the first one decide the size of the spectrum.
 ///
@@ -102,11 +111,15 @@ public:
     /// Sizes, distances, measures and seconds so far.
     Series result() const;
 
-    /// Cereal stores everything but the first set, and reads it into an analysis that was constructed alike.
+    /// Everything but the first set as bytes, which are read into an analysis that was constructed alike.
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(begin_.points, dimension_, sets_, repeated_, seconds_, has_pairs_, measures_, numbers_of_first_);
+        archive(begin_.points, dimension_, sets_, repeated_, seconds_, has_pairs_);
+        Measures of_first;
+        of_first.numbers = numbers_of_first_;
+        archive(measures_, of_first);
+        numbers_of_first_ = of_first.numbers;
         if (!sets_.empty() && !has_started_) start();
         if (estimate_) archive(*estimate_);
         if (pairs_) archive(*pairs_);

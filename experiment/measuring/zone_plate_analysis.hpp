@@ -28,11 +28,11 @@ public:
     ZonePlateResult result() const;
     double seconds() const { return seconds_; }
 
-    /// Cereal stores all members.
+    /// All members as bytes.
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(first_, error_, rms_errors_, resolved_rms_errors_, seconds_);
+        archive(first_.size, first_.pixels, error_, rms_errors_, resolved_rms_errors_, seconds_);
     }
 
 private:

@@ -1,13 +1,44 @@
 #include "experiment/series/exhibit_units.hpp"
 
+#include "base/files/json_members.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 #include "base/programs/interrupt.hpp"
-#include "results/pictures/archive.hpp"
 
 #include <fmt/format.h>
 
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
 namespace poissonlab {
+namespace {
+
+const std::vector<std::string> result_types{"distribution", "tiling", "construction"}; // in their order in Exhibited
+
+/// The record of a unit: one result, and whether a device made it.
+void record_members(JsonMembers& m, const ExhibitUnit& unit)
+{
+    const std::size_t type = unit.result.index();
+    m.word("type", type, result_types);
+    m.member("on_device", unit.on_device);
+    std::visit([&](const auto& result) { m.object("result", result); }, unit.result);
+}
+
+void record_members(JsonMembers& m, ExhibitUnit& unit)
+{
+    std::size_t type = 0;
+    m.word("type", type, result_types);
+    m.member("on_device", unit.on_device);
+    if (type == 0) unit.result.emplace<0>();
+    if (type == 1) unit.result.emplace<1>();
+    if (type == 2) unit.result.emplace<2>();
+    std::visit([&](auto& result) { m.object("result", result); }, unit.result);
+}
+
+}
 
 UnitKey ExhibitUnits::key_of(const Exhibit& exhibit) const
 {
@@ -27,9 +58,9 @@ std::optional<ExhibitUnit> ExhibitUnits::find(std::size_t item) const
 {
     const auto unit = store_.find(key_of(experiment_.exhibits[item]));
     if (!unit) return std::nullopt;
-    std::tuple<Exhibited, bool> record;
-    from_bytes(unit->record, record);
-    return ExhibitUnit{std::get<Exhibited>(std::move(record)), std::get<bool>(record), unit->files};
+    ExhibitUnit exhibit{{}, false, unit->files};
+    read_unplaced(unit->record, "stored exhibit", [&](JsonMembers& m) { record_members(m, exhibit); });
+    return exhibit;
 }
 
 std::string ExhibitUnits::identity() const
@@ -49,9 +80,9 @@ void ExhibitUnits::make(std::size_t item)
     DistributionPlace place = experiment_.place;
     place.on_step = workplace.on_step;
     DistributionFiles files([&](const std::string& name) { return store_.file(key, name); });
-    const Exhibited result = make_exhibit(exhibit, place, files);
-    const bool on_device = exhibit.kind->uses_device && workplace.is_device_open && workplace.is_device_open();
-    store_.store(key, to_bytes(std::tuple(result, on_device)), files.names());
+    ExhibitUnit made{make_exhibit(exhibit, place, files)};
+    made.on_device = exhibit.kind->uses_device && workplace.is_device_open && workplace.is_device_open();
+    store_.store(key, json_text([&](JsonMembers& m) { record_members(m, std::as_const(made)); }), files.names());
 }
 
 }

@@ -3,7 +3,6 @@
 #include "base/programs/interrupt.hpp"
 #include "experiment/measuring/series_analysis.hpp"
 #include "experiment/run/runner.hpp"
-#include "results/archives.hpp"
 #include "tests/app/lasting_results.hpp"
 
 #include <gmock/gmock.h>
@@ -363,23 +362,6 @@ TEST_F(Resuming, SeriesOfTheSamePointSetsShareThem)
     const auto a = folder_.path() / "out/a/s/realization-000.dat";
     EXPECT_TRUE(fs::equivalent(a, folder_.path() / "out/b/s/realization-000.dat"));
     EXPECT_TRUE(fs::exists(folder_.path() / "out/b/s/zone-plate.exr"));
-}
-
-TEST(Archives, KeepEveryBit)
-{
-    Series result;
-    result.set_sizes({1, 2});
-    result.min_distance = statistic_of({0.1, 0x1.23456789abcdep-7});
-    result.measures.numbers["effective_nyquist"] = {0x1.23456789abcdep-1, 1e-300};
-    result.measures.oscillation = Oscillation{1.5, -0.0, 3};
-    result.measures.integration = {{"disk", 1, 2, 3, 4}};
-    result.zone_plate = ZonePlateResult{3, "file", "errors", *statistic_of({0.1}), {}};
-    Series back;
-    from_bytes(to_bytes(result), back);
-    EXPECT_EQ(to_bytes(back), to_bytes(result));
-    EXPECT_EQ(back, result);
-    EXPECT_TRUE(std::signbit(back.measures.oscillation->begin));
-    EXPECT_THROW(from_bytes(to_bytes(result).substr(0, 20), back), cereal::Exception);
 }
 
 }

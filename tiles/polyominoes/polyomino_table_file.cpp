@@ -1,16 +1,12 @@
 #include "tiles/polyominoes/polyomino_table_file.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/byte_archive.hpp"
 #include "base/files/whole_file.hpp"
 #include "base/files/xxh64_bytes.hpp"
 
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/array.hpp>
-#include <cereal/types/vector.hpp>
-
 #include <array>
 #include <bit>
-#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -73,10 +69,7 @@ std::string checksum_of(std::string_view bytes)
 
 void write_polyomino_table(const std::filesystem::path& file, const PolyominoTable& table)
 {
-    std::ostringstream stream;
-    cereal::BinaryOutputArchive archive(stream);
-    archive(table);
-    const std::string bytes = std::move(stream).str();
+    const std::string bytes = to_bytes(table);
     write_whole_file(file, bytes + checksum_of(bytes));
 }
 
@@ -90,14 +83,10 @@ std::optional<PolyominoTable> read_polyomino_table(const std::filesystem::path& 
         const std::string checksum = bytes.substr(bytes.size() - checksum_size);
         bytes.resize(bytes.size() - checksum_size);
         if (checksum != checksum_of(bytes)) return std::nullopt;
-        std::istringstream stream(bytes);
-        cereal::BinaryInputArchive archive(stream);
         PolyominoTable table;
-        archive(table);
+        from_bytes(bytes, table);
         return table;
     } catch (const InputError&) {
-        return std::nullopt;
-    } catch (const cereal::Exception&) {
         return std::nullopt;
     }
 }

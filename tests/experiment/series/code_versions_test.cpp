@@ -79,8 +79,10 @@ TEST(CodeVersions, CoverWhatDecidesResults)
         EXPECT_THAT(versions.at(version), Contains("runtime/poisson_tiles_gpu.h"));
         EXPECT_THAT(versions.at(version), Contains("host/device/device.cpp"));
     }
-    for (const char* version : {"sampling_version", "analysis_version", "picture_version"})
+    for (const char* version : {"sampling_version", "analysis_version", "picture_version"}) {
         EXPECT_THAT(versions.at(version), Contains("results/records/archive.hpp"));
+        EXPECT_THAT(versions.at(version), Contains("base/files/byte_archive.hpp"));
+    }
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/tile_sampling/tile_samplers.cpp"));
     EXPECT_THAT(versions.at("sampling_version"), Contains("host/sampling/command_sampler.cpp"));
     EXPECT_THAT(versions.at("distribution_version"), Contains("host/distribution/even_points.cpp"));
