@@ -8,6 +8,7 @@ install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DO
 if(POISSONLAB_PYTHON)
   install(TARGETS poissonlab_python LIBRARY DESTINATION ${POISSONLAB_PYTHON_DIR}/poissonlab)
   install(DIRECTORY python/poissonlab DESTINATION ${POISSONLAB_PYTHON_DIR} PATTERN __pycache__ EXCLUDE)
+  install(FILES ${PROJECT_BINARY_DIR}/python/poissonlab/samplers.pyi DESTINATION ${POISSONLAB_PYTHON_DIR}/poissonlab)
   install(FILES python/examples/poisson_disk_sets.ipynb DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples)
 endif()
 

@@ -1,9 +1,16 @@
 #!/usr/bin/env python3
-"""Prints the stubs of types of poissonlab.samplers: the classes of all methods, which are made at import."""
+"""Writes the stubs of types of poissonlab.samplers, the classes of all methods, which are made at import.
+
+The build calls it with the file to write, once the module is there.
+"""
+
+import os
+import pathlib
+import sys
 
 from poissonlab import samplers
 
-HEAD = '''# Written by python/tools/write_stubs.py from the methods' own descriptions; a test compares.
+HEAD = '''# Written at the build by python/tools/write_stubs.py, from the methods' own descriptions.
 import os
 from typing import Any, Sequence
 
@@ -51,5 +58,13 @@ def shown(value):
     return f'"{value}"' if isinstance(value, str) else repr(value)
 
 
+def write_whole(file, text):
+    """The file has the whole text or what it had before; a link is replaced, not followed."""
+    part = file.with_suffix(".part")
+    part.write_text(text, encoding="utf-8")
+    os.replace(part, file)
+
+
 if __name__ == "__main__":
-    print(HEAD + "".join(stub_of(name, method) for name, method in samplers.METHODS.items()), end="")
+    write_whole(pathlib.Path(sys.argv[1]),
+                HEAD + "".join(stub_of(name, method) for name, method in samplers.METHODS.items()))

@@ -1,20 +1,60 @@
-"""The stubs of types that are in the tree are those of the methods that there are."""
+"""The stubs of types that the build wrote are Python, and have the classes and keywords that importing makes."""
 
+import ast
+import inspect
 import pathlib
-import subprocess
-import sys
 import unittest
 
-from support import SOURCE
+import poissonlab
+
+STUBS = pathlib.Path(poissonlab.__file__).parent / "samplers.pyi"
+
+
+def keywords_of(stub):
+    """The keywords of a class in the stubs, each with its type and default as text."""
+    constructor = next(part for part in stub.body if isinstance(part, ast.FunctionDef) and part.name == "__init__")
+    arguments = constructor.args
+    return [(name.arg, ast.literal_eval(ast.unparse(default)), ast.unparse(name.annotation))
+            for name, default in zip(arguments.kwonlyargs, arguments.kw_defaults)]
 
 
 class Stubs(unittest.TestCase):
-    def test_are_written_anew_when_methods_change(self):
-        printed = subprocess.run([sys.executable, "-B", SOURCE / "python/tools/write_stubs.py"], capture_output=True,
-                                 text=True, check=True).stdout
-        stored = pathlib.Path(SOURCE / "python/poissonlab/samplers.pyi").read_text()
-        self.assertEqual(stored, printed, "write them: python/tools/write_stubs.py > python/poissonlab/samplers.pyi")
-        compile(printed, "samplers.pyi", "exec")
+    def setUp(self):
+        self.tree = ast.parse(STUBS.read_text(encoding="utf-8"))
+        self.classes = {part.name: part for part in self.tree.body if isinstance(part, ast.ClassDef)}
+
+    def test_have_every_class_that_importing_makes(self):
+        methods = [name for name, value in vars(poissonlab.samplers).items()
+                   if inspect.isclass(value) and issubclass(value, poissonlab.samplers.Sampler)]
+        self.assertEqual(sorted(self.classes), sorted(methods))
+        self.assertGreater(len(methods), 20)
+
+    def test_have_the_keywords_of_every_class(self):
+        for name, stub in self.classes.items():
+            if name == "Sampler":
+                continue
+            signature = inspect.signature(getattr(poissonlab, name))
+            # The text of a type is compared as Python prints it, which has quotes of its own.
+            expected = [(key.name, key.default, ast.unparse(ast.parse(key.annotation, mode="eval")))
+                        for key in signature.parameters.values()]
+            self.assertEqual(keywords_of(stub), expected, name)
+
+    def test_the_base_has_what_its_class_has(self):
+        stub = self.classes["Sampler"]
+        named = {part.name for part in stub.body if isinstance(part, ast.FunctionDef)}
+        public = {name for name in vars(poissonlab.samplers.Sampler) if not name.startswith("_")}
+        self.assertEqual(named - {"__init__"}, public)
+
+    def test_types_are_those_that_the_file_imports(self):
+        known = {"int", "float", "str", "bool", "dict", "list", "tuple", "None", "Sampler"}
+        for part in self.tree.body:
+            if isinstance(part, (ast.Import, ast.ImportFrom)):
+                known |= {(alias.asname or alias.name).split(".")[0] for alias in part.names}
+        for node in ast.walk(self.tree):
+            if isinstance(node, ast.arg) and node.annotation is not None:
+                for name in ast.walk(node.annotation):
+                    if isinstance(name, ast.Name):
+                        self.assertIn(name.id, known, ast.unparse(node.annotation))
 
 
 if __name__ == "__main__":
