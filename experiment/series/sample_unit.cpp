@@ -13,9 +13,9 @@ namespace {
 constexpr const char* points_file = "points.dat";
 constexpr const char* tile_set_file = "tile-set.ptiles";
 
-std::string tile_set_of(const Sampler& sampler)
+std::string tile_set_of(const SetTraits& traits)
 {
-    std::string bytes = sampler.tile_set_file();
+    std::string bytes = traits.tile_set_file ? traits.tile_set_file() : "";
     return bytes.size() <= most_tile_set_bytes ? bytes : "";
 }
 
@@ -45,24 +45,18 @@ Sample SamplerSlot::make(const SeriesTask& task, const RealizationRange& range, 
 
     SampleRecord& record = sample.record;
     const double built = sampler_->build_seconds();
-    const double prepared = sampler_->preparation_seconds();
+    record.traits = sampler_->traits();
+    const double prepared = record.traits.preparation_seconds;
     record.points = sample.points.size();
-    record.seconds = sampler_->shared_seconds().value_or(std::max(0.0, seconds - (built - built_before)));
+    record.seconds = record.traits.shared_seconds.value_or(std::max(0.0, seconds - (built - built_before)));
     record.conditions = workplace.conditions();
     record.on_device = workplace.is_device_open && workplace.is_device_open();
-    record.sizes_vary = sampler_->sizes_vary();
-    record.is_window = sampler_->is_window();
-    record.is_progressive = sampler_->is_progressive();
-    record.tiles_along_axis = sampler_->tiles_along_axis();
-    record.tile_sets = sampler_->tile_sets();
-    record.iterations = sampler_->iterations();
-    record.tile_set = sampler_->tile_set();
-    record.proven_relative_radius = sampler_->proven_relative_radius();
     record.build_seconds = built - build_seconds_;
     record.preparation_seconds = prepared - preparation_seconds_;
     build_seconds_ = built;
     preparation_seconds_ = prepared;
-    if (realization == 0) sample.tile_set = tile_set_of(*sampler_);
+    if (realization == 0) sample.tile_set = tile_set_of(record.traits);
+    record.traits.tile_set_file = {}; // the sampler may go before the record
     return sample;
 }
 

@@ -22,22 +22,14 @@ struct SampleRecord
     double seconds = 0;     ///< of sampling, without building kernels
     std::string conditions; ///< Workplace::conditions() then
     bool on_device = false; ///< whether a device was open
-    bool sizes_vary = false;
-    bool is_window = false;
-    bool is_progressive = false;
-    std::uint32_t tiles_along_axis = 0;
-    std::uint32_t tile_sets = 1;
-    std::vector<IterationRecord> iterations;
-    std::optional<TileSetRecord> tile_set;
-    std::optional<double> proven_relative_radius; ///< Sampler::proven_relative_radius()
-    double build_seconds = 0;                     ///< spent on building kernels since the realization before
-    double preparation_seconds = 0;               ///< since the realization before
+    SetTraits traits;
+    double build_seconds = 0;       ///< spent on building kernels since the realization before
+    double preparation_seconds = 0; ///< since the realization before
 
     template <class Archive>
     void serialize(Archive& archive)
     {
-        archive(points, seconds, conditions, on_device, sizes_vary, is_window, is_progressive, tiles_along_axis,
-                tile_sets, iterations, tile_set, proven_relative_radius, build_seconds, preparation_seconds);
+        archive(points, seconds, conditions, on_device, traits, build_seconds, preparation_seconds);
     }
 };
 

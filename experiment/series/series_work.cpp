@@ -25,12 +25,12 @@ std::string parameters_text(const Parameters& parameters)
 }
 
 /// Methods that tile know their lattice. A single tile leaves no peaks: every frequency is one of its lattice.
-AnalysisOptions analysis_of(const SampleRecord& record, AnalysisOptions options)
+AnalysisOptions analysis_of(const SetTraits& traits, AnalysisOptions options)
 {
-    if (options.tiles == 0 && record.tiles_along_axis > 1) options.tiles = static_cast<int>(record.tiles_along_axis);
-    options.tile_sets = record.tile_sets;
-    options.window = options.window || record.is_window;
-    options.progressive = record.is_progressive;
+    if (options.tiles == 0 && traits.tiles_along_axis > 1) options.tiles = static_cast<int>(traits.tiles_along_axis);
+    options.tile_sets = traits.tile_sets;
+    options.window = options.window || traits.is_window;
+    options.progressive = traits.is_progressive;
     return options;
 }
 
@@ -140,7 +140,7 @@ AnalysisUnit SeriesWork::begin_unit(std::uint32_t part, const WorkListener& list
     const SampleRecord first = first_record(listener);
     if (part > 0) first_ = {}; // somebody else analyses it
     const SeriesAnalysis::Begin begin{range.first, range.first == 0 ? 0 : first.points};
-    return {task_.label, first.sizes_vary, analysis_of(first, experiment_.analysis), begin};
+    return {task_.label, first.traits.sizes_vary, analysis_of(first.traits, experiment_.analysis), begin};
 }
 
 /// Adds realizations, those that are not stored while they are being made: sampling and analysis take turns and never
@@ -224,7 +224,7 @@ void SeriesWork::analyse_all(const WorkListener& listener)
     if (!whole) return;
     IterationRecords iterations;
     for (std::uint32_t k = 0; k < task_.realizations; ++k)
-        if (!whole->is_repeated(k)) iterations.push_back(record(k).iterations);
+        if (!whole->is_repeated(k)) iterations.push_back(record(k).traits.iterations);
     whole->store_analysis(store_, units_.analysis_key(), image_metadata(),
                           iterations_of(iterations) ? iterations_csv(iterations) : "");
 }
@@ -301,12 +301,13 @@ Series SeriesWork::result() const
     std::optional<double> proven;
     for (std::uint32_t k = 0; k < task_.realizations; ++k) {
         const SampleRecord sample = record(k);
+        const SetTraits& traits = sample.traits;
         result.build_seconds += sample.build_seconds;
         result.preparation_seconds += sample.preparation_seconds;
         if (result.is_repeated(k)) continue;
-        if (k == 0 || (proven && sample.proven_relative_radius < proven)) proven = sample.proven_relative_radius;
-        iterations.push_back(sample.iterations);
-        if (k == 0) result.tile_set = sample.tile_set;
+        if (k == 0 || (proven && traits.proven_relative_radius < proven)) proven = traits.proven_relative_radius;
+        iterations.push_back(traits.iterations);
+        if (k == 0) result.tile_set = traits.tile_set;
         if (has_points_to_keep(k)) result.point_files.push_back(file_names::realization(k));
     }
     if (proven) result.measures.numbers["proven_relative_radius"] = {*proven, {}};

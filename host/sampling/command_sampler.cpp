@@ -168,7 +168,7 @@ public:
     }
 
     // The program decides how many points there are.
-    bool sizes_vary() const override { return true; }
+    SetTraits traits() const override { return {.sizes_vary = true}; }
 
 private:
     Parameters parameters_;

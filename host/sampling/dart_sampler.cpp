@@ -116,11 +116,12 @@ public:
         DartThrowingRequest request = darts_of(parameters_, request_);
         request.stream = stream_key(request_.seed, purpose_, realization);
         PointSet points = throw_darts_(request);
-        if (!sizes_vary() && points.size() < request_.points) throw saturated_early(points.size(), realization);
+        if (!to_saturation(parameters_) && points.size() < request_.points)
+            throw saturated_early(points.size(), realization);
         return points;
     }
 
-    bool sizes_vary() const override { return to_saturation(parameters_); }
+    SetTraits traits() const override { return {.sizes_vary = to_saturation(parameters_)}; }
 
 private:
     /// The radius at which the set would have reached its size grows with the number of points as a length

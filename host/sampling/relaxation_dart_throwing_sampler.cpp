@@ -65,7 +65,7 @@ public:
         return std::move(darts.points);
     }
 
-    bool is_progressive() const override { return true; }
+    SetTraits traits() const override { return {.is_progressive = true}; }
 
 private:
     RelaxationDartThrowingRequest request_;

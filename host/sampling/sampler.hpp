@@ -8,7 +8,7 @@
 #include "base/word_table.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/sampling/parameters.hpp"
-#include "results/records/sample_records.hpp"
+#include "host/sampling/set_traits.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -68,45 +68,11 @@ public:
     /// several side by side do so then. Sets are the same with and without it.
     virtual void expect([[maybe_unused]] std::uint32_t first, [[maybe_unused]] std::uint32_t count) {}
 
-    /// The seconds that the last set took where it was made side by side with others: its share of their time, without
-    /// building kernels. Nothing: those of its sample().
-    virtual std::optional<double> shared_seconds() const { return {}; }
-
-    /// True where realizations differ in size by the nature of the method (saturation), rather than by
-    /// mistake.
-    virtual bool sizes_vary() const { return false; }
-
-    /// True where sets are windows of the plane: what lies beside the right border is not what lies at the left one.
-    virtual bool is_window() const { return false; }
-
-    /// True where the first points of a set are a set of their own, however many they are.
-    virtual bool is_progressive() const { return false; }
-
-    /// The iterations of the last sample(); empty for methods without any.
-    virtual std::vector<IterationRecord> iterations() const { return {}; }
+    /// What there is to say of its sets; of the last one, once there is one.
+    virtual SetTraits traits() const { return {}; }
 
     /// Seconds spent on building kernels so far, to be kept apart from the time of sampling.
     virtual double build_seconds() const { return 0; }
-
-    /// Seconds spent on what all realizations have in common, such as a tile set, without building kernels.
-    virtual double preparation_seconds() const { return 0; }
-
-    /// The tile set of methods that tile.
-    virtual std::optional<TileSetRecord> tile_set() const { return {}; }
-
-    /// The bytes of the Poisson disk (sphere) tile set's binary file, docs/tile-set-file.md, where sets are tilings
-    /// with one: others can use it. Empty elsewhere.
-    virtual std::string tile_set_file() const { return {}; }
-
-    /// The relative radius that the last sample() is proven to have at least, where that is known without looking at
-    /// it.
-    virtual std::optional<double> proven_relative_radius() const { return {}; }
-
-    /// The number of tiles along each axis of which the sets are made; 0: they are not made of tiles.
-    virtual std::uint32_t tiles_along_axis() const { return 0; }
-
-    /// The number of tile sets that realizations take in turn, realization k set k % tile_sets().
-    virtual std::uint32_t tile_sets() const { return 1; }
 };
 
 /// Gives the OpenCL device, opened at the first call. Throws DeviceError when there is none.

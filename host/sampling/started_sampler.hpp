@@ -26,8 +26,7 @@ void describe_start(SamplerSpec& spec, const MemoryOfPoints& memory);
 class StartedSampler : public DeviceSampler
 {
 public:
-    bool sizes_vary() const override { return start_->sizes_vary(); }
-    std::vector<IterationRecord> iterations() const override { return iterations_; }
+    SetTraits traits() const override { return {.sizes_vary = start_->traits().sizes_vary, .iterations = iterations_}; }
 
 protected:
     /// `what` is in words what takes the memory, for example "Lloyd relaxation".

@@ -99,15 +99,17 @@ public:
         return at_density(std::move(points), density_, tiles_[set], tiling, side_);
     }
 
-    std::optional<TileSetRecord> tile_set() const override { return tile_set_; }
-    std::string tile_set_file() const override { return encode_tile_set(tiles_.front()); }
-    std::uint32_t tiles_along_axis() const override { return side_; }
-    std::uint32_t tile_sets() const override { return static_cast<std::uint32_t>(tiles_.size()); }
-
-    /// Chance leaves out about as many points.
-    bool sizes_vary() const override { return density_ < 1 && !tiles_.front().parameters.ranked; }
-
-    double preparation_seconds() const override { return preparation_seconds_; }
+    SetTraits traits() const override
+    {
+        SetTraits traits;
+        traits.sizes_vary = density_ < 1 && !tiles_.front().parameters.ranked; // chance leaves out about as many points
+        traits.tiles_along_axis = side_;
+        traits.tile_sets = static_cast<std::uint32_t>(tiles_.size());
+        traits.tile_set = tile_set_;
+        traits.tile_set_file = [this] { return encode_tile_set(tiles_.front()); };
+        traits.preparation_seconds = preparation_seconds_;
+        return traits;
+    }
 
 private:
     std::uint64_t seed_;

@@ -128,22 +128,13 @@ public:
         return array_of(without_lock([&] { return make(realization); }));
     }
 
-    bool sizes_vary() const { return said(false, &Sampler::sizes_vary); }
-    bool is_window() const { return said(false, &Sampler::is_window); }
-    std::uint32_t tiles_along_axis() const { return said(std::uint32_t{0}, &Sampler::tiles_along_axis); }
-    std::optional<double> proven_relative_radius() const
+    /// Those of no set before the first one. Another thread may be making a set: it takes its turn.
+    SetTraits traits() const
     {
-        return said(std::optional<double>(), &Sampler::proven_relative_radius);
+        return without_lock([&] { return sampler_ ? sampler_->traits() : SetTraits{}; });
     }
 
 private:
-    /// The sampler's word, or `otherwise` before the first set. Another thread may be making one: it takes its turn.
-    template <typename Word>
-    Word said(Word otherwise, Word (Sampler::*word)() const) const
-    {
-        return without_lock([&] { return sampler_ ? (sampler_.get()->*word)() : otherwise; });
-    }
-
     const SeriesTask& task() const { return experiment_.series.front(); }
 
     PointSet make(std::int64_t realization)
@@ -169,14 +160,17 @@ private:
 
 void add_samplers(py::module_& module)
 {
+    const auto trait = [](auto SetTraits::*member) {
+        return [member](const SetMaker& maker) { return maker.traits().*member; };
+    };
     module.def("samplers", descriptions, "The methods and their parameters, a dict each.");
     py::class_<SetMaker>(module, "SetMaker", "Makes the point sets of one series of a config.")
         .def(py::init<std::string, const std::string&>(), py::arg("name"), py::arg("config"))
         .def("sample", &SetMaker::sample, py::arg("realization"), "A realization, shape (points, dimension).")
-        .def_property_readonly("sizes_vary", &SetMaker::sizes_vary)
-        .def_property_readonly("is_window", &SetMaker::is_window)
-        .def_property_readonly("tiles_along_axis", &SetMaker::tiles_along_axis)
-        .def_property_readonly("proven_relative_radius", &SetMaker::proven_relative_radius);
+        .def_property_readonly("sizes_vary", trait(&SetTraits::sizes_vary))
+        .def_property_readonly("is_window", trait(&SetTraits::is_window))
+        .def_property_readonly("tiles_along_axis", trait(&SetTraits::tiles_along_axis))
+        .def_property_readonly("proven_relative_radius", trait(&SetTraits::proven_relative_radius));
 }
 
 }

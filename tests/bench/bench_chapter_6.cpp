@@ -36,7 +36,7 @@ void sector_darts(benchmark::State& state, const char* variant)
     for (auto _ : state) {
         sampler->expect(realization, 10);
         for (int i = 0; i < 10; ++i) benchmark::DoNotOptimize(sampler->sample(realization++));
-        state.SetIterationTime(*sampler->shared_seconds());
+        state.SetIterationTime(*sampler->traits().shared_seconds);
     }
 }
 

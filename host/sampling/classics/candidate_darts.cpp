@@ -99,7 +99,7 @@ public:
           distance_(static_cast<std::uint64_t>(std::ceil(min_distance * 4294967296.0)))
     {}
 
-    bool sizes_vary() const override { return true; }
+    SetTraits traits() const override { return {.sizes_vary = true}; }
 
     PointSet sample(std::uint32_t realization) override
     {

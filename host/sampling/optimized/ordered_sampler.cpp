@@ -32,7 +32,7 @@ public:
 
     PointSet sample(std::uint32_t realization) override
     {
-        if (made_->is_window())
+        if (made_->traits().is_window)
             throw parameters_.error(order_key, "does not go with this method: its sets are windows of the plane, and "
                                                "the order needs a torus; leave it out");
         const PointSet points = made_->sample(realization);
@@ -46,23 +46,14 @@ public:
 
     void expect(std::uint32_t first, std::uint32_t count) override { made_->expect(first, count); }
 
-    /// The set's share of the time of all that were made with it, and its own time of ordering.
-    std::optional<double> shared_seconds() const override
+    /// Its share of the time of sets that are made side by side is that of making it, and its own time of ordering.
+    SetTraits traits() const override
     {
-        const auto share = made_->shared_seconds();
-        return share ? std::optional(*share + ordering_seconds_) : share;
+        SetTraits traits = made_->traits();
+        traits.is_progressive = true;
+        if (traits.shared_seconds) *traits.shared_seconds += ordering_seconds_;
+        return traits;
     }
-
-    bool sizes_vary() const override { return made_->sizes_vary(); }
-    bool is_window() const override { return made_->is_window(); }
-    bool is_progressive() const override { return true; }
-    std::vector<IterationRecord> iterations() const override { return made_->iterations(); }
-    double preparation_seconds() const override { return made_->preparation_seconds(); }
-    std::optional<TileSetRecord> tile_set() const override { return made_->tile_set(); }
-    std::string tile_set_file() const override { return made_->tile_set_file(); }
-    std::optional<double> proven_relative_radius() const override { return made_->proven_relative_radius(); }
-    std::uint32_t tiles_along_axis() const override { return made_->tiles_along_axis(); }
-    std::uint32_t tile_sets() const override { return made_->tile_sets(); }
 
 private:
     PointSet in_order(const PointSet& points)

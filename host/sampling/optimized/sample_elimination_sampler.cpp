@@ -49,7 +49,7 @@ public:
                          });
     }
 
-    bool is_progressive() const override { return true; }
+    SetTraits traits() const override { return {.is_progressive = true}; }
 
 private:
     SampleRequest request_;

@@ -42,8 +42,6 @@ public:
         if (device_) darts_.emplace(*device_);
     }
 
-    bool sizes_vary() const override { return true; }
-
     void expect(std::uint32_t first, std::uint32_t count) override { expected_ = {first, count}; }
 
     PointSet sample(std::uint32_t realization) override
@@ -53,7 +51,7 @@ public:
         return std::move(made_.extract(realization).mapped());
     }
 
-    std::optional<double> shared_seconds() const override { return seconds_; }
+    SetTraits traits() const override { return {.sizes_vary = true, .shared_seconds = seconds_}; }
 
 private:
     StreamKey stream_of(std::uint32_t realization) const

@@ -136,8 +136,7 @@ public:
         return set;
     }
 
-    bool sizes_vary() const override { return true; }
-    bool is_window() const override { return true; }
+    SetTraits traits() const override { return {.sizes_vary = true, .is_window = true}; }
 
 private:
     IsohedralTile tile_;

@@ -61,10 +61,14 @@ public:
         return has_random_window_ ? stretched(std::move(points), window) : points;
     }
 
-    /// Windows of one size have about as many points.
-    bool sizes_vary() const override { return has_random_window_; }
-    bool is_window() const override { return true; }
-    double preparation_seconds() const override { return preparation_seconds_; }
+    SetTraits traits() const override
+    {
+        SetTraits traits;
+        traits.sizes_vary = has_random_window_; // windows of one size have about as many points
+        traits.is_window = true;
+        traits.preparation_seconds = preparation_seconds_;
+        return traits;
+    }
 
 private:
     PenroseWindow window_of(std::uint32_t realization) const

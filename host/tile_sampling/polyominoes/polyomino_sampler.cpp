@@ -67,9 +67,14 @@ public:
         return generator_ ? generator_->points(torus, points_) : polyomino_points(torus, points_);
     }
 
-    bool sizes_vary() const override { return density_.has_value(); }
-    std::optional<double> proven_relative_radius() const override { return proven_; }
-    double preparation_seconds() const override { return preparation_seconds_; }
+    SetTraits traits() const override
+    {
+        SetTraits traits;
+        traits.sizes_vary = density_.has_value();
+        traits.proven_relative_radius = proven_;
+        traits.preparation_seconds = preparation_seconds_;
+        return traits;
+    }
 
 private:
     std::size_t points_;

@@ -63,12 +63,15 @@ public:
         return generator_ ? generator_->torus_points(tiling, drawing_) : tiling.torus_points(density_, drawing_);
     }
 
-    /// A density takes some points or leaves them by where they lie.
-    bool sizes_vary() const override { return !density_.is_uniform(); }
-
-    std::optional<TileSetRecord> tile_set() const override { return cached_.record; }
-    std::uint32_t tiles_along_axis() const override { return side_; }
-    double preparation_seconds() const override { return preparation_seconds_; }
+    SetTraits traits() const override
+    {
+        SetTraits traits;
+        traits.sizes_vary = !density_.is_uniform(); // a density takes points or leaves them by where they lie
+        traits.tiles_along_axis = side_;
+        traits.tile_set = cached_.record;
+        traits.preparation_seconds = preparation_seconds_;
+        return traits;
+    }
 
 private:
     std::uint64_t seed_;

@@ -59,8 +59,23 @@ public:
         return wang_torus(built_[last_].points, std::uint64_t{key[0]} << 32 | key[1], side_);
     }
 
+    SetTraits traits() const override
+    {
+        SetTraits traits;
+        traits.sizes_vary = tiles_differ();
+        traits.tiles_along_axis = side_;
+        traits.tile_sets = static_cast<std::uint32_t>(built_.size());
+        traits.tile_set.emplace();
+        traits.tile_set->tiles = wang_point_tiles;
+        traits.tile_set->points_per_tile = static_cast<std::uint64_t>(std::lround(mean_size(built_.front().points)));
+        traits.iterations = built_[last_].iterations;
+        traits.preparation_seconds = preparation_seconds_;
+        return traits;
+    }
+
+private:
     /// Tiles of darts have different numbers of points.
-    bool sizes_vary() const override
+    bool tiles_differ() const
     {
         for (const BuiltTiles& built : built_)
             for (const auto& tile : built.points.tiles)
@@ -68,20 +83,6 @@ public:
         return false;
     }
 
-    std::vector<IterationRecord> iterations() const override { return built_[last_].iterations; }
-    std::uint32_t tiles_along_axis() const override { return side_; }
-    std::uint32_t tile_sets() const override { return static_cast<std::uint32_t>(built_.size()); }
-    double preparation_seconds() const override { return preparation_seconds_; }
-
-    std::optional<TileSetRecord> tile_set() const override
-    {
-        TileSetRecord record;
-        record.tiles = wang_point_tiles;
-        record.points_per_tile = static_cast<std::uint64_t>(std::lround(mean_size(built_.front().points)));
-        return record;
-    }
-
-private:
     std::uint64_t seed_;
     std::vector<BuiltTiles> built_;
     std::size_t last_ = 0; ///< set of the last sample()

@@ -21,7 +21,7 @@ public:
     using Make = std::function<PointSet(std::uint32_t)>;
     FunctionSampler(Make make, bool sizes_vary) : make_(std::move(make)), sizes_vary_(sizes_vary) {}
     PointSet sample(std::uint32_t realization) override { return make_(realization); }
-    bool sizes_vary() const override { return sizes_vary_; }
+    SetTraits traits() const override { return {.sizes_vary = sizes_vary_}; }
 
 private:
     Make make_;
@@ -252,7 +252,7 @@ public:
             records_.push_back({0.1 * (realization + 1) + 0.01 * i, 0.3 - 0.1 * realization - 0.01 * i});
         return FunctionSampler::sample(realization);
     }
-    std::vector<IterationRecord> iterations() const override { return records_; }
+    SetTraits traits() const override { return {.iterations = records_}; }
 
 private:
     std::vector<IterationRecord> records_;

@@ -101,7 +101,7 @@ TEST_F(CommandSampling, ReadsWhatTheProgramWrites)
     const std::string seed = std::to_string(command_seed(3, 1));
     EXPECT_EQ(points.dimension, 2);
     EXPECT_EQ(points.coordinates, (std::vector<double>{0.16, std::stod("0." + seed), 0.5, 0.1}));
-    EXPECT_TRUE(sampler->sizes_vary());
+    EXPECT_TRUE(sampler->traits().sizes_vary);
 }
 
 TEST_F(CommandSampling, TakesEveryFormat)

@@ -87,14 +87,14 @@ TEST(DartThrowingSampler, EnginesGiveTheSameBytes)
     const auto plain = spec().create(p, request, Engine::reference, {});
     for (std::uint32_t k = 0; k < 3; ++k) EXPECT_EQ(kernel->sample(k), plain->sample(k));
     EXPECT_NE(kernel->sample(0), kernel->sample(1));
-    EXPECT_FALSE(kernel->sizes_vary());
+    EXPECT_FALSE(kernel->traits().sizes_vary);
 }
 
 TEST(DartThrowingSampler, SaturatesAtTheAskedDistanceOrNearTheAskedSize)
 {
     const auto by_distance = spec().create(parameters({{"stop", std::string("saturation")}, {"min_distance", 0.02}}),
                                            {9, 2, 1}, Engine::opencl, device());
-    EXPECT_TRUE(by_distance->sizes_vary());
+    EXPECT_TRUE(by_distance->traits().sizes_vary);
     EXPECT_GE(test::brute_force_min_distance(by_distance->sample(0)), 0.02);
 
     const auto by_size =

@@ -67,7 +67,7 @@ TEST(LloydSampler, WithoutIterationsGivesItsStart)
         const auto plain = from->create(lloyd_parameters({{"relative_radius", 0.7}}, from->name), {512, dimension, 7},
                                         Engine::reference, nullptr);
         EXPECT_EQ(sampler->sample(3), plain->sample(3));
-        EXPECT_EQ(sampler->iterations().size(), 1u);
+        EXPECT_EQ(sampler->traits().iterations.size(), 1u);
     }
 }
 

@@ -83,7 +83,7 @@ TEST_F(TileSamplers, KeepTheRelativeRadiusOfTheSet)
             EXPECT_EQ(set.size(), 1024u) << c.sampler;
             EXPECT_GE(relative_radius(test::brute_force_min_distance(set), 1024, 2), 0.7) << c.sampler;
         }
-        EXPECT_EQ(sampler->tiles_along_axis(), 8u);
+        EXPECT_EQ(sampler->traits().tiles_along_axis, 8u);
     }
     const auto spheres = create("sphere-tiles",
                                 {{"colors", whole(1)},
@@ -215,8 +215,8 @@ TEST_F(TileSamplers, TakeSeveralSetsInTurn)
     };
     const auto first = sampler(1, Engine::opencl, 7), second = sampler(1, Engine::opencl, 8);
     const auto all = sampler(3, Engine::opencl, 7), twin = sampler(3, Engine::reference, 7);
-    EXPECT_EQ(first->tile_sets(), 1);
-    EXPECT_EQ(all->tile_sets(), 3);
+    EXPECT_EQ(first->traits().tile_sets, 1);
+    EXPECT_EQ(all->traits().tile_sets, 3);
     std::set<std::pair<double, double>> of_second;
     for (std::uint32_t k = 0; k < 8; ++k) of_second.merge(places_in_tiles(second->sample(k)));
     for (std::uint32_t k = 0; k < 5; ++k) {

@@ -165,7 +165,7 @@ TEST(EqualAreas, EnginesGiveTheSameBytes)
     const auto kernel = spec.create(parameters, {300, 2, 5}, Engine::opencl, [&]() -> Device& { return device; });
     const auto plain = spec.create(parameters, {300, 2, 5}, Engine::reference, {});
     EXPECT_EQ(kernel->sample(1), plain->sample(1));
-    EXPECT_EQ(kernel->iterations().size(), 6u);
+    EXPECT_EQ(kernel->traits().iterations.size(), 6u);
 }
 
 /// A lattice has equal areas, and its points are at their centroids: nothing moves.

@@ -140,7 +140,7 @@ TEST(FarthestPoint, ReachesTheDistancesOfThePaper)
         const PointSet set = sampler->sample(realization);
         EXPECT_NEAR(relative_radius(test::brute_force_min_distance(set), 1024, 2), 0.925, 0.001);
         EXPECT_NEAR(mean_nearest_distance(set) / max_min_distance(1024, 2), 0.932, 0.003);
-        EXPECT_LT(sampler->iterations().size(), 500u);
+        EXPECT_LT(sampler->traits().iterations.size(), 500u);
     }
 }
 

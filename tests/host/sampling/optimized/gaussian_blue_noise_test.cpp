@@ -234,7 +234,7 @@ TEST(GaussianLevels, MakeSetsEvenAtLargeDistancesInFewerSteps)
         const auto sampler = spec.create(parameters, {4093, 2, 3}, engine, [&]() -> Device& { return device; });
         const PointSet set = sampler->sample(0);
         EXPECT_EQ(set.size(), 4093u);
-        EXPECT_EQ(sampler->iterations().size(), 31 * (static_cast<std::size_t>(levels) + 1));
+        EXPECT_EQ(sampler->traits().iterations.size(), 31 * (static_cast<std::size_t>(levels) + 1));
         double power = 0;
         for (const std::array<int, 3> f : {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{1, 1, 0},
                                            std::array{1, -1, 0}, std::array{2, 0, 0}, std::array{0, 2, 0}})

@@ -112,12 +112,12 @@ TEST(OrderedSampler, MovesNoPointAndMakesEveryFirstPartGood)
     EXPECT_EQ(plan[0].name, "lloyd-i-20-order-own");
     EXPECT_EQ(plan[1].name, "lloyd-i-20-order-sample-elimination");
     const auto own = plain_sampler(plan[0]), ordered = plain_sampler(plan[1]);
-    EXPECT_FALSE(own->is_progressive());
-    EXPECT_TRUE(ordered->is_progressive());
+    EXPECT_FALSE(own->traits().is_progressive);
+    EXPECT_TRUE(ordered->traits().is_progressive);
     const PointSet made = own->sample(1), sorted = ordered->sample(1);
     EXPECT_NE(made, sorted);
     EXPECT_EQ(places(made), places(sorted));
-    EXPECT_EQ(own->iterations().size(), ordered->iterations().size());
+    EXPECT_EQ(own->traits().iterations.size(), ordered->traits().iterations.size());
     // Lloyd relaxation keeps the numbers of its random points, of which a half is a random choice: its nearest two are
     // neighbours of the whole set. In a good order they are not: 0.55 to 0.6 at powers of two, for points that cannot
     // move (sample elimination of five times as many random ones has 0.62 and more).
@@ -151,7 +151,7 @@ class WindowSampler final : public Sampler
 {
 public:
     PointSet sample(std::uint32_t) override { return {2, {0.5, 0.5}}; }
-    bool is_window() const override { return true; }
+    SetTraits traits() const override { return {.is_window = true}; }
 };
 
 /// A method that has something of its own to say of everything.
@@ -159,14 +159,17 @@ class TalkativeSampler final : public Sampler
 {
 public:
     PointSet sample(std::uint32_t) override { return {2, {0.5, 0.5}}; }
-    bool sizes_vary() const override { return true; }
-    std::vector<IterationRecord> iterations() const override { return {{0.5, 2}}; }
-    double preparation_seconds() const override { return 7; }
-    std::optional<TileSetRecord> tile_set() const override { return TileSetRecord{}; }
-    std::string tile_set_file() const override { return "PTILES"; }
-    std::optional<double> proven_relative_radius() const override { return 0.25; }
-    std::uint32_t tiles_along_axis() const override { return 5; }
-    std::uint32_t tile_sets() const override { return 3; }
+    SetTraits traits() const override
+    {
+        return {.sizes_vary = true,
+                .tiles_along_axis = 5,
+                .tile_sets = 3,
+                .tile_set = TileSetRecord{},
+                .tile_set_file = [] { return "PTILES"; },
+                .iterations = {{0.5, 2}},
+                .proven_relative_radius = 0.25,
+                .preparation_seconds = 7};
+    }
 };
 
 TEST(OrderedSampler, SaysWhatTheMethodSays)
@@ -176,14 +179,17 @@ TEST(OrderedSampler, SaysWhatTheMethodSays)
         return std::make_unique<TalkativeSampler>();
     };
     const auto ordered = in_progressive_order(talkative).create({}, {1, 2, 1}, Engine::reference, {});
-    EXPECT_TRUE(ordered->sizes_vary());
-    EXPECT_EQ(ordered->iterations().size(), 1u);
-    EXPECT_EQ(ordered->preparation_seconds(), 7);
-    EXPECT_TRUE(ordered->tile_set().has_value());
-    EXPECT_EQ(ordered->tile_set_file(), "PTILES");
-    EXPECT_EQ(ordered->proven_relative_radius(), 0.25);
-    EXPECT_EQ(ordered->tiles_along_axis(), 5u);
-    EXPECT_EQ(ordered->tile_sets(), 3u);
+    const SetTraits traits = ordered->traits();
+    EXPECT_TRUE(traits.sizes_vary);
+    EXPECT_TRUE(traits.is_progressive);
+    EXPECT_EQ(traits.tiles_along_axis, 5u);
+    EXPECT_EQ(traits.tile_sets, 3u);
+    EXPECT_TRUE(traits.tile_set.has_value());
+    EXPECT_EQ(traits.tile_set_file(), "PTILES");
+    EXPECT_EQ(traits.iterations.size(), 1u);
+    EXPECT_EQ(traits.proven_relative_radius, 0.25);
+    EXPECT_EQ(traits.preparation_seconds, 7);
+    EXPECT_FALSE(traits.shared_seconds);
 }
 
 TEST(OrderedSampler, MistakesAreSaidWithTheirPlace)
@@ -209,7 +215,7 @@ public:
 
     PointSet sample(std::uint32_t) override { return {2, {0.1, 0.1, 0.6, 0.1, 0.1, 0.6, 0.6, 0.6}}; }
     void expect(std::uint32_t first, std::uint32_t count) override { expected_ = {first, count}; }
-    std::optional<double> shared_seconds() const override { return 1000; }
+    SetTraits traits() const override { return {.shared_seconds = 1000}; }
 
 private:
     std::vector<std::uint32_t>& expected_;
@@ -226,9 +232,9 @@ TEST(OrderedSampler, HandsOnWhatIsExpectedAndTheShareOfTheTime)
     sampler->expect(3, 8);
     EXPECT_EQ(expected, (std::vector<std::uint32_t>{3, 8}));
     sampler->sample(3);
-    ASSERT_TRUE(sampler->shared_seconds());
-    EXPECT_GE(*sampler->shared_seconds(), 1000) << "and the time of ordering";
-    EXPECT_LT(*sampler->shared_seconds(), 1060);
+    ASSERT_TRUE(sampler->traits().shared_seconds);
+    EXPECT_GE(*sampler->traits().shared_seconds, 1000) << "and the time of ordering";
+    EXPECT_LT(*sampler->traits().shared_seconds, 1060);
 }
 
 }

@@ -204,14 +204,14 @@ TEST(SectorDartSampler, MakesExpectedSetsSideBySide)
         return spec.create(parameters, {2048, 2, 3}, engine, [&]() -> Device& { return device; });
     };
     const auto alone = made(Engine::reference), some = made(Engine::opencl);
-    EXPECT_FALSE(alone->shared_seconds());
+    EXPECT_FALSE(alone->traits().shared_seconds);
     EXPECT_EQ(some->sample(4), alone->sample(4)); // not expected
     some->expect(5, 20);                          // more than are made at once
     double first = 0;
     for (std::uint32_t k = 5; k < 26; ++k) {
         EXPECT_EQ(some->sample(k), alone->sample(k)) << k;
-        ASSERT_TRUE(some->shared_seconds());
-        const double share = *some->shared_seconds();
+        ASSERT_TRUE(some->traits().shared_seconds);
+        const double share = *some->traits().shared_seconds;
         if (k == 5) first = share;
         EXPECT_EQ(share == first, k <= 20) << k;
     }

@@ -38,7 +38,7 @@ protected:
     {
         Device device = Device::open();
         const auto sampler = spec_.create(given_, {points, 2, 1}, engine, [&]() -> Device& { return device; });
-        EXPECT_TRUE(sampler->is_window());
+        EXPECT_TRUE(sampler->traits().is_window);
         return sampler->sample(realization);
     }
 

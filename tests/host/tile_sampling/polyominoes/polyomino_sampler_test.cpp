@@ -55,7 +55,7 @@ TEST_F(PolyominoSampling, RealizationsAreDifferentSetsOfTheSameSize)
     EXPECT_EQ(second.size(), 1000U);
     EXPECT_NE(first, second);
     EXPECT_EQ(polyominoes->sample(0), first);
-    EXPECT_FALSE(polyominoes->sizes_vary());
+    EXPECT_FALSE(polyominoes->traits().sizes_vary);
 }
 
 /// The kernel against the plain twin: all levels, rows that are whole and others, any work-group size.
@@ -87,7 +87,7 @@ TEST_F(PolyominoSampling, KernelsMakeTheSameFewPoints)
 TEST_F(PolyominoSampling, SetsOfADensityHaveAboutAsManyPoints)
 {
     const auto polyominoes = sampler(5000, "exp(-4*(x^2+y^2))");
-    EXPECT_TRUE(polyominoes->sizes_vary());
+    EXPECT_TRUE(polyominoes->traits().sizes_vary);
     EXPECT_NEAR(static_cast<double>(polyominoes->sample(0).size()), 5000, 100);
 }
 

@@ -349,8 +349,8 @@ TEST_F(RecursiveSamplers, MakeSetsOfTheSizeThatIsAsked)
     EXPECT_EQ(sampler->sample(0).size(), 2000U);
     EXPECT_NE(sampler->sample(0), sampler->sample(1));
     EXPECT_EQ(sampler->sample(1), make(parameters())->sample(1));
-    EXPECT_FALSE(sampler->sizes_vary());
-    EXPECT_EQ(sampler->tiles_along_axis(), 4U);
+    EXPECT_FALSE(sampler->traits().sizes_vary);
+    EXPECT_EQ(sampler->traits().tiles_along_axis, 4U);
     EXPECT_FALSE(spec().is_deterministic(parameters()));
     Parameters one = parameters();
     one.set("base_tiles", std::int64_t{1});
@@ -381,7 +381,7 @@ TEST_F(RecursiveSamplers, FollowAFormula)
     Parameters given = parameters();
     given.set("density", std::string("x < 0 ? 1 : 3"), {"test.toml", 3});
     const auto sampler = make(given);
-    EXPECT_TRUE(sampler->sizes_vary());
+    EXPECT_TRUE(sampler->traits().sizes_vary);
     const PointSet set = sampler->sample(0);
     std::size_t left = 0;
     for (std::size_t i = 0; i < set.size(); ++i) left += set[i][0] < 0.5;

@@ -220,13 +220,13 @@ TEST(AveragedTiles, RecordWhatTheirTilingsHave)
     given.set("iterations", std::int64_t{5}, {"test.toml", 1});
     given.set("sets", std::int64_t{2}, {"test.toml", 1});
     const auto sampler = spec.create(given, {9000, 2, 4}, Engine::reference, {});
-    EXPECT_EQ(sampler->tile_sets(), 2U);
+    EXPECT_EQ(sampler->traits().tile_sets, 2U);
     std::vector<std::vector<IterationRecord>> records;
     for (std::uint32_t realization = 0; realization < 4; ++realization) {
         const PointSet points = sampler->sample(realization);
-        records.push_back(sampler->iterations());
+        records.push_back(sampler->traits().iterations);
         ASSERT_EQ(records.back().size(), 6U);
-        const double within = min_distance_within_tiles(points, static_cast<int>(sampler->tiles_along_axis()));
+        const double within = min_distance_within_tiles(points, static_cast<int>(sampler->traits().tiles_along_axis));
         EXPECT_NEAR(*records.back().back().relative_radius_within_tiles, relative_radius(within, points.size(), 2),
                     1e-9);
         EXPECT_NEAR(records.back().back().relative_radius,
@@ -237,7 +237,7 @@ TEST(AveragedTiles, RecordWhatTheirTilingsHave)
     EXPECT_NE(records[0], records[1]);
     const auto second = spec.create(Parameters(given), {9000, 2, 5}, Engine::reference, {});
     second->sample(0);
-    EXPECT_EQ(second->iterations(), records[1]) << "the set of the next seed";
+    EXPECT_EQ(second->traits().iterations, records[1]) << "the set of the next seed";
 }
 
 /// A tile of one point has no distance within it, and moves to where it is as far from others as it can be.
@@ -249,7 +249,8 @@ TEST(AveragedTiles, OfOnePointHaveNoRadiusWithin)
     given.set("iterations", std::int64_t{3}, {"test.toml", 1});
     const auto sampler = spec.create(given, {64, 2, 4}, Engine::reference, {});
     EXPECT_EQ(sampler->sample(0).size(), 64U);
-    for (const IterationRecord& record : sampler->iterations()) {
+    const SetTraits traits = sampler->traits();
+    for (const IterationRecord& record : traits.iterations) {
         EXPECT_FALSE(record.relative_radius_within_tiles);
         EXPECT_GT(record.relative_radius, 0.4);    // from the middles, half a tile apart at least
         EXPECT_LE(record.relative_radius, 0.9307); // of the square lattice
@@ -272,8 +273,8 @@ TEST(WangSamplers, MakeTilingsOfTheSameTiles)
         EXPECT_EQ(sampler->sample(1), make(1, Engine::reference)->sample(1));
         EXPECT_NE(sampler->sample(0), sampler->sample(1));
         EXPECT_NE(sampler->sample(0), make(2)->sample(0));
-        EXPECT_EQ(sampler->tile_set()->tiles, 8U);
-        EXPECT_EQ(sampler->sizes_vary(), name == std::string("shade-tiles"));
+        EXPECT_EQ(sampler->traits().tile_set->tiles, 8U);
+        EXPECT_EQ(sampler->traits().sizes_vary, name == std::string("shade-tiles"));
     }
 }
 
