@@ -16,19 +16,15 @@ using ApplicationOutcome = std::optional<ClaimOutcome>;
 /// The best two tiles of 16 points: 0.6966, which is very symmetric, and 0.6528.
 ApplicationOutcome radii_of_16_points(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const DistributionResult* search : report.distributions("self-similar-tile")) {
         if (std::ranges::find(search->facts, "16 points") == search->facts.end()) continue;
         for (const auto& [key, value] : {std::pair{"radius_1", 0.6966}, {"radius_2", 0.6528}})
             if (const auto radius = number_of(*search, key)) {
-                tally.add(std::abs(*radius - value) < 5e-5);
-                words.push_back(format_significant(*radius, 4));
+                cases.add(std::abs(*radius - value) < 5e-5, format_significant(*radius, 4));
             }
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 ApplicationOutcome clumps_of_warping(const ClaimSeries& report)
@@ -57,34 +53,30 @@ ApplicationOutcome clumps_of_warping(const ClaimSeries& report)
 /// Ranked points of densities: periodic in constant regions, but as many as are asked for.
 ApplicationOutcome numbers_of_zooms(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> errors;
     for (const char* kind : {"ranks", "stippling"})
         for (const DistributionResult* ranked : report.distributions(kind)) {
             const auto asked = number_of(*ranked, "asked_for"), points = number_of(*ranked, "points");
             if (!asked || !points) continue;
             errors.push_back(100 * (*points / *asked - 1));
-            tally.add(std::abs(errors.back()) < 5);
+            cases.add(std::abs(errors.back()) < 5);
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(errors, 2) + " % more than asked for", tally.words()})};
+    return cases.outcome(range_words(errors, 2) + " % more than asked for");
 }
 
 ApplicationOutcome instances_of_a_forest(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> ratios;
     for (const DistributionResult* instances : report.distributions("instances")) {
         const auto n = number_of(*instances, "instances"), expected = number_of(*instances, "expected");
         if (!n || !expected || *expected <= 0) continue;
         ratios.push_back(*n / *expected);
         const double errors = std::abs(*n - *expected) / std::sqrt(*expected);
-        tally.add(errors < 2 ? Finding::holds : errors < 4 ? Finding::open : Finding::fails);
+        cases.add(errors < 2 ? Finding::holds : errors < 4 ? Finding::open : Finding::fails);
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(ratios, 3) + " of the expected number", tally.words()})};
+    return cases.outcome(range_words(ratios, 3) + " of the expected number");
 }
 
 /// A look-up in calls of Perlin's noise, of objects in the plane or in space. Shaders look up rows of pixels, where

@@ -20,6 +20,7 @@ std::string joined_words(const std::vector<std::string>& parts)
 
 std::string range_words(const std::vector<double>& values, int digits)
 {
+    if (values.empty()) return "";
     const auto [low, high] = std::ranges::minmax(values);
     const auto from = format_significant(low, digits), to = format_significant(high, digits);
     return from == to ? from : from + " to " + to;
@@ -35,6 +36,24 @@ std::string range_words(const std::vector<Estimate>& values, int digits)
     }
     const std::string range = range_words(alone, digits);
     return error > 0 ? fmt::format("{} (± {})", range, format_significant(error, 1)) : range;
+}
+
+void Cases::add(Finding finding, std::string words)
+{
+    tally_.add(finding);
+    say(std::move(words));
+}
+
+std::optional<ClaimOutcome> Cases::uncounted() const
+{
+    if (count() == 0) return std::nullopt;
+    return ClaimOutcome{agreement(), joined_words(words_)};
+}
+
+std::optional<ClaimOutcome> Cases::outcome(const std::string& words, const std::string& after) const
+{
+    if (count() == 0) return std::nullopt;
+    return ClaimOutcome{agreement(), joined_words({words, tally_.words(), after})};
 }
 
 std::string with_error(const Estimate& estimate, int decimals)
@@ -95,36 +114,31 @@ std::optional<Finding> finds_false_plates(const ClaimSeries& report, const Repor
 std::optional<ClaimOutcome> false_plates(const ClaimSeries& report, const std::vector<const ReportSeries*>& series,
                                          bool should_alias)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> strengths;
     double bound = 0;
     for (const auto* entry : series) {
         const auto found = finds_false_plates(report, *entry);
         if (!found) continue;
-        tally.add(should_alias ? *found : opposite(*found));
+        cases.add(should_alias ? *found : opposite(*found));
         strengths.push_back(report.false_rings(*entry)->strength);
         bound = report.false_rings(*entry)->bound;
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
-                                  range_words(strengths, 2), format_significant(bound, 2)),
-                      tally.words()})};
+    return cases.outcome(fmt::format("strongest false plate {} times the noise around it; noise alone gives up to {}",
+                                     range_words(strengths, 2), format_significant(bound, 2)));
 }
 
 /// 0.5 dB is what K = 10 sets and some hundred rings leave open.
 std::optional<ClaimOutcome> has_low_anisotropy(const std::vector<const ReportSeries*>& all)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> values;
     for (const ReportSeries* series : all) {
         if (series->stored->deterministic) continue;
         values.push_back(mean_excess_anisotropy(*series));
-        tally.add(is_within(values.back(), -0.5, 0.5));
+        cases.add(is_within(values.back(), -0.5, 0.5));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(values, 2) + " dB from it", tally.words()})};
+    return cases.outcome(range_words(values, 2) + " dB from it");
 }
 
 Finding compared_plates(double error, double other_error)
@@ -301,17 +315,14 @@ BlueNoise blue_noise(const ReportSeries& series)
 std::optional<ClaimOutcome> all_blue_noise(const std::vector<const ReportSeries*>& series)
 {
     constexpr std::size_t most_words = 3;
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
+    std::size_t said = 0;
     for (const ReportSeries* entry : series) {
         const BlueNoise found = blue_noise(*entry);
         if (found.words.empty()) continue;
-        tally.add(found.finding);
-        if (words.size() < most_words) words.push_back(entry->label + ": " + found.words);
+        cases.add(found.finding, said++ < most_words ? entry->label + ": " + found.words : "");
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 std::optional<double> median_seconds(const ReportSeries& series)

@@ -14,7 +14,7 @@ namespace poissonlab {
 /// "a; b; c" without empty parts.
 std::string joined_words(const std::vector<std::string>& parts);
 
-/// "0.12 to 0.34", or one number where both look the same. `values` must not be empty.
+/// "0.12 to 0.34", or one number where both look the same; empty without values.
 std::string range_words(const std::vector<double>& values, int digits);
 
 /// The range of values, and their largest standard error: "0.12 to 0.34 (± 0.02)".
@@ -25,6 +25,40 @@ std::string percent_words(double share);
 
 /// "0.123 ± 0.004", or the value alone where its error is not known.
 std::string with_error(const Estimate& estimate, int decimals);
+
+/// The cases of a claim: whether each holds, and what was measured.
+class Cases
+{
+public:
+    /// With fewer cases than `fewest` it is open what they say.
+    explicit Cases(int fewest = 1) : fewest_(fewest) {}
+
+    void add(Finding finding, std::string words = "");
+    void add(bool holds, std::string words = "") { add(finding_if(holds), std::move(words)); }
+
+    /// Words that belong to no case.
+    void say(std::string words) { words_.push_back(std::move(words)); }
+
+    int count() const { return tally_.cases(); }
+
+    // What they say together; nothing where there are none.
+
+    /// The words of all, then in how many cases the claim holds.
+    std::optional<ClaimOutcome> outcome() const { return outcome(joined_words(words_)); }
+
+    /// The same without in how many.
+    std::optional<ClaimOutcome> uncounted() const;
+
+    /// Other words than those of each case, and words that follow the count.
+    std::optional<ClaimOutcome> outcome(const std::string& words, const std::string& after = "") const;
+
+private:
+    Agreement agreement() const { return count() < fewest_ ? Agreement::open : tally_.agreement(); }
+
+    int fewest_;
+    Tally tally_;
+    std::vector<std::string> words_;
+};
 
 /// Whether the picture of a series has false plates that noise alone makes once in ten thousand pictures; fails: none
 /// that noise does not make once in a hundred. std::nullopt: there is no picture.

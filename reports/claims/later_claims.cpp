@@ -47,29 +47,24 @@ Later large_radii_have_directions(const ClaimSeries& report)
 /// No direction in any series of a method.
 Later has_no_direction(const ClaimSeries& report, const char* sampler)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all({.sampler = sampler, .needs = SeriesQuery::Needs::spectrum})) {
         const Estimate excess = mean_excess_anisotropy(*series);
-        tally.add(is_below(excess, isotropic_db));
-        words.push_back(with_error(excess, 2) + " dB above chance");
+        cases.add(is_below(excess, isotropic_db), with_error(excess, 2) + " dB above chance");
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 Later radius_is(const ClaimSeries& report, const char* sampler, double published, double tolerance)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all({.sampler = sampler})) {
         if (!series->stored->relative_radius) continue;
         const Estimate mean = mean_of_realizations(*series->stored->relative_radius);
-        tally.add(is_within(mean, published - tolerance, published + tolerance));
-        words.push_back(fmt::format("N = {}: {}", format_count(series->stored->points), with_error(mean, 4)));
+        cases.add(is_within(mean, published - tolerance, published + tolerance),
+                  fmt::format("N = {}: {}", format_count(series->stored->points), with_error(mean, 4)));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 /// Sets of equal areas have every mean nearest distance after some number of moves.
@@ -87,64 +82,58 @@ Later shown_equal_areas(const ClaimSeries& report)
 /// The mean nearest distance of a method with its usual parameters.
 Later nearest_distance_is(const ClaimSeries& report, const SeriesQuery& query, double published, double tolerance)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all(query))
         if (const Estimate* nearest = estimate_of(*series, "mean_nearest_distance")) {
-            tally.add(is_within(*nearest, published - tolerance, published + tolerance));
-            words.push_back(fmt::format("N = {}: {}", format_count(series->stored->points), with_error(*nearest, 4)));
+            cases.add(is_within(*nearest, published - tolerance, published + tolerance),
+                      fmt::format("N = {}: {}", format_count(series->stored->points), with_error(*nearest, 4)));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 Later first_parts_are_good(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all({.sampler = "sample-elimination"})) {
         const Estimate* parts = estimate_of(*series, "prefix_relative_radius");
         if (!parts || !series->stored->relative_radius) continue;
         const double whole = series->stored->relative_radius->mean;
-        tally.add(is_above(*parts, 0.85 * whole));
-        words.push_back(fmt::format("{}, the whole sets {}", with_error(*parts, 3), format_fixed(whole, 3)));
+        cases.add(is_above(*parts, 0.85 * whole),
+                  fmt::format("{}, the whole sets {}", with_error(*parts, 3), format_fixed(whole, 3)));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 /// Gaussian blue noise against equal areas, of as many points.
 Later has_less_low_power(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : of_even_density(report, "gaussian-blue-noise", SeriesQuery::Needs::anything))
         for (const ReportSeries* other : report.all({.sampler = "equal-areas", .points = series->stored->points})) {
             const Estimate *own = estimate_of(*series, "low_frequency_mean"),
                            *theirs = estimate_of(*other, "low_frequency_mean");
             if (!own || !theirs) continue;
-            tally.add(is_below(difference_of(*own, *theirs), 0));
-            words.push_back(fmt::format("N = {}: {} against {}", format_count(series->stored->points),
-                                        format_significant(own->value, 2), format_significant(theirs->value, 2)));
+            cases.add(is_below(difference_of(*own, *theirs), 0),
+                      fmt::format("N = {}: {} against {}", format_count(series->stored->points),
+                                  format_significant(own->value, 2), format_significant(theirs->value, 2)));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 /// The power towards frequency 0 of saturated dart throwing.
 Later saturated_power_is(const ClaimSeries& report, int dimension, double published)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all({.sampler = "dart-throwing", .dimension = dimension})) {
         const auto& power = series->stored->measures.low_frequency_power;
         if (text_parameter(*series, "stop") != "saturation" || !power || series->stored->realizations < 2) continue;
         const double errors = std::abs(power->intercept - published) / power->intercept_standard_error;
-        tally.add(errors <= 3 ? Finding::holds : errors <= 5 ? Finding::open : Finding::fails);
-        words.push_back(with_error({power->intercept, power->intercept_standard_error}, 4));
+        cases.add(errors <= 3   ? Finding::holds
+                  : errors <= 5 ? Finding::open
+                                : Finding::fails,
+                  with_error({power->intercept, power->intercept_standard_error}, 4));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 /// What papers show as a curve.

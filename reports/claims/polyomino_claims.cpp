@@ -27,10 +27,9 @@ std::vector<Estimate> strongest_rings(const ClaimSeries& report, const char* sam
 PolyominoOutcome have_no_spikes(const ClaimSeries& report)
 {
     const std::vector<Estimate> rings = strongest_rings(report, "polyominoes");
-    if (rings.empty()) return std::nullopt;
-    Tally tally;
-    for (const Estimate& ring : rings) tally.add(is_below(ring, spike_db));
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(rings, 3) + " dB above chance", tally.words()})};
+    Cases cases;
+    for (const Estimate& ring : rings) cases.add(is_below(ring, spike_db));
+    return cases.outcome(range_words(rings, 3) + " dB above chance");
 }
 
 /// Every series of polyominoes beside every Penrose tiling.
@@ -38,13 +37,11 @@ PolyominoOutcome have_weaker_spikes(const ClaimSeries& report)
 {
     const std::vector<Estimate> rings = strongest_rings(report, "polyominoes");
     const std::vector<Estimate> of_penrose = strongest_rings(report, "penrose");
-    if (rings.empty() || of_penrose.empty()) return std::nullopt;
-    Tally tally;
+    Cases cases;
     for (const Estimate& ring : rings)
-        for (const Estimate& other : of_penrose) tally.add(is_below(difference_of(ring, other), -1));
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(rings, 3) + " dB above chance",
-                                      "Penrose tilings " + range_words(of_penrose, 3), tally.words()})};
+        for (const Estimate& other : of_penrose) cases.add(is_below(difference_of(ring, other), -1));
+    return cases.outcome(
+        joined_words({range_words(rings, 3) + " dB above chance", "Penrose tilings " + range_words(of_penrose, 3)}));
 }
 
 /// Beside dart throwing of some 16,384 points.

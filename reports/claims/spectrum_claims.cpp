@@ -31,8 +31,7 @@ std::vector<const ReportSeries*> series_with_target(const ClaimSeries& report, c
 std::optional<ClaimOutcome> nyquist_beside_the_step(const ClaimSeries& report, const std::string& target,
                                                     bool is_below_step)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : series_with_target(report, target)) {
         const Estimate* nyquist = estimate_of(*series, "effective_nyquist");
         const double step = number_parameter(*series, "frequency").value_or(usual_step);
@@ -41,11 +40,10 @@ std::optional<ClaimOutcome> nyquist_beside_the_step(const ClaimSeries& report, c
         const double ring = is_below_step ? 0.5 / std::sqrt(static_cast<double>(series->stored->points)) : 0;
         const double beyond = (nyquist->value - ring - farthest_nyquist) / nyquist->standard_error.value_or(1e-9);
         const Finding is_farther = beyond > 5 ? Finding::holds : beyond > 3 ? Finding::open : Finding::fails;
-        tally.add(is_below_step ? opposite(is_farther) : is_farther);
-        words.push_back(fmt::format("asked for at {}: {}", format_significant(step, 3), with_error(*nyquist, 3)));
+        cases.add(is_below_step ? opposite(is_farther) : is_farther,
+                  fmt::format("asked for at {}: {}", format_significant(step, 3), with_error(*nyquist, 3)));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 constexpr std::array optimised_methods = {"farthest-point", "gaussian-blue-noise", "equal-areas", "lloyd"};
@@ -53,8 +51,7 @@ constexpr std::array optimised_methods = {"farthest-point", "gaussian-blue-noise
 /// The step against every other method that moves points until they are good, of as many points.
 std::optional<ClaimOutcome> step_oscillates_least(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* step : series_with_target(report, "step")) {
         if (!step->stored->measures.oscillation) continue;
         const Oscillation& mine = *step->stored->measures.oscillation;
@@ -65,13 +62,11 @@ std::optional<ClaimOutcome> step_oscillates_least(const ClaimSeries& report)
                 if (follows_density(*other)) continue;
                 const Oscillation& theirs = *other->stored->measures.oscillation;
                 const Estimate value{theirs.value, theirs.standard_error};
-                tally.add(is_below(difference_of(own, value), 0));
-                words.push_back(
-                    fmt::format("{} against {} of {}", with_error(own, 2), with_error(value, 2), other->label));
+                cases.add(is_below(difference_of(own, value), 0),
+                          fmt::format("{} against {} of {}", with_error(own, 2), with_error(value, 2), other->label));
             }
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.uncounted();
 }
 
 }

@@ -64,50 +64,42 @@ Finding is_less(const Estimate& first, const Estimate& second, double sign)
 /// Judges that a measure of the first ones is below that of the second ones; `sign` -1: above.
 TextureOutcome compared(const ClaimSeries& report, Choice one, Choice other, const std::string& key, double sign)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> of_one, of_other;
     for (const auto& [a, b] : texture_pairs(report, one, other)) {
         const auto first = estimate_in(*a, key), second = estimate_in(*b, key);
         if (!first || !second) continue;
         of_one.push_back(*first);
         of_other.push_back(*second);
-        tally.add(is_less(*first, *second, sign));
+        cases.add(is_less(*first, *second, sign));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(of_one, 3) + " against " + range_words(of_other, 3), tally.words()})};
+    return cases.outcome(range_words(of_one, 3) + " against " + range_words(of_other, 3));
 }
 
 TextureOutcome edges_fit(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> misfits;
     for (const Texture* texture : report.distributions("texture")) {
         const auto misfit = number_of(*texture, "border_exceptions");
         if (!is_wang_texture(*texture) || !misfit) continue;
         misfits.push_back(*misfit);
-        tally.add(misfits.back() == 0);
+        cases.add(misfits.back() == 0);
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({range_words(misfits, 2) + " pairs of pixels a border do not fit", tally.words()})};
+    return cases.outcome(range_words(misfits, 2) + " pairs of pixels a border do not fit");
 }
 
 TextureOutcome corners_fit(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> misfits;
     for (const Texture* texture : report.distributions("texture")) {
         const auto misfit = number_of(*texture, "border_exceptions");
         if (texture->parameter("kind") == "wang" || !misfit) continue;
         misfits.push_back(*misfit);
-        tally.add(*misfit == 0);
+        cases.add(*misfit == 0);
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({range_words(misfits, 2) + " pairs of pixels a border do not fit", tally.words()})};
+    return cases.outcome(range_words(misfits, 2) + " pairs of pixels a border do not fit");
 }
 
 bool is_marked_wang(const Texture& t)
@@ -118,7 +110,7 @@ bool is_marked_wang(const Texture& t)
 /// 16 x 8 tiles for maps of marks, half of them for marks at random.
 TextureOutcome marked_tile_counts(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> of_maps, of_random;
     for (const Texture* texture : report.distributions("texture")) {
         if (!is_marked_wang(*texture)) continue;
@@ -126,19 +118,16 @@ TextureOutcome marked_tile_counts(const ClaimSeries& report)
         if (!tiles) continue;
         if (texture->parameter("tiles") == "compact") {
             of_maps.push_back(*tiles);
-            tally.add(tiles == 128);
+            cases.add(tiles == 128);
         }
         if (texture->parameter("tiles") == "random-marks") {
             of_random.push_back(*tiles);
-            tally.add(tiles == 64);
+            cases.add(tiles == 64);
         }
     }
-    if (tally.empty()) return std::nullopt;
-    std::vector<std::string> words;
-    if (!of_maps.empty()) words.push_back(range_words(of_maps, 3) + " tiles with all marks");
-    if (!of_random.empty()) words.push_back(range_words(of_random, 2) + " for marks at random");
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    if (!of_maps.empty()) cases.say(range_words(of_maps, 3) + " tiles with all marks");
+    if (!of_random.empty()) cases.say(range_words(of_random, 2) + " for marks at random");
+    return cases.outcome();
 }
 
 bool is_wang_of(const Texture& t, const char* colors)
@@ -148,7 +137,7 @@ bool is_wang_of(const Texture& t, const char* colors)
 
 TextureOutcome more_tiles_repeat_less(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> few, many;
     for (const Texture* a : report.distributions("texture"))
         for (const Texture* b : report.distributions("texture")) {
@@ -159,29 +148,23 @@ TextureOutcome more_tiles_repeat_less(const ClaimSeries& report)
             if (!of_few || !of_many) continue;
             few.push_back(*of_few);
             many.push_back(*of_many);
-            tally.add(is_less(many.back(), few.back(), 1));
+            cases.add(is_less(many.back(), few.back(), 1));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(many, 2) + " of the power at 1/T, with 8 tiles " +
-                                                             range_words(few, 2),
-                                                         tally.words()})};
+    return cases.outcome(range_words(many, 2) + " of the power at 1/T, with 8 tiles " + range_words(few, 2));
 }
 
 TextureOutcome straightness(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> of_omega, of_wang;
     for (const auto& [a, b] : texture_pairs(report, is_omega_texture, is_wang_texture)) {
         const auto omega = estimate_in(*a, "seam_mismatch"), wang = estimate_in(*b, "seam_mismatch");
         if (!a->parameter("exemplar").starts_with("brick") || !omega || !wang) continue;
         of_omega.push_back(*omega);
         of_wang.push_back(*wang);
-        tally.add(is_less(*omega, *wang, -1));
+        cases.add(is_less(*omega, *wang, -1));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({"mismatch " + range_words(of_omega, 3) + " against " + range_words(of_wang, 3), tally.words()})};
+    return cases.outcome("mismatch " + range_words(of_omega, 3) + " against " + range_words(of_wang, 3));
 }
 
 TextureOutcome frames_of_mapping(const ClaimSeries& report)

@@ -36,19 +36,16 @@ double colors_of(const ReportSeries& series) { return number_parameter(series, "
 /// Corner tiles of some colours or more, `most` of them, against edge tiles of as many points a tile.
 CornerOutcome better_than_edges(const ClaimSeries& report, double fewest_colors, double most, double factor)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<Estimate> ratios;
     for_equal_points(tiling_spectra(report, "corner-tiles"), tiling_spectra(report, "edge-tiles"),
                      [&](const ReportSeries& corner, const ReportSeries& edge) {
                          if (set_size(corner) > most || colors_of(corner) < fewest_colors) return;
                          ratios.push_back(ratio_of(mean_peak(corner), mean_peak(edge)));
-                         tally.add(flag.if_several({&corner, &edge}, is_below(ratios.back(), factor)));
+                         cases.add(flag.if_several({&corner, &edge}, is_below(ratios.back(), factor)));
                      });
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({"mean peaks " + range_words(ratios, 2) + " times those of edge tiles",
-                                      tally.words(), flag.words()})};
+    return cases.outcome("mean peaks " + range_words(ratios, 2) + " times those of edge tiles", flag.words());
 }
 
 /// Against every series of the same relative radius without tiles, made by Lloyd relaxation and repulsion.
@@ -58,7 +55,7 @@ CornerOutcome radial_like_untiled(const ClaimSeries& report)
                                         .numbers = {{"until_relative_radius", 0.75}},
                                         .points = usual_points,
                                         .needs = Needs::spectrum});
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<Estimate> values;
     for (SeriesPointer series : tiling_spectra(report, "corner-tiles"))
@@ -67,16 +64,14 @@ CornerOutcome radial_like_untiled(const ClaimSeries& report)
             const auto distance = distance_of_curves(*series, *reference);
             if (!distance) continue;
             values.push_back(*distance);
-            tally.add(flag.if_several({series}, is_below(*distance, 0.1)));
+            cases.add(flag.if_several({series}, is_below(*distance, 0.1)));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(values, 2) + " on average", tally.words(), flag.words()})};
+    return cases.outcome(range_words(values, 2) + " on average", flag.words());
 }
 
 CornerOutcome less_anisotropy(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<Estimate> differences;
     for (const char* sampler : {"edge-tiles", "template-tiles"})
@@ -85,16 +80,14 @@ CornerOutcome less_anisotropy(const ClaimSeries& report)
                              if (colors_of(corner) < 4) return;
                              differences.push_back(
                                  difference_of(peak_excess_anisotropy(other), peak_excess_anisotropy(corner)));
-                             tally.add(flag.if_several({&corner, &other}, is_above(differences.back(), 3)));
+                             cases.add(flag.if_several({&corner, &other}, is_above(differences.back(), 3)));
                          });
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(differences, 2) + " dB less", tally.words(), flag.words()})};
+    return cases.outcome(range_words(differences, 2) + " dB less", flag.words());
 }
 
 CornerOutcome plates_better(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases(fewest_pictures);
     std::vector<double> ratios;
     const auto compare = [&](const ReportSeries& corner, const ReportSeries& other) {
         if (number_parameter(corner, "relative_radius") != number_parameter(other, "relative_radius") &&
@@ -103,13 +96,11 @@ CornerOutcome plates_better(const ClaimSeries& report)
         const auto finding = has_weaker_plates(report, corner, other);
         if (!finding) return;
         ratios.push_back(report.false_rings(corner)->strength / report.false_rings(other)->strength);
-        tally.add(*finding);
+        cases.add(*finding);
     };
     for (const char* sampler : {"edge-tiles", "template-tiles"})
         for_equal_points(tiling_plates(report, "corner-tiles"), tiling_plates(report, sampler), compare);
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{agreement_of_pictures(tally),
-                        joined_words({"false plates " + range_words(ratios, 2) + " times as strong", tally.words()})};
+    return cases.outcome("false plates " + range_words(ratios, 2) + " times as strong");
 }
 
 std::vector<TimedSeries> timed_corner_tiles()
@@ -144,7 +135,7 @@ CornerOutcome few_points_near_corners(const ClaimSeries& report)
         if (const auto radius = number_parameter(*series, "relative_radius"))
             if (region_points_of(*series, "corners") && region_points_of(*series, "edges"))
                 sets[*radius].try_emplace(points_per_tile(*series), series);
-    Tally tally;
+    Cases cases;
     std::vector<double> corners, edges;
     for (const auto& [radius, by_points] : sets) {
         const double first = *region_points_of(*by_points.begin()->second, "corners");
@@ -152,13 +143,10 @@ CornerOutcome few_points_near_corners(const ClaimSeries& report)
             corners.push_back(*region_points_of(*series, "corners"));
             edges.push_back(*region_points_of(*series, "edges"));
             const bool holds = std::abs(corners.back() - first) <= 0.5 && 1.5 * corners.back() <= edges.back();
-            tally.add(by_points.size() > 1 ? finding_if(holds) : Finding::open);
+            cases.add(by_points.size() > 1 ? finding_if(holds) : Finding::open);
         }
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({fmt::format("{} near corners, {} near edges",
-                                                                     range_words(corners, 2), range_words(edges, 2)),
-                                                         tally.words()})};
+    return cases.outcome(fmt::format("{} near corners, {} near edges", range_words(corners, 2), range_words(edges, 2)));
 }
 
 }

@@ -30,19 +30,15 @@ SeriesQuery plates_of(const std::string& sampler)
 
 Outcome plate_better(const std::vector<const ReportSeries*>& good, const std::vector<const ReportSeries*>& other)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* a : good)
         for (const ReportSeries* b : other) {
             const double x = plate_error(*a, plate_middle, plate_end), y = plate_error(*b, plate_middle, plate_end);
             if (x == 0 || y == 0) continue;
-            tally.add(compared_plates(x, y));
-            words.push_back(
-                fmt::format("{}: {}, {}: {}", a->label, format_significant(x, 3), b->label, format_significant(y, 3)));
+            cases.add(compared_plates(x, y), fmt::format("{}: {}, {}: {}", a->label, format_significant(x, 3), b->label,
+                                                         format_significant(y, 3)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 std::vector<PaperClaim> dart_throwing_claims()
@@ -105,38 +101,32 @@ std::optional<Estimate> rise_at(const std::map<double, Estimate>& rises, double 
 Outcome relaxation_steeper(const ClaimSeries& report)
 {
     const std::map<double, Estimate> rises = rises_of_darts(report);
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto& setting : relaxation_settings)
         for (const auto* series : report.all(relaxation_darts(setting.factor, setting.attempts, Needs::spectrum))) {
             if (!series->stored->relative_radius) continue;
             const double radius = series->stored->relative_radius->mean;
             const auto rise = rise_width(*series), width = rise_at(rises, radius);
             if (!rise || !width) continue;
-            tally.add(is_below(difference_of(*rise, *width), 0));
-            words.push_back(fmt::format("ρ = {}: {}, dart throwing {}", format_fixed(radius, 3), with_error(*rise, 3),
-                                        with_error(*width, 3)));
+            cases.add(is_below(difference_of(*rise, *width), 0),
+                      fmt::format("ρ = {}: {}, dart throwing {}", format_fixed(radius, 3), with_error(*rise, 3),
+                                  with_error(*width, 3)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 Outcome relaxation_radii(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto& setting : relaxation_settings)
         for (const auto* series : report.all(relaxation_darts(setting.factor, setting.attempts))) {
             const auto& radius = series->stored->relative_radius;
             if (!radius) continue;
-            tally.add(is_radius_of_the_text(*radius, setting.relative_radius));
-            words.push_back(fmt::format("{} ({} to {})", format_fixed(radius->mean, 3), format_fixed(radius->min, 3),
-                                        format_fixed(radius->max, 3)));
+            cases.add(is_radius_of_the_text(*radius, setting.relative_radius),
+                      fmt::format("{} ({} to {})", format_fixed(radius->mean, 3), format_fixed(radius->min, 3),
+                                  format_fixed(radius->max, 3)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 /// The picture of the middle setting, as in the paper's figure, against dart throwing up to the radius of its figure.

@@ -17,18 +17,16 @@ using EarlyOutcome = std::optional<ClaimOutcome>;
 EarlyOutcome too_few_at_borders(const ClaimSeries& report)
 {
     constexpr double noticeably_lower = 0.9;
-    Tally tally;
+    Cases cases;
     std::vector<double> densities;
     for (const ReportSeries* series : report.all({.sampler = "shade-tiles"}))
         if (const Estimate* density = estimate_of(*series, "border_density")) {
             densities.push_back(density->value);
-            tally.add(density->value < noticeably_lower ? Finding::holds
+            cases.add(density->value < noticeably_lower ? Finding::holds
                       : density->value < 1              ? Finding::open
                                                         : Finding::fails);
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(densities, 2) + " of the mean density", tally.words()})};
+    return cases.outcome(range_words(densities, 2) + " of the mean density");
 }
 
 /// Tiles that move by the mean of all surroundings, as Hiller and others have them; not by one at a time.
@@ -73,15 +71,14 @@ EarlyOutcome small_radius_across(const ClaimSeries& report)
 /// Points of one tile alone.
 EarlyOutcome large_radius_within(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> radii;
     for (const ReportSeries* series : averaged_as_in_the_paper(report))
         if (const Estimate* radius = estimate_of(*series, "relative_radius_within_tiles")) {
             radii.push_back(*radius);
-            tally.add(is_within(*radius, 0.75, 0.85));
+            cases.add(is_within(*radius, 0.75, 0.85));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(radii, 2), tally.words()})};
+    return cases.outcome(range_words(radii, 2));
 }
 
 /// Thirty iterations, as the dissertation has, do not tell whether it settles: longer ones refute it.
@@ -121,7 +118,7 @@ EarlyOutcome does_not_converge(const ClaimSeries& report)
 EarlyOutcome spectra_are_bad(const ClaimSeries& report)
 {
     using Needs = SeriesQuery::Needs;
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> own, others;
     for (const ReportSeries* series : averaged(report, Needs::spectrum)) own.push_back(mean_excess_anisotropy(*series));
     for (const char* sampler : {"dart-throwing", "relaxation-dart-throwing", "lloyd"})
@@ -129,11 +126,9 @@ EarlyOutcome spectra_are_bad(const ClaimSeries& report)
              report.all({.sampler = sampler, .points = usual_points, .needs = Needs::spectrum}))
             others.push_back(mean_excess_anisotropy(*series));
     for (const Estimate& one : own)
-        for (const Estimate& other : others) tally.add(is_above(difference_of(one, other), 0));
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(own, 2) + " dB above chance",
-                                      "methods without tiles " + range_words(others, 2), tally.words()})};
+        for (const Estimate& other : others) cases.add(is_above(difference_of(one, other), 0));
+    return cases.outcome(
+        joined_words({range_words(own, 2) + " dB above chance", "methods without tiles " + range_words(others, 2)}));
 }
 
 std::vector<const ReportSeries*> averaged_plates(const ClaimSeries& report)

@@ -40,28 +40,26 @@ Finding has_peaks(const LatticePeaks& peaks, int realizations)
 
 EdgeOutcome tilings_have_peaks(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> ratios;
     const auto count = [&](SeriesPointer series) {
         const auto& peaks = series->stored->measures.lattice_peaks;
         if (!peaks || peaks->peaks < 2) return;
-        tally.add(has_peaks(*peaks, series->stored->realizations));
+        cases.add(has_peaks(*peaks, series->stored->realizations));
         ratios.push_back(peaks->mean_ratio);
     };
     for (const char* sampler : poisson_tiles) std::ranges::for_each(tiling_spectra(report, sampler), count);
     for (const char* sampler : {"shade-tiles", "averaged-tiles"})
         std::ranges::for_each(report.all({.sampler = sampler, .needs = Needs::spectrum}), count);
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("mean peak {} times the power around it", range_words(ratios, 2)),
-                                      tally.words(), words_on_chains(report)})};
+    return cases.outcome(fmt::format("mean peak {} times the power around it", range_words(ratios, 2)),
+                         words_on_chains(report));
 }
 
 /// The share of the power that peaks have against what counting shared points predicts.
 EdgeOutcome shared_points_cause_peaks(const ClaimSeries& report)
 {
     constexpr double factor = 1.5;
-    Tally tally;
+    Cases cases;
     std::vector<double> measured, predicted, ratios;
     for (const char* sampler : poisson_tiles)
         for (SeriesPointer series : tiling_spectra(report, sampler)) {
@@ -72,14 +70,10 @@ EdgeOutcome shared_points_cause_peaks(const ClaimSeries& report)
             predicted.push_back(100 * *foretold);
             const Estimate ratio = ratio_of(*share, {*foretold, {}});
             ratios.push_back(ratio.value);
-            tally.add(is_within(ratio, 1 / factor, factor));
+            cases.add(is_within(ratio, 1 / factor, factor));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({fmt::format("{} % of the power on the lattice, {} % predicted; {} times that",
-                                  range_words(measured, 2), range_words(predicted, 2), range_words(ratios, 2)),
-                      tally.words()})};
+    return cases.outcome(fmt::format("{} % of the power on the lattice, {} % predicted; {} times that",
+                                     range_words(measured, 2), range_words(predicted, 2), range_words(ratios, 2)));
 }
 
 /// Neighbours in one number, compared by a quantity that is to be smaller.
@@ -87,7 +81,7 @@ template <typename Same, typename Varied, typename Quantity>
 EdgeOutcome neighbours_are_lower(const ClaimSeries& report, const Same& same, const Varied& varied,
                                  const Quantity& quantity, const char* unit)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<double> ratios;
     for (const char* sampler : {"template-tiles", "corner-tiles"})
@@ -97,10 +91,9 @@ EdgeOutcome neighbours_are_lower(const ClaimSeries& report, const Same& same, co
                            if (!of_a || !of_b) return;
                            const Estimate ratio = ratio_of(*of_b, *of_a);
                            ratios.push_back(ratio.value);
-                           tally.add(flag.if_several({&a, &b}, is_below(ratio, 1)));
+                           cases.add(flag.if_several({&a, &b}, is_below(ratio, 1)));
                        });
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(ratios, 2) + unit, tally.words(), flag.words()})};
+    return cases.outcome(range_words(ratios, 2) + unit, flag.words());
 }
 
 EdgeOutcome more_tiles_are_lower(const ClaimSeries& report)
@@ -129,35 +122,27 @@ void for_plates_of_two_radii(const ClaimSeries& report, const Visit& visit)
 
 EdgeOutcome wider_plates_are_better(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases(fewest_pictures);
     for_plates_of_two_radii(report, [&](const ReportSeries& a, const ReportSeries& b) {
         const double x = plate_error(a, 0, plate_middle), y = plate_error(b, 0, plate_middle);
         if (x == 0 || y == 0) return;
-        tally.add(compared_plates(y, x));
-        words.push_back(fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)),
-                                    format_significant(y, 3), format_significant(x, 3)));
+        cases.add(compared_plates(y, x), fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)),
+                                                     format_significant(y, 3), format_significant(x, 3)));
     });
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{agreement_of_pictures(tally), joined_words(words)};
+    return cases.outcome();
 }
 
 EdgeOutcome wider_plates_alias_more(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases(fewest_pictures);
     for_plates_of_two_radii(report, [&](const ReportSeries& a, const ReportSeries& b) {
         const auto finding = has_weaker_plates(report, a, b);
         if (!finding) return;
-        tally.add(*finding);
-        words.push_back(fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)),
-                                    format_significant(report.false_rings(b)->strength, 3),
-                                    format_significant(report.false_rings(a)->strength, 3)));
+        cases.add(*finding, fmt::format("N = {}: {}, against {}", format_exact(points_per_tile(a)),
+                                        format_significant(report.false_rings(b)->strength, 3),
+                                        format_significant(report.false_rings(a)->strength, 3)));
     });
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{agreement_of_pictures(tally), joined_words(words)};
+    return cases.outcome();
 }
 
 EdgeOutcome tiles_are_fast(const ClaimSeries& report)
@@ -173,7 +158,7 @@ EdgeOutcome tiles_are_fast(const ClaimSeries& report)
 /// does to the points around it adds up over a tiling. Corner tiles of many colours have more of them.
 EdgeOutcome wavelike_artifacts(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<double> edges, corners;
     const auto corner_sets = tiling_spectra(report, "corner-tiles");
@@ -184,17 +169,15 @@ EdgeOutcome wavelike_artifacts(const ClaimSeries& report)
             edges.push_back(*of_edges);
             corners.push_back(*of_corners);
             const double more = *of_edges - *of_corners;
-            tally.add(flag.if_several({edge, &corner}, more > 0.1 ? Finding::holds
+            cases.add(flag.if_several({edge, &corner}, more > 0.1 ? Finding::holds
                                                        : more > 0 ? Finding::open
                                                                   : Finding::fails));
         });
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("{} dB above chance, corner tiles {}", range_words(edges, 2),
-                                                  range_words(corners, 2)),
-                                      "the paper cannot explain them; edge tiles have two edges a direction, corner "
-                                      "tiles of as many tiles 64",
-                                      tally.words(), flag.words()})};
+    return cases.outcome(joined_words({fmt::format("{} dB above chance, corner tiles {}", range_words(edges, 2),
+                                                   range_words(corners, 2)),
+                                       "the paper cannot explain them; edge tiles have two edges a direction, corner "
+                                       "tiles of as many tiles 64"}),
+                         flag.words());
 }
 
 }

@@ -44,16 +44,15 @@ DartOutcome jones_reaches_as_much(const ClaimSeries& report)
 
 DartOutcome same_spectra(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> distances;
     for (const auto& [voronoi, darts] : pairs_of_equal_radius(report, usual_points, DartNeeds::spectrum)) {
         const auto distance = distance_of_curves(*voronoi, *darts);
         if (!distance) continue;
-        tally.add(is_below(*distance, 0.03));
+        cases.add(is_below(*distance, 0.03));
         distances.push_back(*distance);
     }
-    if (distances.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(distances, 2), tally.words()})};
+    return cases.outcome(range_words(distances, 2));
 }
 
 /// The sets of the dissertation end at the borders of the square, those of the laboratory do not.

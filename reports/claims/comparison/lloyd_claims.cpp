@@ -34,8 +34,7 @@ std::size_t settled_at(const std::vector<double>& values)
 
 Outcome lloyd_converges(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto* series : lloyd_of_darts(report, Needs::iterations)) {
         const std::vector<double>& values = radii(*series);
         if (values.size() <= last_of_the_paper) continue;
@@ -45,14 +44,11 @@ Outcome lloyd_converges(const ClaimSeries& report)
         const Finding stays = std::abs(gain) > 0.01                   ? Finding::fails
                               : values.size() <= iterations_that_tell ? Finding::open
                                                                       : Finding::holds;
-        tally.add(both(finding_if(in_time), stays));
-        words.push_back(fmt::format("N = {}: from iteration {} on, then {} more up to iteration {}",
-                                    format_count(series->stored->points), settled, format_fixed(gain, 3),
-                                    values.size() - 1));
+        cases.add(both(finding_if(in_time), stays),
+                  fmt::format("N = {}: from iteration {} on, then {} more up to iteration {}",
+                              format_count(series->stored->points), settled, format_fixed(gain, 3), values.size() - 1));
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 /// The gain of each realization between two iterations.
@@ -70,22 +66,18 @@ Estimate gain_between(const ReportSeries& series, std::size_t from, std::size_t 
 /// Sets of dart throwing, whose radius is large to begin with and falls at first.
 Outcome lloyd_increases(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto* series : lloyd_of_darts(report, Needs::iterations)) {
         const std::vector<double>& values = radii(*series);
         if (values.size() <= last_of_the_paper) continue;
         const Estimate gain = gain_between(*series, 0, last_of_the_paper);
         const auto least = std::ranges::min_element(values);
-        tally.add(is_above(gain, 0));
-        words.push_back(fmt::format("N = {}: {} at first, {} at iteration {}, {} at iteration {}",
-                                    format_count(series->stored->points), format_fixed(values.front(), 3),
-                                    format_fixed(*least, 3), least - values.begin(),
-                                    format_fixed(values[last_of_the_paper], 3), last_of_the_paper));
+        cases.add(is_above(gain, 0), fmt::format("N = {}: {} at first, {} at iteration {}, {} at iteration {}",
+                                                 format_count(series->stored->points), format_fixed(values.front(), 3),
+                                                 format_fixed(*least, 3), least - values.begin(),
+                                                 format_fixed(values[last_of_the_paper], 3), last_of_the_paper));
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 /// Series of more iterations than the paper has, by number of points.
@@ -111,33 +103,29 @@ Estimate radius_after(const ReportSeries& series, std::size_t iteration)
 Outcome fewer_points_higher(const ClaimSeries& report)
 {
     const auto found = long_relaxations(report);
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const std::size_t last = radii(*found[i]).size() - 1;
-        words.push_back(fmt::format("N = {}: {}", format_count(found[i]->stored->points),
-                                    with_error(radius_after(*found[i], last), 3)));
+        cases.say(fmt::format("N = {}: {}", format_count(found[i]->stored->points),
+                              with_error(radius_after(*found[i], last), 3)));
         for (std::size_t k = 0; k < i; ++k) {
             const std::size_t common = std::min(last, radii(*found[k]).size() - 1);
             if (found[k]->stored->points == found[i]->stored->points) continue;
-            tally.add(is_above(difference_of(radius_after(*found[k], common), radius_after(*found[i], common)), 0));
+            cases.add(is_above(difference_of(radius_after(*found[k], common), radius_after(*found[i], common)), 0));
         }
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 Outcome settles_high(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> values;
     for (const auto* series : long_relaxations(report)) {
         values.push_back(radius_after(*series, radii(*series).size() - 1));
-        tally.add(is_within(values.back(), 0.75, 0.85));
+        cases.add(is_within(values.back(), 0.75, 0.85));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(values, 3), tally.words()})};
+    return cases.outcome(range_words(values, 3));
 }
 
 /// Spectra after i = 0, 1, 2, ... iterations of the same starts.
@@ -166,20 +154,18 @@ Outcome peaks_grow(const ClaimSeries& report)
         const RadialBin peak = power_peak(series);
         return Estimate{peak.power, peak.power_error};
     };
-    Tally tally;
+    Cases cases;
     std::vector<std::string> heights, widths;
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto width = rise_width(*found[i]);
         heights.push_back(format_fixed(height(*found[i]).value, 2));
         if (width) widths.push_back(format_significant(width->value, 2));
         if (i == 0) continue;
-        tally.add(is_above(difference_of(height(*found[i]), height(*found[i - 1])), 0));
+        cases.add(is_above(difference_of(height(*found[i]), height(*found[i - 1])), 0));
         if (const auto before = rise_width(*found[i - 1]); before && width)
-            tally.add(is_below(difference_of(*width, *before), 0));
+            cases.add(is_below(difference_of(*width, *before), 0));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({"peaks " + list_of(heights),
-                                                         "widths of the rise " + list_of(widths), tally.words()})};
+    return cases.outcome(joined_words({"peaks " + list_of(heights), "widths of the rise " + list_of(widths)}));
 }
 
 /// Each number of iterations against none.
@@ -187,39 +173,32 @@ Outcome anisotropy_stays(const ClaimSeries& report)
 {
     const auto found = relaxed_spectra(report);
     if (found.size() < 2) return std::nullopt;
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> rises;
     for (std::size_t i = 1; i < found.size(); ++i) {
         rises.push_back(difference_of(mean_excess_anisotropy(*found[i]), mean_excess_anisotropy(*found.front())));
-        tally.add(is_below(rises.back(), 0.5));
+        cases.add(is_below(rises.back(), 0.5));
     }
-    return ClaimOutcome{
-        tally.agreement(),
-        joined_words({fmt::format("{} dB more after up to {} iterations than after {}", range_words(rises, 2),
-                                  format_exact(*number_parameter(*found.back(), "iterations")),
-                                  format_exact(*number_parameter(*found.front(), "iterations"))),
-                      tally.words()})};
+    return cases.outcome(fmt::format("{} dB more after up to {} iterations than after {}", range_words(rises, 2),
+                                     format_exact(*number_parameter(*found.back(), "iterations")),
+                                     format_exact(*number_parameter(*found.front(), "iterations"))));
 }
 
 /// All sets that are relaxed for long, from any start; the share of cells that a grid has is its standard error away.
 Outcome no_regular_grid(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto* series : report.all({.sampler = "lloyd", .needs = Needs::iterations})) {
         const auto& cells = series->stored->measures.voronoi;
         const std::size_t iterations = series->stored->iterations->count();
         if (series->stored->points < 4096 || !cells || iterations < 64) continue;
         const double six = cells->neighbour_share[2];
         const double error = std::sqrt(six * (1 - six) / static_cast<double>(series->stored->points));
-        tally.add(is_below({six, error}, 0.95));
-        words.push_back(fmt::format("N = {}: {} of the cells have six neighbours after {} iterations",
-                                    format_count(series->stored->points), percent_words(six),
-                                    format_count(iterations)));
+        cases.add(is_below({six, error}, 0.95),
+                  fmt::format("N = {}: {} of the cells have six neighbours after {} iterations",
+                              format_count(series->stored->points), percent_words(six), format_count(iterations)));
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 /// Times of relaxation that did not start from random points have the time of their start in them.
@@ -262,8 +241,7 @@ Outcome lloyd_in_space(const ClaimSeries& report)
     const auto in_words = [](const SampleMean& falls) {
         return fmt::format("{} ± {}", format_fixed(falls.value, 1), format_fixed(falls.standard_error, 1));
     };
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto* space : lloyd_of_darts(report, Needs::iterations, 3))
         for (const auto* plane : long_relaxations(report)) {
             if (plane->stored->points != space->stored->points || radii(*space).size() <= iterations_that_tell)
@@ -271,14 +249,12 @@ Outcome lloyd_in_space(const ClaimSeries& report)
             if (plane->iterations.empty() || space->iterations.empty()) continue;
             const SampleMean in_space = falls_of(*space), in_plane = falls_of(*plane);
             const double error = std::hypot(in_space.standard_error, in_plane.standard_error);
-            tally.add(is_above({in_space.value - in_plane.value, error}, 0));
-            words.push_back(fmt::format("N = {}: {} falls a set, in 2D {}; at {} then, in 2D {}",
-                                        format_count(space->stored->points), in_words(in_space), in_words(in_plane),
-                                        format_fixed(radii(*space).back(), 3), format_fixed(radii(*plane).back(), 3)));
+            cases.add(is_above({in_space.value - in_plane.value, error}, 0),
+                      fmt::format("N = {}: {} falls a set, in 2D {}; at {} then, in 2D {}",
+                                  format_count(space->stored->points), in_words(in_space), in_words(in_plane),
+                                  format_fixed(radii(*space).back(), 3), format_fixed(radii(*plane).back(), 3)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 }

@@ -37,41 +37,37 @@ FurthestRing furthest_ring(const ReportSeries& series)
 MethodologyOutcome flat_spectrum(const ClaimSeries& report)
 {
     constexpr double rejected = 0.001, doubted = 0.01;
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : report.all({.sampler = "random", .needs = SeriesQuery::Needs::spectrum})) {
         if (series->stored->realizations < 2) continue;
         const FurthestRing furthest = furthest_ring(*series);
         if (furthest.errors_away < 0) continue;
-        tally.add(furthest.p > doubted ? Finding::holds : furthest.p < rejected ? Finding::fails : Finding::open);
-        words.push_back(fmt::format("of {} rings the furthest from 1 is {} standard errors away, p = {}",
-                                    format_count(series->curve.bins.size()), format_fixed(furthest.errors_away, 1),
-                                    format_significant(furthest.p, 2)));
+        cases.add(furthest.p > doubted    ? Finding::holds
+                  : furthest.p < rejected ? Finding::fails
+                                          : Finding::open,
+                  fmt::format("of {} rings the furthest from 1 is {} standard errors away, p = {}",
+                              format_count(series->curve.bins.size()), format_fixed(furthest.errors_away, 1),
+                              format_significant(furthest.p, 2)));
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 /// The picture of regular points against that of jittered ones.
 MethodologyOutcome aliasing_becomes_noise(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const auto* regular : report.all({.sampler = "regular", .needs = SeriesQuery::Needs::plate}))
         for (const auto* jittered : report.all({.sampler = "jittered", .needs = SeriesQuery::Needs::plate})) {
             const auto a = report.false_rings(*regular), b = report.false_rings(*jittered);
             if (!a || !b) continue;
             const double strong = std::max(a->strength, a->at_the_plate);
-            tally.add(both(finding_if(strong >= 100 * std::max(b->strength, b->at_the_plate)),
-                           opposite(*finds_false_plates(report, *jittered))));
-            words.push_back(fmt::format("{} times the noise around it, against {}; noise alone gives up to {}",
-                                        format_significant(strong, 2), format_significant(b->strength, 2),
-                                        format_significant(b->bound, 2)));
+            cases.add(both(finding_if(strong >= 100 * std::max(b->strength, b->at_the_plate)),
+                           opposite(*finds_false_plates(report, *jittered))),
+                      fmt::format("{} times the noise around it, against {}; noise alone gives up to {}",
+                                  format_significant(strong, 2), format_significant(b->strength, 2),
+                                  format_significant(b->bound, 2)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 }

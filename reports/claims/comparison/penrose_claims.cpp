@@ -17,7 +17,7 @@ std::vector<const ReportSeries*> even_penrose(const ClaimSeries& report, SeriesQ
 
 PenroseOutcome radius_of_penrose(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> radii;
     for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::anything)) {
         if (!series->stored->relative_radius) continue;
@@ -25,27 +25,25 @@ PenroseOutcome radius_of_penrose(const ClaimSeries& report)
         radii.insert(radii.end(), {radius.min, radius.max});
         const bool within = radius.min >= 0.65 && radius.max <= 0.75;
         const bool beyond = radius.max < 0.65 || radius.min > 0.75;
-        tally.add(within ? Finding::holds : beyond ? Finding::fails : Finding::open);
+        cases.add(within ? Finding::holds : beyond ? Finding::fails : Finding::open);
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(radii, 3), tally.words()})};
+    return cases.outcome(range_words(radii, 3));
 }
 
 PenroseOutcome spikes_of_penrose(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> peaks;
     for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::spectrum)) {
         peaks.push_back(peak_excess_anisotropy(*series));
-        tally.add(is_above(peaks.back(), 10));
+        cases.add(is_above(peaks.back(), 10));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(peaks, 3) + " dB above chance", tally.words()})};
+    return cases.outcome(range_words(peaks, 3) + " dB above chance");
 }
 
 PenroseOutcome more_anisotropic_than_tiles(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> of_penrose, of_tiles;
     for (const ReportSeries* series : even_penrose(report, SeriesQuery::Needs::spectrum))
         of_penrose.push_back(mean_excess_anisotropy(*series));
@@ -53,10 +51,9 @@ PenroseOutcome more_anisotropic_than_tiles(const ClaimSeries& report)
         for (const ReportSeries* series : report.all({.sampler = sampler, .needs = SeriesQuery::Needs::spectrum}))
             of_tiles.push_back(mean_excess_anisotropy(*series));
     for (const Estimate& one : of_penrose)
-        for (const Estimate& other : of_tiles) tally.add(is_above(difference_of(one, other), 1));
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(of_penrose, 2) + " dB above chance on average",
-                                                         "tiles " + range_words(of_tiles, 2), tally.words()})};
+        for (const Estimate& other : of_tiles) cases.add(is_above(difference_of(one, other), 1));
+    return cases.outcome(joined_words(
+        {range_words(of_penrose, 2) + " dB above chance on average", "tiles " + range_words(of_tiles, 2)}));
 }
 
 PenroseOutcome plate_of_penrose(const ClaimSeries& report)

@@ -150,17 +150,16 @@ Recommendation below_average(const ClaimSeries& report, const char* sampler)
 Recommendation low_radius(const ClaimSeries& report)
 {
     constexpr double low = 0.5;
-    Tally tally;
+    Cases cases;
     std::vector<double> worst;
     for (const ReportSeries* series : usual_series(report, "recursive-wang-tiles")) {
         if (text_parameter(*series, "drawing") == "twice" || !series->stored->relative_radius) continue;
         worst.push_back(series->stored->relative_radius->min);
         // Of a single set it is not known how much worse another one is.
         const bool single = series->stored->realizations < 2;
-        tally.add(worst.back() < low ? Finding::holds : single ? Finding::open : Finding::fails);
+        cases.add(worst.back() < low ? Finding::holds : single ? Finding::open : Finding::fails);
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(worst, 3), tally.words()})};
+    return cases.outcome(range_words(worst, 3));
 }
 
 constexpr const char* below_average_criterion =

@@ -34,45 +34,39 @@ Finding is_mostly_tiny(const Statistic& radius)
 /// The radius of sets drawn once, and beside it that of sets with points of two levels.
 RecursiveOutcome radius_is_low(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<double> once, twice;
     for (const ReportSeries* series : recursive_series(report, "once"))
         if (const auto& radius = series->stored->relative_radius) {
             once.push_back(radius->min);
-            tally.add(is_mostly_tiny(*radius));
+            cases.add(is_mostly_tiny(*radius));
         }
     for (const ReportSeries* series : recursive_series(report, "twice"))
         if (const auto& radius = series->stored->relative_radius) twice.push_back(radius->min);
-    if (tally.empty()) return std::nullopt;
     const std::string explained =
         twice.empty() ? "" : "with the points of two levels, some of which are the same, " + range_words(twice, 3);
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(once, 2), tally.words(), explained})};
+    return cases.outcome(range_words(once, 2), explained);
 }
 
 RecursiveOutcome is_anisotropic(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> excess;
     for (const ReportSeries* series : recursive_series(report, "once", SeriesQuery::Needs::spectrum)) {
         excess.push_back(mean_excess_anisotropy(*series));
-        tally.add(is_above(excess.back(), 1));
+        cases.add(is_above(excess.back(), 1));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(excess, 1) + " dB above chance", tally.words()})};
+    return cases.outcome(range_words(excess, 1) + " dB above chance");
 }
 
 RecursiveOutcome has_a_bad_spectrum(const ClaimSeries& report)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* series : recursive_series(report, "once", SeriesQuery::Needs::spectrum)) {
         const BlueNoise found = blue_noise(*series);
-        tally.add(opposite(found.finding));
-        words.push_back(found.words);
+        cases.add(opposite(found.finding), found.words);
     }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 }

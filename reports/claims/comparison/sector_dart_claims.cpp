@@ -48,16 +48,15 @@ DartOutcome logarithmic_plates(const ClaimSeries& report)
 
 DartOutcome like_dart_throwing(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> distances;
     for (const ReportSeries* own : sector_darts(report, "logarithmic", DartNeeds::spectrum))
         for (const ReportSeries* darts : full_darts(report, DartNeeds::spectrum))
             if (const auto distance = distance_of_curves(*own, *darts)) {
                 distances.push_back(*distance);
-                tally.add(is_below(*distance, 0.05));
+                cases.add(is_below(*distance, 0.05));
             }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(distances, 2) + " on average", tally.words()})};
+    return cases.outcome(range_words(distances, 2) + " on average");
 }
 
 /// The power around twice the principal frequency, where the second peak of radial curves is: of full sets, whose
@@ -70,32 +69,27 @@ std::optional<Estimate> second_peak(const ReportSeries& series)
 
 DartOutcome larger_peaks(const ClaimSeries& report, const std::string& variant, double factor)
 {
-    Tally tally;
-    std::vector<std::string> words;
+    Cases cases;
     for (const ReportSeries* own : sector_darts(report, variant, DartNeeds::spectrum))
         for (const ReportSeries* darts : full_darts(report, DartNeeds::spectrum)) {
             const auto power = second_peak(*own), other = second_peak(*darts);
             if (!power || !other) continue;
-            tally.add(is_above(ratio_of(*power, *other), factor));
-            words.push_back(fmt::format("{} around the second peak, dart throwing {}", with_error(*power, 3),
-                                        with_error(*other, 3)));
+            cases.add(is_above(ratio_of(*power, *other), factor),
+                      fmt::format("{} around the second peak, dart throwing {}", with_error(*power, 3),
+                                  with_error(*other, 3)));
         }
-    if (tally.empty()) return std::nullopt;
-    words.push_back(tally.words());
-    return ClaimOutcome{tally.agreement(), joined_words(words)};
+    return cases.outcome();
 }
 
 DartOutcome is_skew(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> excess;
     for (const ReportSeries* linear : sector_darts(report, "linear", DartNeeds::spectrum)) {
         excess.push_back(mean_excess_anisotropy(*linear));
-        tally.add(is_above(excess.back(), 0.5));
+        cases.add(is_above(excess.back(), 0.5));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(excess, 2) + " dB above chance on average", tally.words()})};
+    return cases.outcome(range_words(excess, 2) + " dB above chance on average");
 }
 
 /// Ring by ring, how much nearer a curve is to a second one than to a third: the mean, with the scatter of rings.
@@ -114,7 +108,7 @@ std::optional<Estimate> nearer_to(const ReportSeries& own, const ReportSeries& s
 DartOutcome boundary_is_like_lloyd(const ClaimSeries& report)
 {
     constexpr double most_shown = 16;
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> to_lloyd, to_darts;
     for (const ReportSeries* own : sector_darts(report, "boundary", DartNeeds::spectrum))
         for (const ReportSeries* lloyd : lloyd_of_darts(report, DartNeeds::spectrum))
@@ -123,15 +117,12 @@ DartOutcome boundary_is_like_lloyd(const ClaimSeries& report)
                 if (iterations < 1 || iterations > most_shown) continue;
                 const auto nearer = nearer_to(*own, *lloyd, *darts);
                 if (!nearer) continue;
-                tally.add(is_above(*nearer, 0));
+                cases.add(is_above(*nearer, 0));
                 to_lloyd.push_back(*distance_of_curves(*own, *lloyd));
                 to_darts.push_back(*distance_of_curves(*own, *darts));
             }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("{} from Lloyd relaxation on average, {} from dart throwing",
-                                                  range_words(to_lloyd, 2), range_words(to_darts, 2)),
-                                      tally.words()})};
+    return cases.outcome(fmt::format("{} from Lloyd relaxation on average, {} from dart throwing",
+                                     range_words(to_lloyd, 2), range_words(to_darts, 2)));
 }
 
 constexpr std::array variants = {"logarithmic", "linear", "boundary"};

@@ -13,15 +13,14 @@ SpaceOutcome relaxation_in_space(const ClaimSeries& report)
     auto query = relaxation_darts(0.99, 1000);
     query.points.reset();
     query.dimension = 3;
-    Tally tally;
+    Cases cases;
     std::vector<double> radii;
     for (const ReportSeries* series : report.all(query)) {
         if (!series->stored->relative_radius) continue;
         radii.push_back(series->stored->relative_radius->mean);
-        tally.add(is_radius_of_the_text(*series->stored->relative_radius, 0.70));
+        cases.add(is_radius_of_the_text(*series->stored->relative_radius, 0.70));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(radii, 3), tally.words()})};
+    return cases.outcome(range_words(radii, 3));
 }
 
 std::vector<const ReportSeries*> spectra_in_space(const ClaimSeries& report, const char* sampler)
@@ -31,16 +30,14 @@ std::vector<const ReportSeries*> spectra_in_space(const ClaimSeries& report, con
 
 SpaceOutcome sphere_tiles_are_anisotropic(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<Estimate> values;
     for (const ReportSeries* series : spectra_in_space(report, "sphere-tiles")) {
         values.push_back(mean_excess_anisotropy(*series));
-        tally.add(flag.if_several({series}, is_above(values.back(), 0.5)));
+        cases.add(flag.if_several({series}, is_above(values.back(), 0.5)));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(values, 2) + " dB above it", tally.words(), flag.words()})};
+    return cases.outcome(range_words(values, 2) + " dB above it", flag.words());
 }
 
 SpaceOutcome sphere_tiles_are_blue_noise(const ClaimSeries& report)

@@ -16,19 +16,16 @@ using TemplateOutcome = std::optional<ClaimOutcome>;
 TemplateOutcome many_tiles_are_alike(const ClaimSeries& report)
 {
     constexpr double one_db = 1.26;
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     std::vector<Estimate> ratios;
     const auto all = tiling_spectra(report, "template-tiles");
     for_equal_points(all, all, [&](const ReportSeries& a, const ReportSeries& b) {
         if (set_size(a) != 128 || set_size(b) != 256) return;
         ratios.push_back(ratio_of(mean_peak(b), mean_peak(a)));
-        tally.add(flag.if_several({&a, &b}, is_within(ratios.back(), 1 / one_db, one_db)));
+        cases.add(flag.if_several({&a, &b}, is_within(ratios.back(), 1 / one_db, one_db)));
     });
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({"mean peaks " + range_words(ratios, 3) + " times those of 128 tiles",
-                                      tally.words(), flag.words()})};
+    return cases.outcome("mean peaks " + range_words(ratios, 3) + " times those of 128 tiles", flag.words());
 }
 
 /// Template tiles against sets of other kinds with as many points a tile.
@@ -52,14 +49,13 @@ TemplateOutcome template_peaks_beside_others(const ClaimSeries& report)
 
 TemplateOutcome peaks_in_anisotropy(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> values;
     for (SeriesPointer series : tiling_spectra(report, "template-tiles")) {
         values.push_back(peak_excess_anisotropy(*series));
-        tally.add(is_above(values.back(), 10));
+        cases.add(is_above(values.back(), 10));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(), joined_words({range_words(values, 2) + " dB above chance", tally.words()})};
+    return cases.outcome(range_words(values, 2) + " dB above chance");
 }
 
 /// The power of the ring with the first lattice frequencies over that of the rings two and three away.
@@ -83,35 +79,31 @@ std::optional<Estimate> ring_of_lattice(const ReportSeries& series)
 
 TemplateOutcome peaks_in_radial_power(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases;
     std::vector<Estimate> ratios;
     for (SeriesPointer series : tiling_spectra(report, "template-tiles")) {
         const auto ratio = ring_of_lattice(*series);
         if (!ratio) continue;
         ratios.push_back(*ratio);
-        tally.add(is_above(*ratio, 2));
+        cases.add(is_above(*ratio, 2));
     }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({range_words(ratios, 2) + " times the power beside it", tally.words()})};
+    return cases.outcome(range_words(ratios, 2) + " times the power beside it");
 }
 
 TemplateOutcome plates_improve(const ClaimSeries& report)
 {
-    Tally tally;
+    Cases cases(fewest_pictures);
     std::vector<double> ratios;
     const auto visit = [&](const ReportSeries& fewer, const ReportSeries& more) {
         const auto finding = has_weaker_plates(report, more, fewer);
         if (!finding) return;
         ratios.push_back(report.false_rings(more)->strength / report.false_rings(fewer)->strength);
-        tally.add(*finding);
+        cases.add(*finding);
     };
     const auto plates = tiling_plates(report, "template-tiles");
     for_neighbours(plates, points_per_tile, set_size, visit);
     for_neighbours(plates, set_size, points_per_tile, visit);
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{agreement_of_pictures(tally),
-                        joined_words({range_words(ratios, 2) + " times as strong", tally.words()})};
+    return cases.outcome(range_words(ratios, 2) + " times as strong");
 }
 
 bool is_large(SeriesPointer series) { return set_size(*series) >= 32 && points_per_tile(*series) >= 32; }

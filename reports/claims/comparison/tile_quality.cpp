@@ -50,7 +50,7 @@ std::string calibration_criterion()
 std::optional<ClaimOutcome> are_better(const std::vector<SeriesPointer>& all,
                                        const std::function<bool(SeriesPointer)>& selected)
 {
-    Tally tally;
+    Cases cases;
     TileSetFlag flag;
     int mixed = 0;
     for (SeriesPointer good : all)
@@ -62,14 +62,12 @@ std::optional<ClaimOutcome> are_better(const std::vector<SeriesPointer>& all,
             const Finding peaks = is_below(difference_of(*share, *other), 0);
             const bool agree = peaks != Finding::open && (*x < *y) == (peaks == Finding::holds);
             mixed += !agree;
-            tally.add(flag.if_several({good, bad}, agree ? peaks : Finding::open));
+            cases.add(flag.if_several({good, bad}, agree ? peaks : Finding::open));
         }
-    if (tally.empty()) return std::nullopt;
-    return ClaimOutcome{tally.agreement(),
-                        joined_words({fmt::format("pairs of a good and a bad one: {}, of which {} are better in one "
-                                                  "measure only",
-                                                  tally.cases(), mixed),
-                                      tally.words(), flag.words()})};
+    return cases.outcome(fmt::format("pairs of a good and a bad one: {}, of which {} are better in one "
+                                     "measure only",
+                                     cases.count(), mixed),
+                         flag.words());
 }
 
 std::string order_criterion()

@@ -97,10 +97,4 @@ std::optional<Finding> has_weaker_plates(const ClaimSeries& report, const Report
     return finding_if(a->strength < b->strength);
 }
 
-Agreement agreement_of_pictures(const Tally& tally)
-{
-    constexpr int fewest = 3;
-    return tally.cases() < fewest ? Agreement::open : tally.agreement();
-}
-
 }

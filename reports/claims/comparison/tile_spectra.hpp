@@ -85,8 +85,8 @@ void for_neighbours(std::vector<SeriesPointer> series, const Same& same, const V
 std::optional<Finding> has_weaker_plates(const ClaimSeries& report, const ReportSeries& first,
                                          const ReportSeries& second);
 
-/// The verdict over pictures, each of one tile set: fewer than three comparisons leave it open.
-Agreement agreement_of_pictures(const Tally& tally);
+/// Pictures are of one tile set each: fewer comparisons leave open what they say.
+inline constexpr int fewest_pictures = 3;
 inline constexpr auto pictures_criterion =
     "open where strengths differ by no more than noise alone gives, and with fewer than three comparisons, as each "
     "picture is of one tile set";
