@@ -62,7 +62,8 @@ std::string value_name_of(const KeySpec& spec)
 
 }
 
-KindOptions::KindOptions(const Kind& kind, std::string placed) : kind_(kind), placed_(std::move(placed))
+KindOptions::KindOptions(const Kind& kind, OutputFiles files, std::string placed)
+    : outs(std::move(files)), kind_(kind), placed_(std::move(placed))
 {
     for (KeySpec& spec : kind.keys()) {
         const std::string& key = spec.value.key;

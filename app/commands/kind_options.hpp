@@ -12,11 +12,29 @@
 
 namespace poissonlab {
 
+/// The files that a command writes: --out, as often as one likes.
+struct OutputFiles
+{
+    std::vector<std::string> kinds;   ///< what their names may end in
+    bool may_be_points = false;       ///< names with other ends are point files
+    std::vector<std::string> names{}; ///< that were typed
+
+    Option option();
+
+    /// Throws InputError for a name with another end, a folder that is not there, and a name that is one.
+    void check(const std::string& command) const;
+};
+
 class KindOptions
 {
 public:
     /// `kind` must outlive it. The key `placed`, if there is one, is an argument known by its place, not an option.
-    explicit KindOptions(const Kind& kind, std::string placed = "");
+    explicit KindOptions(const Kind& kind, std::string placed = "")
+        : KindOptions(kind, OutputFiles{}, std::move(placed))
+    {}
+
+    /// The same for a command that writes files.
+    KindOptions(const Kind& kind, OutputFiles files, std::string placed = "");
 
     /// An option for each key, in the order of the kind, and --seed, --engine, --device, --quiet, --json. Their targets
     /// are in this object.
@@ -42,6 +60,9 @@ public:
     /// The same error, named after the command.
     InputError of_command(const InputError& error) const;
 
+    OutputFiles outs;         ///< --out, of commands that list it
+    std::uint32_t pixels = 0; ///< --pixels, the width of a .png; 0: by default
+
 private:
     /// The words that were typed for a key.
     struct Typed
@@ -65,19 +86,6 @@ private:
 /// Prints numbers as one JSON object: each by its key, as results.json calls it, and in "meanings" what it is, with
 /// its unit.
 void print_numbers(const std::vector<DistributionNumber>& numbers);
-
-/// The files that a command writes: --out, as often as one likes.
-struct OutputFiles
-{
-    std::vector<std::string> kinds;   ///< what their names may end in
-    bool may_be_points = false;       ///< names with other ends are point files
-    std::vector<std::string> names{}; ///< that were typed
-
-    Option option();
-
-    /// Throws InputError for a name with another end, a folder that is not there, and a name that is one.
-    void check(const std::string& command) const;
-};
 
 /// --pixels, the width of a .png.
 Option pixels_option(std::uint32_t& pixels, std::uint32_t most, const std::string& otherwise);

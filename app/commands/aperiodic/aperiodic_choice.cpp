@@ -57,17 +57,16 @@ void check_repetitions(const std::string& command, std::uint32_t repetitions)
             fmt::format("{}: --repeat {}: must be an integer from 1 to {}", command, repetitions, most_repetitions));
 }
 
-ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
-                              std::uint32_t repetitions)
+ChosenTiles constructed_tiles(const std::string& command, const AskedTiles& asked)
 {
-    ChosenTiles chosen = chosen_set(command, set);
-    check_repetitions(command, repetitions);
-    if (construction.empty()) return chosen;
-    auto steps = repeat_construction(chosen.wang, chosen_construction(command, construction), repetitions);
-    if (steps.size() < repetitions)
+    ChosenTiles chosen = chosen_set(command, asked.set);
+    check_repetitions(command, asked.repeat);
+    if (asked.construction.empty()) return chosen;
+    auto steps = repeat_construction(chosen.wang, chosen_construction(command, asked.construction), asked.repeat);
+    if (steps.size() < asked.repeat)
         throw InputError(fmt::format("{}: repetition {} is ambiguous: there is none after it", command, steps.size()));
-    chosen.name += fmt::format(", {} construction{}", construction,
-                               repetitions > 1 ? fmt::format(" repeated {} times", repetitions) : "");
+    chosen.name += fmt::format(", {} construction{}", asked.construction,
+                               asked.repeat > 1 ? fmt::format(" repeated {} times", asked.repeat) : "");
     chosen.wang = std::move(steps.back().wang);
     chosen.corners = std::move(steps.back().corners.list);
     return chosen;

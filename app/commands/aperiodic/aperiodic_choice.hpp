@@ -24,6 +24,16 @@ struct ChosenTiles
     std::optional<CornerList> corners{};
 };
 
+/// A set and a construction as they were typed, and where what is made of them goes.
+struct AskedTiles
+{
+    std::string set;
+    std::string construction; ///< empty: none
+    std::uint32_t repeat = 1;
+    std::filesystem::path out; ///< empty: nowhere
+    bool as_json = false;
+};
+
 /// A known set, or that of a file, whose warnings go to standard error. Throws InputError.
 ChosenTiles chosen_set(const std::string& command, const std::string& name);
 
@@ -35,10 +45,10 @@ inline constexpr std::uint32_t most_repetitions = 16; ///< of a construction
 /// Throws InputError for a number of repetitions that is not from 1 to that.
 void check_repetitions(const std::string& command, std::uint32_t repetitions);
 
-/// The tiles that `repetitions` of a construction make of a set; the set itself for an empty word. Throws InputError
-/// also for repetitions that are not from 1 to 16, and where the construction is ambiguous before the last one.
-ChosenTiles constructed_tiles(const std::string& command, const std::string& set, const std::string& construction,
-                              std::uint32_t repetitions);
+/// The tiles that the construction makes of the set, as often as is asked for; the set itself without one. Throws
+/// InputError also for repetitions that are not from 1 to 16, and where the construction is ambiguous before the last
+/// one.
+ChosenTiles constructed_tiles(const std::string& command, const AskedTiles& asked);
 
 /// Draws tiles of the set, `columns` in a row: a tiling, or, with gaps, a set. Throws StorageError.
 void write_tile_picture(const std::filesystem::path& file, const ChosenTiles& chosen, std::span<const ListPlace> places,

@@ -2,7 +2,7 @@
 //
 // Lagae, Tile-Based Methods in Computer Graphics, 2007, sections 8.3 and 8.4, tables 8.1 to 8.7.
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "base/files/whole_file.hpp"
 #include "tiles/aperiodic/tile_list_file.hpp"
@@ -26,15 +26,6 @@ the Wang tiles; the dissertation says "failed". There is no repetition after it.
   poissonlab aperiodic convert ammann --construction rotation --out tiles.svg)";
 
 constexpr std::size_t most_drawn_tiles = 20'000;
-
-struct AperiodicConvertOptions
-{
-    std::string set;
-    std::string construction;
-    std::uint32_t repeat = 1;
-    std::filesystem::path out;
-    bool json = false;
-};
 
 void print_steps(const std::vector<ConstructionStep>& steps, CornerConstruction construction)
 {
@@ -86,14 +77,14 @@ void write_corners(const std::filesystem::path& file, const std::string& name, c
     write_tile_picture(file, {name, step.wang, step.corners.list}, places, columns, true);
 }
 
-void convert(const AperiodicConvertOptions& options)
+void convert(const AskedTiles& options)
 {
     const CornerConstruction construction = chosen_construction("aperiodic convert", options.construction);
     check_repetitions("aperiodic convert", options.repeat);
     const ChosenTiles chosen = chosen_set("aperiodic convert", options.set);
     const auto steps = repeat_construction(chosen.wang, construction, options.repeat);
     if (!options.out.empty()) write_corners(options.out, chosen.name, steps.back());
-    if (options.json)
+    if (options.as_json)
         print_steps_json(steps, construction);
     else
         print_steps(steps, construction);
@@ -103,7 +94,7 @@ void convert(const AperiodicConvertOptions& options)
 
 Command aperiodic_convert_command()
 {
-    const auto o = std::make_shared<AperiodicConvertOptions>();
+    const auto o = std::make_shared<AskedTiles>();
     return {
         "convert",
         "Make a corner tile set of a Wang tile set, and Wang tiles of that",
@@ -113,7 +104,7 @@ Command aperiodic_convert_command()
          allowing({"--repeat", &o->repeat, "How often, each time on the Wang tiles of the last one; default: 1", "K"},
                   integers(1, most_repetitions)),
          {"--out", &o->out, "Where the last corner tiles go: a picture (.svg, .png), else a file of tiles", "FILE"},
-         {"--json", &o->json, "Print JSON"}},
+         json_option(o->as_json)},
         aperiodic_convert_notes,
         action_on(o, convert)};
 }

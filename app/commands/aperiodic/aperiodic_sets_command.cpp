@@ -1,5 +1,5 @@
 // poissonlab aperiodic sets: the aperiodic tile sets that the laboratory knows.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "tiles/aperiodic/aperiodic_sets.hpp"
 
 #include <fmt/format.h>
@@ -12,11 +12,6 @@ constexpr auto aperiodic_sets_notes =
     R"(Colours are the larger of the numbers of horizontal and vertical colours. The sets with a figure are those of the
 dissertation's chapter 8; two of them exist as printed pictures only. Jeandel and Rao's set has four colours here: others
 list it with five, 0 to 4, of which its authors merge 4 with 0.)";
-
-struct AperiodicSetsOptions
-{
-    bool json = false;
-};
 
 void print_sets_json()
 {
@@ -40,12 +35,9 @@ void print_sets_json()
     fmt::print("{}\n", sets.dump());
 }
 
-void print_sets(const AperiodicSetsOptions& options)
+void print_sets(const bool& as_json)
 {
-    if (options.json) {
-        print_sets_json();
-        return;
-    }
+    if (as_json) return print_sets_json();
     fmt::print("{:<14}{:>6}{:>9}{:>12}{:>10}  source\n", "name", "tiles", "colours", "horizontal", "vertical");
     for (const AperiodicSet& set : aperiodic_sets()) {
         if (set.tiles == nullptr) {
@@ -62,12 +54,12 @@ void print_sets(const AperiodicSetsOptions& options)
 
 Command aperiodic_sets_command()
 {
-    const auto o = std::make_shared<AperiodicSetsOptions>();
+    const auto as_json = std::make_shared<bool>(false);
     return {"sets",
             "List the aperiodic sets of Wang tiles that are known",
-            {{"--json", &o->json, "Print JSON: their tiles as well, as [N, E, S, W]"}},
+            {json_option(*as_json, "Print JSON: their tiles as well, as [N, E, S, W]")},
             aperiodic_sets_notes,
-            action_on(o, print_sets)};
+            action_on(as_json, print_sets)};
 }
 
 }

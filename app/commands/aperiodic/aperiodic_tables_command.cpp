@@ -20,11 +20,6 @@ periods. The page docs/aperiodic-tiles.md is what this prints.)";
 
 constexpr std::size_t searched_width = 6;
 
-struct AperiodicTablesOptions
-{
-    bool as_json = false;
-};
-
 constexpr auto tables_head =
     R"(# Aperiodic sets of corner tiles: the tables of the dissertation, computed
 
@@ -161,10 +156,10 @@ void print_tables_json(const std::vector<ComparedColumn>& columns)
     fmt::print("{}\n", json.dump(2));
 }
 
-void print_tables(const AperiodicTablesOptions& options)
+void print_tables(const bool& as_json)
 {
     const std::vector<ComparedColumn> columns = compare_tables();
-    if (options.as_json) return print_tables_json(columns);
+    if (as_json) return print_tables_json(columns);
     fmt::print("{}", tables_head);
     for (const char* table : {"8.3", "8.4", "8.7", "8.5", "8.6"}) print_table(table, columns);
     print_periods();
@@ -174,12 +169,12 @@ void print_tables(const AperiodicTablesOptions& options)
 
 Command aperiodic_tables_command()
 {
-    const auto o = std::make_shared<AperiodicTablesOptions>();
+    const auto as_json = std::make_shared<bool>(false);
     return {"tables",
             "Compare the dissertation's tables 8.1 to 8.7 with what is computed",
-            {json_option(o->as_json)},
+            {json_option(*as_json)},
             aperiodic_tables_notes,
-            action_on(o, print_tables)};
+            action_on(as_json, print_tables)};
 }
 
 }

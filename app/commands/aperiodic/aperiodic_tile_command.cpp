@@ -38,15 +38,10 @@ constexpr WordTable<TilingMethod, 3> tiling_methods{{{{TilingMethod::beatty, "be
                                                       {TilingMethod::substitution, "substitution"},
                                                       {TilingMethod::search, "search"}}}};
 
-struct AperiodicTileOptions
+struct AperiodicTileOptions : AskedTiles
 {
-    std::string set;
-    std::string construction;
-    std::uint32_t repeat = 1;
     std::vector<std::int64_t> window; ///< X Y W H
     std::string method;               ///< empty: the set's own
-    std::filesystem::path out;
-    bool as_json = false;
     WorkOptions work;
 };
 

@@ -1,6 +1,6 @@
 // poissonlab aperiodic verify: the search for periods of a tile set, by the tallest cylinder of each circumference.
 #include "app/commands/aperiodic/aperiodic_choice.hpp"
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "base/errors/errors.hpp"
 #include "tiles/aperiodic/cylinder_search.hpp"
 
@@ -25,14 +25,9 @@ No search proves that a set is aperiodic: there may be a longer period.
 
 constexpr std::uint32_t largest_width = 64;
 
-struct AperiodicVerifyOptions
+struct AperiodicVerifyOptions : AskedTiles
 {
-    std::string set;
-    std::string construction;
-    std::uint32_t repeat = 1;
     std::uint32_t width = 0;
-    std::filesystem::path out;
-    bool json = false;
 };
 
 std::vector<std::span<const ListPlace>> rows_of(const PeriodicTiling& tiling)
@@ -111,7 +106,7 @@ PeriodSearch searched(const WangList& list, const AperiodicVerifyOptions& option
         return search_periods(list, options.width, [&](const PeriodSearch& so_far) {
             known = so_far;
             ++circumference;
-            if (!options.json) print_heights(so_far, circumference);
+            if (!options.as_json) print_heights(so_far, circumference);
         });
     } catch (const InputError& error) {
         if (!known.period) throw;
@@ -127,8 +122,8 @@ void verify_aperiodic(const AperiodicVerifyOptions& options)
         throw InputError(
             fmt::format("aperiodic verify: --width {}: must be an integer from 1 to {}", options.width, largest_width));
     if (!options.out.empty()) check_picture_file("aperiodic verify", options.out);
-    const ChosenTiles chosen = constructed_tiles("aperiodic verify", options.set, options.construction, options.repeat);
-    if (!options.json) {
+    const ChosenTiles chosen = constructed_tiles("aperiodic verify", options);
+    if (!options.as_json) {
         if (chosen.corners)
             fmt::print("{}: {} corner tiles over {} colours\n", chosen.name, chosen.corners->tiles.size(),
                        chosen.corners->colors);
@@ -139,7 +134,7 @@ void verify_aperiodic(const AperiodicVerifyOptions& options)
     }
     const PeriodSearch search = searched(chosen.wang, options);
     if (search.period && !options.out.empty()) draw_period(options.out, chosen, *search.period);
-    if (options.json)
+    if (options.as_json)
         print_outcome_json(search, chosen.name, options.width);
     else
         print_outcome(search, options.width);
@@ -159,7 +154,7 @@ Command aperiodic_verify_command()
              allowing({"--width", &o->width, "The largest circumference of cylinders, in tiles", "W", required},
                       integers(1, largest_width)),
              {"--out", &o->out, "Where a tiling that repeats is drawn (.svg, .png)", "FILE"},
-             {"--json", &o->json, "Print JSON"}},
+             json_option(o->as_json)},
             aperiodic_verify_notes,
             action_on(o, verify_aperiodic)};
 }

@@ -1,5 +1,5 @@
 // poissonlab isohedral list: the 93 types of isohedral tilings.
-#include "app/commands/command.hpp"
+#include "app/commands/work_options.hpp"
 #include "tiles/isohedral/isohedral_tile.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +16,6 @@ where a symmetry of the tiling maps one to another; after the semicolon what lie
 Laves tiling. Aspects: tiles of a translational unit. Parameters: in how many ways corners can be moved. Curves: what
 each may be, J any, S the same after half a turn, U the same in a mirror across it, I straight. Marked: tiles of any
 shape are more symmetric than the type, so that only markings on them show it.)";
-
-struct IsohedralListOptions
-{
-    bool json = false;
-};
 
 std::string curves_of(const IsohedralType& type)
 {
@@ -48,12 +43,9 @@ void print_types_json()
     fmt::print("{}\n", list.dump(2));
 }
 
-void print_types(const IsohedralListOptions& options)
+void print_types(const bool& as_json)
 {
-    if (options.json) {
-        print_types_json();
-        return;
-    }
+    if (as_json) return print_types_json();
     fmt::print("{:<6}{:<12}{:<28}{:>8}{:>12}  {:<8}\n", "type", "topology", "symbol", "aspects", "parameters",
                "curves");
     for (const IsohedralType& type : isohedral_types())
@@ -66,12 +58,12 @@ void print_types(const IsohedralListOptions& options)
 
 Command isohedral_list_command()
 {
-    const auto o = std::make_shared<IsohedralListOptions>();
+    const auto as_json = std::make_shared<bool>(false);
     return {"list",
             "List the 93 types of isohedral tilings",
-            {{"--json", &o->json, "Print JSON"}},
+            {json_option(*as_json)},
             isohedral_list_notes,
-            action_on(o, print_types)};
+            action_on(as_json, print_types)};
 }
 
 }

@@ -24,13 +24,6 @@ one that is not a number a hole. Formulas that begin with a minus sign are writt
 
 constexpr std::uint32_t most_icon_pixels = max_drawing_pixels / 2;
 
-struct IconOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    OutputFiles outs{{".svg", ".png", ".csv"}};
-    std::uint32_t pixels = 1024;
-};
-
 void write_icons(const std::filesystem::path& file, const Icons& icons, const VectorField& field, int pixels)
 {
     MarkPicture picture = icon_picture(icons, field);
@@ -46,7 +39,7 @@ void write_icons(const std::filesystem::path& file, const Icons& icons, const Ve
         write_drawing_png(file, drawing, pixels);
 }
 
-void draw_icons(const IconOptions& o)
+void draw_icons(const KindOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<IconSettings>();
@@ -65,7 +58,9 @@ void draw_icons(const IconOptions& o)
 
 Command distribute_icons_command()
 {
-    const auto o = std::make_shared<IconOptions>(*find_kind("distribution", "icons"));
+    const auto o =
+        std::make_shared<KindOptions>(*find_kind("distribution", "icons"), OutputFiles{{".svg", ".png", ".csv"}});
+    o->pixels = 1024;
     return kind_command(o, {o->outs.option(), pixels_option(o->pixels, most_icon_pixels, "1024")},
                         distribute_icons_notes, draw_icons);
 }

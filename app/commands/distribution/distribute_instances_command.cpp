@@ -29,12 +29,6 @@ models), .png (a shaded view from above, --pixels wide).
     --out forest.usda
   poissonlab distribute instances asteroids --ring 0.5 0.9 0.1 --out belt.ply --out belt.png)help";
 
-struct InstanceOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    OutputFiles outs{{".csv", ".ply", ".usda", ".png"}};
-};
-
 void write_instances(const std::filesystem::path& file, const std::vector<Instance>& instances,
                      const InstanceSettings& settings, double radius)
 {
@@ -47,7 +41,7 @@ void write_instances(const std::filesystem::path& file, const std::vector<Instan
     write_png(file, {view.width, view.height, 3}, [&](int first, int) { return &view.values[view.at(0, first, 0)]; });
 }
 
-void place_instances(const InstanceOptions& o)
+void place_instances(const KindOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<InstanceSettings>();
@@ -69,7 +63,8 @@ void place_instances(const InstanceOptions& o)
 
 Command distribute_instances_command()
 {
-    const auto o = std::make_shared<InstanceOptions>(*find_kind("distribution", "instances"), "scene");
+    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "instances"),
+                                                 OutputFiles{{".csv", ".ply", ".usda", ".png"}}, "scene");
     return kind_command(o, {o->outs.option()}, distribute_instances_notes, place_instances);
 }
 

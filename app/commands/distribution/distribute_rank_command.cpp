@@ -21,13 +21,7 @@ side, y upwards; formulas are over a square. Both engines are the same: no devic
   poissonlab distribute rank --density photo.jpg --density-from ink --points 13000 --out dots.ply
   poissonlab distribute rank --density gauss-and-waves --points 2048 --out blob.npy)";
 
-struct RankOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    OutputFiles outs{{}, true};
-};
-
-void rank(const RankOptions& o)
+void rank(const KindOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<RankSettings>();
@@ -50,7 +44,7 @@ void rank(const RankOptions& o)
 
 Command distribute_rank_command()
 {
-    const auto o = std::make_shared<RankOptions>(*find_kind("distribution", "ranks"));
+    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", "ranks"), OutputFiles{{}, true});
     return kind_command(o, {o->outs.option()}, distribute_rank_notes, rank);
 }
 

@@ -46,15 +46,8 @@ none at 45 degrees, or all at --angle. Long strokes overlap sooner than dots: wh
   poissonlab distribute hatch --image photo.jpg --points 13000 --ink 0.5 --out strokes.svg
   poissonlab distribute hatch --image photo.jpg --stroke 1.5 --angle 0.8 --out strokes.png --pixels 2048)help";
 
-struct StippleOptions : KindOptions
-{
-    using KindOptions::KindOptions;
-    OutputFiles outs{{".svg", ".png"}, true};
-    std::uint32_t pixels = 0;
-};
-
 /// Width and height of a .png.
-std::array<int, 2> png_size(const StippleOptions& o, const InkPicture& picture)
+std::array<int, 2> png_size(const KindOptions& o, const InkPicture& picture)
 {
     if (o.pixels == 0) return {picture.ink.width, picture.ink.height};
     const auto wide = static_cast<int>(o.pixels);
@@ -65,8 +58,7 @@ std::array<int, 2> png_size(const StippleOptions& o, const InkPicture& picture)
     return {wide, std::max(1, static_cast<int>(high))};
 }
 
-void write_marks(const StippleOptions& o, const std::string& image, const InkPicture& picture,
-                 const Stippling& stippling)
+void write_marks(const KindOptions& o, const std::string& image, const InkPicture& picture, const Stippling& stippling)
 {
     const auto [wide, high] = png_size(o, picture);
     for (const std::filesystem::path file : o.outs.names) {
@@ -85,7 +77,7 @@ void write_marks(const StippleOptions& o, const std::string& image, const InkPic
     }
 }
 
-void say_tones(const StippleOptions& o, bool has_strokes, const TonesOfMarks& tones, const Stippling& stippling)
+void say_tones(const KindOptions& o, bool has_strokes, const TonesOfMarks& tones, const Stippling& stippling)
 {
     const std::size_t count = stippling.places.size() / 2;
     if (o.is_quiet()) return;
@@ -97,7 +89,7 @@ void say_tones(const StippleOptions& o, bool has_strokes, const TonesOfMarks& to
                100 * tones.too_dark, tones.darkest_ink, has_strokes ? "strokes can" : "dots", 100 * tones.overlap);
 }
 
-void stipple_picture(const StippleOptions& o)
+void stipple_picture(const KindOptions& o)
 {
     const KindSettings read = o.settings();
     const auto& settings = read.as<StippleSettings>();
@@ -120,7 +112,7 @@ void stipple_picture(const StippleOptions& o)
 
 Command mark_command(const char* word, const char* notes)
 {
-    const auto o = std::make_shared<StippleOptions>(*find_kind("distribution", word));
+    const auto o = std::make_shared<KindOptions>(*find_kind("distribution", word), OutputFiles{{".svg", ".png"}, true});
     return kind_command(o, {o->outs.option(), pixels_option(o->pixels, max_drawing_pixels, "the picture's")}, notes,
                         stipple_picture);
 }

@@ -37,7 +37,6 @@ of the mean below it, all together at most a thousandth of the light. Pictures w
 struct WarpOptions : KindOptions
 {
     using KindOptions::KindOptions;
-    OutputFiles outs{{}, true};
     std::filesystem::path lights;
 };
 
@@ -68,7 +67,7 @@ void warp(const WarpOptions& o)
 
 Command distribute_warp_command()
 {
-    const auto o = std::make_shared<WarpOptions>(*find_kind("distribution", "warp"));
+    const auto o = std::make_shared<WarpOptions>(*find_kind("distribution", "warp"), OutputFiles{{}, true});
     return kind_command(
         o, {o->outs.option(), {"--lights", &o->lights, "With --environment: lights, directions and powers", "FILE"}},
         distribute_warp_notes, warp);
