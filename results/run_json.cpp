@@ -100,6 +100,10 @@ std::string run_json(const Run& run)
 Run read_run(const std::filesystem::path& folder)
 {
     const std::filesystem::path file = folder / file_names::results;
+    std::error_code unknown; // of a name that is too long: it is that of no file
+    if (!std::filesystem::exists(folder, unknown)) throw InputError::at({folder.string()}, "no such folder");
+    if (!std::filesystem::exists(file, unknown))
+        throw InputError::at({folder.string()}, "has no results.json: must be a folder that `run` or `analyze` wrote");
     const nlohmann::json json = read_json_file(file);
     JsonMembers root(StoredObject(json, file));
     check_format(root.stored());

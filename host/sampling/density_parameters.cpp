@@ -45,8 +45,12 @@ std::optional<Density> given_density(const Parameters& given)
         if (given.is_given(channel_key)) throw given.error(channel_key, "is for a density, and none is given");
         return std::nullopt;
     }
+    const std::string text = resolved_density(given), channel = given.text(channel_key);
+    if (given.is_given(channel_key) && channel != "light" && !is_file_name(text))
+        throw given.error(channel_key,
+                          fmt::format("is for pictures, and density = \"{}\" is none", shortened(printable(text))));
     try {
-        Density density = density_of_text(resolved_density(given), given.text(channel_key), 1, 1);
+        Density density = density_of_text(text, channel, 1, 1);
         if (density.width != density.height)
             throw InputError(fmt::format("has {} x {} pixels: must be square", density.width, density.height));
         return density;

@@ -128,7 +128,7 @@ DistributionResult made(const std::string& name, const Kind& kind, const std::st
                         const DistributionPlace& place, const std::filesystem::path& folder)
 {
     try {
-        const KindSettings settings = read_kind(kind, read_toml(values, name), {name}, name);
+        const KindSettings settings = read_kind(kind, read_toml(values, name), {name}, "");
         DistributionFiles files([&](const std::string& file) { return folder / file; });
         DistributionResult result = std::visit([](auto own) { return as_distribution(std::move(own)); },
                                                kind.make(settings, seed, place, files));

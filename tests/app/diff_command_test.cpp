@@ -76,7 +76,7 @@ TEST_F(DiffCommand, SaysWhatIsWrong)
 {
     const Outcome nothing = diff({"nowhere", "nowhere"});
     EXPECT_EQ(nothing.status, 2);
-    EXPECT_THAT(nothing.error, HasSubstr("nowhere/results.json: cannot be read"));
+    EXPECT_THAT(nothing.error, HasSubstr("nowhere: no such folder"));
     EXPECT_EQ(diff({"a"}).status, 2);
     EXPECT_THAT(run_program(folder_.path(), {"diff", "--help"}).out, HasSubstr("Exit status 4"));
 }

@@ -81,7 +81,9 @@ TEST(StoredResults, OnePointHasNoDistance)
 TEST(StoredResults, FoldersWithoutResults)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(error_of(folder.path()), HasSubstr((folder.path() / "results.json").string()));
+    const std::string name = folder.path().string();
+    EXPECT_EQ(error_of(folder.path()), name + ": has no results.json: must be a folder that `run` or `analyze` wrote");
+    EXPECT_EQ(error_of(folder.path() / "gone"), name + "/gone: no such folder");
 }
 
 TEST(StoredResults, DamagedJson)

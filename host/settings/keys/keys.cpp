@@ -2,6 +2,7 @@
 
 #include "base/densities/density_text.hpp"
 #include "base/files/file_kind.hpp"
+#include "base/images/raw_picture.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/settings/parameter_values.hpp"
 #include "host/settings/sampler_help.hpp"
@@ -360,6 +361,15 @@ Keys::Said Keys::region(const std::string& key, std::string& value, std::string 
     return said;
 }
 
+Keys::Said Keys::picture(const std::string& key, std::filesystem::path& value, std::string help)
+{
+    const Said said =
+        file(key, value, std::move(help),
+             where_.is_argument ? "a picture's file" : "a picture's file, by its path from the config's folder");
+    check(key, [&] { read_picture_header(value); });
+    return said;
+}
+
 Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, std::string help)
 {
     const Said said = text(key, value, std::move(help));
@@ -371,7 +381,11 @@ Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, 
 Keys::Said Keys::picture_or_formula(const std::string& key, std::string& value, std::string& from, std::string help)
 {
     const Said said = picture_or_formula(key, value, std::move(help));
-    text(key + "_from", from, fmt::format("what of the picture {} is meant: light, ink, or one of its channels", key));
+    const std::string from_key = key + "_from", unless_given = from;
+    text(from_key, from, fmt::format("what of the picture {} is meant: light, ink, or one of its channels", key));
+    if (is_given(key) && !is_file_name(value) && from != unless_given)
+        throw invalid(from_key,
+                      fmt::format("is for pictures, and {} is none", shown(key, shortened(printable(value)))));
     return said;
 }
 
@@ -431,7 +445,7 @@ InputError Keys::invalid(const std::string& key, const std::string& allowed) con
 
 InputError Keys::problem(const std::string& what) const
 {
-    const std::string message = fmt::format("{}: {}", name_, what);
+    const std::string message = name_.empty() ? what : fmt::format("{}: {}", name_, what);
     return where_.is_argument ? InputError(message) : InputError::at(where_, message);
 }
 

@@ -89,9 +89,9 @@ public:
     /// Describes.
     Keys() = default;
 
-    /// Reads `table`, which is called `name` in messages ("[[distribution]]") and stands at `where`: names of files
-    /// count from the folder of that file. The options of a command are a table as well, at an argument: its name is
-    /// the command's.
+    /// Reads `table`, which is called `name` in messages ("[[distribution]]", or nothing where the place says it) and
+    /// stands at `where`: names of files count from the folder of that file. The options of a command are a table as
+    /// well, at an argument: its name is the command's.
     Keys(const ConfigTable& table, SourceLocation where, std::string name);
 
     Said number(const std::string& key, double& value, Interval range, std::string help);
@@ -139,11 +139,8 @@ public:
     /// A file that has to be there: `what` it must be.
     Said file(const std::string& key, std::filesystem::path& value, std::string help,
               const std::string& what = "a file");
-    Said picture(const std::string& key, std::filesystem::path& value, std::string help)
-    {
-        return file(key, value, std::move(help),
-                    where_.is_argument ? "a picture's file" : "a picture's file, by its path from the config's folder");
-    }
+    /// A picture's file: what is none is refused before any work, by its header.
+    Said picture(const std::string& key, std::filesystem::path& value, std::string help);
 
     /// Files of pictures, in a list: options of commands are given once for each, and a single one needs no list.
     Said pictures(const std::string& key, std::vector<std::filesystem::path>& values, std::string help);

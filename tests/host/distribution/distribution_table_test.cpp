@@ -70,7 +70,8 @@ TEST(DistributionTable, RefusesWhatItDoesNotKnow)
     const std::string tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
     expect_refusal("density = \"x+1\"\npoints = 9\ntiles = \"" + tiles + "\"\nmethod = \"random\"",
                    "does not go with method");
-    expect_refusal("density = \"x+1\"\ndensity_from = \"ink\"\npoints = 9", "\"ink\" is for pictures");
+    expect_refusal("density = \"x+1\"\ndensity_from = \"ink\"\npoints = 9",
+                   "c.toml:4: density_from = \"ink\": is for pictures, and density = \"x+1\" is none");
 }
 
 TEST(DistributionTable, ReadsStipplingAndHatching)

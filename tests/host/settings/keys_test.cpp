@@ -106,6 +106,40 @@ TEST(Keys, NamesFilesFromTheFolderOfTheConfig)
     EXPECT_EQ(settings_of("image = \"photo.png\"").image, "photo.png"); // a formula that cannot be understood
 }
 
+TEST(Keys, WhatIsNoPictureIsRefusedAtItsKey)
+{
+    const TemporaryFolder folder;
+    folder.write("photo.png", "no picture, but a file");
+    folder.write("grey.pgm", "P2 1 1 255\n7\n");
+    const std::string config = (folder.path() / "c.toml").string();
+    const auto read = [&](const std::string& text) {
+        const ConfigTable table = read_toml(text, config);
+        Keys keys(table, {config, 1}, "[[thing]]");
+        std::filesystem::path picture;
+        keys.picture("exemplar", picture, "a picture");
+        return picture;
+    };
+    EXPECT_EQ(read("exemplar = \"grey.pgm\""), folder.path() / "grey.pgm");
+    EXPECT_THAT(message_of([&] { read("\nexemplar = \"photo.png\""); }),
+                testing::AllOf(testing::StartsWith(config + ":2: exemplar: "), HasSubstr("cannot read the picture")));
+    EXPECT_THAT(message_of([&] { read("\nexemplar = \"gone.png\""); }),
+                HasSubstr(":2: exemplar = \"gone.png\": no such file"));
+}
+
+TEST(Keys, WhatOfAPictureIsMeantIsForPictures)
+{
+    const auto read = [&](const std::string& text) {
+        const ConfigTable table = read_toml(text, "c.toml");
+        Keys keys(table, {"c.toml", 1}, "[[thing]]");
+        std::string image, from = "ink";
+        keys.picture_or_formula("image", image, from, "a picture or a formula");
+        return from;
+    };
+    EXPECT_EQ(read("image = \"x\"\nimage_from = \"ink\""), "ink") << "which is so without it";
+    EXPECT_EQ(message_of([&] { read("image = \"x\"\nimage_from = \"light\""); }),
+              "c.toml:2: image_from = \"light\": is for pictures, and image = \"x\" is none");
+}
+
 /// What decides a result, defaults too, and nothing of how it was typed.
 TEST(Keys, ResolvesValues)
 {
