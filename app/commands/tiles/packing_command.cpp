@@ -44,9 +44,6 @@ struct PackingOptions : KindOptions
     PuzzleCut cut;
 };
 
-/// The largest number of colours whose tiles are drawn: 65,536 of them.
-constexpr Color most_drawn_colors = 16;
-
 /// Prints the tiles of rows from north to south.
 template <class TileAt>
 void print_rows(TileRows& rows, Color side, const TileAt& tile_at)
@@ -81,9 +78,7 @@ void print_all_packings(const PackingOptions& options, const PackingSettings& as
 
 void check_drawn_colors(Color colors)
 {
-    if (colors > most_drawn_colors)
-        throw InputError(
-            fmt::format("packing: --colors {}: must be at most {} for a picture", colors, most_drawn_colors));
+    if (colors > most_drawn_colors) throw InputError(fmt::format("packing: --colors {}: {}", colors, most_drawn_words));
 }
 
 void write_packing_picture(const TilePacking& packing, const std::filesystem::path& file)

@@ -24,8 +24,9 @@ namespace poissonlab {
 namespace {
 
 /// The colours of corners and edges: those that the papers draw with come first.
-constexpr std::array<const char*, 8> packed_colors{"#d9422f", "#3f9e4a", "#3a6fd0", "#e8b62c",
-                                                   "#9a4fc0", "#2fb0b8", "#ee7f2d", "#8a8a8a"};
+constexpr std::array<const char*, most_drawn_colors> packed_colors{
+    "#d9422f", "#3f9e4a", "#3a6fd0", "#e8b62c", "#9a4fc0", "#2fb0b8", "#ee7f2d", "#8a8a8a",
+    "#7a1f1f", "#b5d96b", "#1d2f6f", "#f3a6b5", "#6b4a1f", "#a6d8f0", "#145a3a", "#e63fa8"};
 constexpr const char* lines = "#303030";
 constexpr int packing_pixels = 1024;
 
@@ -181,8 +182,6 @@ void add_indices(const TilePacking& packing, DistributionFiles& files, Distribut
     result.files.emplace_back("tiles.txt");
 }
 
-constexpr Color most_drawn_colors = 8; // that pictures have colours for
-
 /// Names the method, and says which kinds and numbers of colours it has: the same for tables and the command.
 void packing_method_keys(Keys& keys, PackingSettings& s)
 {
@@ -194,8 +193,7 @@ void packing_method_keys(Keys& keys, PackingSettings& s)
     if (s.method == "printed" && s.colors > 4) refuse("has at most 4 colours");
     if (s.method == "product" && (is_corner || s.colors != 3)) refuse("is for wang tiles of 3 colours");
     if (s.method == "eulerian" && is_corner) refuse("is for wang tiles");
-    if (s.method == "search" && s.colors > s.most_searched)
-        refuse(s.most_searched == 3 ? "takes years for more than 3 colours" : "has at most 4 colours");
+    if (s.method == "search" && s.colors > 3) refuse("takes years for more than 3 colours");
     if (s.method == "grown" && (!is_corner || s.colors != 3)) refuse("is for corner tiles of 3 colours");
 }
 
@@ -203,9 +201,10 @@ void packing_keys(Keys& keys, PackingSettings& s)
 {
     static constexpr WordTable<TileKind, 2> kinds{{{{TileKind::corner, "corner"}, {TileKind::wang, "wang"}}}};
     keys.word("kind", s.kind, kinds, "the kind of tiles");
-    const auto colors =
-        keys.integer("colors", s.colors, 2, s.is_printed ? max_colors : most_drawn_colors, "the number of colours");
-    if (s.is_printed) Keys::Said(colors).required();
+    Keys::Said colors =
+        keys.integer("colors", s.colors, 2, max_colors, "the number of colours, at most 16 in a picture");
+    if (s.is_printed) colors.required();
+    if (!s.is_printed && s.colors > most_drawn_colors) throw keys.invalid("colors", most_drawn_words);
     packing_method_keys(keys, s);
     if (!s.is_printed) keys.word("show", s.show, {"tiles", "puzzle", "dominoes", "graph", "row"}, "what is drawn");
 }
@@ -278,7 +277,6 @@ Kind printed_packing_kind()
 {
     PackingSettings printed;
     printed.is_printed = true;
-    printed.most_searched = 4;
     return make_kind({"", "packing", "packing", "Tile packing",
                       "Print, draw or verify a tile packing, or make a puzzle of it", false},
                      packing_keys, packing_label, make_packing, printed);

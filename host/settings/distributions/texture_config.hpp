@@ -35,8 +35,11 @@ struct PackingSettings
     Color colors = 2;
     std::string method = "closed";
     std::string show = "tiles";
-    bool is_printed = false; ///< by the command, which has any number of colours
-    Color most_searched = 3; ///< of four, a search takes years, which a run must not
+    bool is_printed = false; ///< by the command, which draws only where it is asked to
 };
+
+/// The largest number of colours whose tiles are drawn: 65,536 of them.
+inline constexpr Color most_drawn_colors = 16;
+inline constexpr auto most_drawn_words = "must be at most 16 for a picture";
 
 }

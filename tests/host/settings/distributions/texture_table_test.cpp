@@ -128,7 +128,7 @@ TEST(PackingTable, RefusesWhatCannotBe)
     expect_packing_refusal("method = \"printed\"\ncolors = 5", "method = \"printed\": has at most 4 colours");
     expect_packing_refusal("method = \"search\"\ncolors = 4", "takes years for more than 3 colours");
     expect_packing_refusal("method = \"grown\"", "is for corner tiles of 3 colours");
-    expect_packing_refusal("colors = 9", "c.toml:3: colors = 9: must be an integer from 2 to 8");
+    expect_packing_refusal("colors = 17", "c.toml:3: colors = 17: must be at most 16 for a picture");
     expect_packing_refusal("show = \"tile\"", "c.toml:3: show = \"tile\": must be");
 }
 
