@@ -1,5 +1,6 @@
 """Kinds of work in Python: what they make is what the program makes, and refuses."""
 
+import json
 import pathlib
 import shutil
 import tempfile
@@ -8,7 +9,8 @@ import unittest
 import numpy
 
 import poissonlab
-from poissonlab import distribute
+from poissonlab import _poissonlab, distribute, kinds
+from support import program
 
 
 class Kinds(unittest.TestCase):
@@ -58,10 +60,33 @@ class Kinds(unittest.TestCase):
     def test_errors_have_the_words_of_the_program(self):
         with self.assertRaisesRegex(poissonlab.InputError, r"^stipple: ink = 2: must be a number from 0.001 to 1$"):
             distribute.stipple(image="0.5", points=9, ink=2)
-        with self.assertRaisesRegex(poissonlab.InputError, r"needs points or dot"):
+        with self.assertRaisesRegex(poissonlab.InputError, r"^stipple: needs points or dot$"):
             distribute.stipple(image="0.5")
         with self.assertRaisesRegex(TypeError, r"no parameter 'colour'"):
             distribute.stipple(image="0.5", points=9, colour=2)
+
+
+class EveryKind(unittest.TestCase):
+    def test_numbers_out_of_range_are_refused_as_the_program_describes_them(self):
+        described = json.loads(program("kinds", "--json"))["kinds"]
+        refused = 0
+        for kind, here in zip(described, _poissonlab.kinds()):
+            self.assertEqual((kind["table"], kind["kind"], kind["command"]),
+                             (here["table"], here["word"], here["command"]))
+            make = kinds.function_of(here, "work")
+            names = {key["key"]: key["name"] for key in here["keys"]}
+            for key in kind["keys"]:
+                if not key["allowed"].startswith(("a number from", "an integer from")) or key["maximum"] > 1e15:
+                    continue
+                value = int(key["maximum"]) + 1
+                with self.assertRaises(poissonlab.InputError) as error:
+                    make(engine="reference", **{names[key["key"]]: value})
+                # Keys that are needed, and those that others must go with, may be missed first.
+                message = str(error.exception)
+                if message.startswith(f"work: {key['key']} = "):
+                    self.assertEqual(message, f"work: {key['key']} = {value}: must be {key['allowed']}")
+                    refused += 1
+        self.assertGreater(refused, 60)
 
 
 class OtherKinds(unittest.TestCase):
