@@ -173,6 +173,7 @@ std::vector<Command> all_commands(const std::string& typed)
             tiling_command(),
             packing_command(),
             {"tiles", "Poisson disk tile sets", {}, "", {}, std::move(of_tiles)},
+            {"points", "Sets larger than memory, written to a file", {}, "", {}, {points_dart_throwing_command()}},
             {"aperiodic", "Aperiodic tile sets", {}, "", {}, std::move(of_aperiodic)},
             {"distribute",
              "Points and objects that follow densities, and points in regions",

@@ -317,7 +317,10 @@ typedef struct
 ALWAYS_INLINE void look_at(Parent* parent, const struct Batch* batch, const Grid* grid, uint near_begin, Near* near)
 {
     Cell base;
-    FOR_EACH_AXIS(k) base.c[k] = parent->cell.c[k] >> (batch->level - (int)batch->is_split);
+    FOR_EACH_AXIS(k)
+    {
+        base.c[k] = cell_in_grid(parent->cell.c[k] >> (batch->level - (int)batch->is_split), k, &batch->part);
+    }
     parent->base = cell_index(&base, batch->grid_size);
     parent->open = batch->is_split ? (1u << CHILDREN) - 1 : 1u;
     look_around(parent, &base, batch->grid_size, grid->masks, grid->positions, near_begin, near);
@@ -380,7 +383,7 @@ ALWAYS_INLINE void throw_into(const Parent* parents, uint count, uint open_count
 /// One work-item owns THROW_RUN open cells ("parents") in a row. Needs: masks and positions for all points of earlier
 /// batches; counters OPEN_CELLS and DARTS zero.
 ///
-/// `parent_cells` DIMENSION words each; in batches 0 and 1 not used: all cells of level 0. Batch 0 also clears their
+/// `parent_cells` DIMENSION words each, of the torus; in batches 0 and 1 not used: all cells of the grid. Batch 0 also clears their
 /// slots and masks, and does not list them as open. Local memory: staged_cells for DIMENSION words each, staged_darts
 /// for DART_WORDS each, group for GROUP_WORDS. Without REGION `region` and what follows are not there.
 kernel void throw_darts(struct Batch batch, global const uint* parent_cells, global uint* masks, global uint* slots,
@@ -416,6 +419,7 @@ kernel void throw_darts(struct Batch batch, global const uint* parent_cells, glo
         Parent* parent = &parents[p];
         if (batch.number <= 1) {
             parent->cell = cell_at(first + p, batch.grid_size);
+            FOR_EACH_AXIS(k) parent->cell.c[k] = torus_cell(parent->cell.c[k], k, &batch.part);
         } else {
             FOR_EACH_AXIS(k) parent->cell.c[k] = parent_cells[(first + p) * DIMENSION + k];
         }

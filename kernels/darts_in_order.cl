@@ -272,27 +272,28 @@ kernel void settle_darts(struct Slabs slabs, global const uint* darts, global ui
     if (slabs.slabs == 1) counters[OPEN_CELLS] = counters[DARTS] = counters[KEYS] = 0; // the last launch of the batch
 }
 
-/// Squared distances from a coordinate to the cells around cell `c` along an axis.
-ALWAYS_INLINE void squared_gaps(uint coordinate, uint c, uint grid_size, ulong step, ulong* gaps)
+/// Squared distances from a coordinate to the cells around cell `c` of the torus along an axis.
+ALWAYS_INLINE void squared_gaps(uint coordinate, uint c, uint torus_size, ulong step, ulong* gaps)
 {
-    uint low = (uint)lower_bound(wrapped(c, -REACH, grid_size), 0, step);
+    uint low = (uint)lower_bound(wrapped(c, -REACH, torus_size), 0, step);
     UNROLLED(int i = 0; i < WINDOW; ++i)
     {
-        const uint high = (uint)lower_bound((ulong)wrapped(c, i - REACH, grid_size) + 1, 0, step);
+        const uint high = (uint)lower_bound((ulong)wrapped(c, i - REACH, torus_size) + 1, 0, step);
         gaps[i] = square(axis_nearest(coordinate, low, high - low - 1));
         low = high;
     }
 }
 
 /// Sets the mask bits that stand for the point of a cell, in all cells of the slab that its disk reaches.
-ALWAYS_INLINE void mark_disk(const Position* point, const Slab* slab, int layer, uint x, uint y, ulong step,
-                             ulong squared_min_distance, global uint* masks)
+ALWAYS_INLINE void mark_disk(const Position* point, const Slab* slab, const struct GridPart* part, int layer, uint x,
+                             uint y, ulong step, ulong squared_min_distance, global uint* masks)
 {
-    const uint grid_size = slab->grid_size;
+    const uint grid_size = slab->grid_size, torus_size = part->torus_size;
+    const uint in_grid = wrapped(slab->first, layer, grid_size);
     ulong along_x[WINDOW], along_y[WINDOW], along_layers[WINDOW];
-    squared_gaps(point->c[0], x, grid_size, step, along_x);
-    if (DIMENSION == 3) squared_gaps(point->c[1], y, grid_size, step, along_y);
-    squared_gaps(point->c[DIMENSION - 1], wrapped(slab->first, layer, grid_size), grid_size, step, along_layers);
+    squared_gaps(point->c[0], torus_cell(x, 0, part), torus_size, step, along_x);
+    if (DIMENSION == 3) squared_gaps(point->c[1], torus_cell(y, 1, part), torus_size, step, along_y);
+    squared_gaps(point->c[DIMENSION - 1], torus_cell(in_grid, DIMENSION - 1, part), torus_size, step, along_layers);
     uint column[WINDOW];
     UNROLLED(int i = 0; i < WINDOW; ++i) column[i] = wrapped(x, i - REACH, grid_size);
     UNROLLED(int j = 0; j < ROWS; ++j)
@@ -314,8 +315,9 @@ ALWAYS_INLINE void mark_disk(const Position* point, const Slab* slab, int layer,
 }
 
 /// One work-item owns one slab, and sets mask bits there for the points of this batch that are near.
-kernel void mark_points(uint slab_count, uint grid_size, uint row_words, ulong step, ulong squared_min_distance,
-                        global const uint* accepted, global const uint* positions, global uint* masks)
+kernel void mark_points(uint slab_count, struct GridPart part, uint grid_size, uint row_words, ulong step,
+                        ulong squared_min_distance, global const uint* accepted, global const uint* positions,
+                        global uint* masks)
 {
     const uint id = get_global_id(0);
     if (id >= slab_count) return;
@@ -331,7 +333,7 @@ kernel void mark_points(uint slab_count, uint grid_size, uint row_words, ulong s
                     if (x >= grid_size) continue;
                     Position point;
                     FOR_EACH_AXIS(k) point.c[k] = positions[(row * grid_size + x) * DIMENSION + k];
-                    mark_disk(&point, &slab, layer, x, y, step, squared_min_distance, masks);
+                    mark_disk(&point, &slab, &part, layer, x, y, step, squared_min_distance, masks);
                 }
             }
         }

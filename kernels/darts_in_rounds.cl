@@ -96,8 +96,8 @@ kernel void resolve_conflicts(global const uint* darts, uint dart_count, uint fi
 }
 
 /// Sets the mask bits that stand for the point in `cell`, in all cells that its disk reaches.
-ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, uint grid_size, ulong step,
-                             ulong squared_min_distance, global volatile uint* masks)
+ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, const struct GridPart* part, uint grid_size,
+                             ulong step, ulong squared_min_distance, global volatile uint* masks)
 {
     // Squared distances to the columns, rows and slices of the window.
     uint column[WINDOW];
@@ -106,7 +106,7 @@ ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, uint grid_
     FOR_EACH_AXIS(k)
     {
         for (int i = 0; i < WINDOW; ++i) {
-            const uint other = wrapped(cell->c[k], i - REACH, grid_size);
+            const uint other = wrapped(torus_cell(cell->c[k], k, part), i - REACH, part->torus_size);
             const uint low = (uint)lower_bound(other, 0, step);
             const uint extent = (uint)(lower_bound((ulong)other + 1, 0, step) - low - 1);
             squared_gap[k][i] = square(axis_nearest(point->c[k], low, extent));
@@ -130,8 +130,9 @@ ALWAYS_INLINE void mark_disk(const Position* point, const Cell* cell, uint grid_
 /// One work-item owns `run` darts in a row. Accepted darts become points: in the grid, and appended to `points`
 /// (POINT_WORDS).
 kernel void insert_points(global const uint* darts, uint dart_count, uint run, global const uint* states,
-                          uint grid_size, ulong step, ulong squared_min_distance, global volatile uint* masks,
-                          global uint* positions, global uint* points, global uint* counters)
+                          struct GridPart part, uint grid_size, ulong step, ulong squared_min_distance,
+                          global volatile uint* masks, global uint* positions, global uint* points,
+                          global uint* counters)
 {
     const uint begin = min((uint)get_global_id(0) * run, dart_count);
     const uint end = min(begin + run, dart_count);
@@ -146,7 +147,7 @@ kernel void insert_points(global const uint* darts, uint dart_count, uint run, g
         const uint index = darts[i * DART_WORDS + CELL_WORD];
         FOR_EACH_AXIS(k) positions[index * DIMENSION + k] = position.c[k];
         const Cell cell = cell_at(index, grid_size);
-        mark_disk(&position, &cell, grid_size, step, squared_min_distance, masks);
+        mark_disk(&position, &cell, &part, grid_size, step, squared_min_distance, masks);
         FOR_EACH_AXIS(k) points[at * POINT_WORDS + k] = position.c[k];
         points[at * POINT_WORDS + TIME_WORD] = darts[i * DART_WORDS + TIME_WORD];
         ++at;

@@ -100,6 +100,7 @@ Command tiles_verify_command();
 Command aperiodic_sets_command();
 Command aperiodic_convert_command();
 Command aperiodic_verify_command();
+Command points_dart_throwing_command();
 Command distribute_warp_command();
 Command distribute_rank_command();
 Command distribute_darts_command();

@@ -17,15 +17,29 @@ std::filesystem::path folder_for_temporaries()
     return none ? std::filesystem::path("/tmp") : folder;
 }
 
-ScratchFolder::ScratchFolder()
+namespace {
+
+/// Makes a folder whose name ends in another way than those of all others.
+std::filesystem::path new_folder(const std::filesystem::path& begin_of_name, const std::string& advice)
 {
-    std::string name = (folder_for_temporaries() / "poissonlab-XXXXXX").string();
+    std::string name = begin_of_name.string() + "XXXXXX";
     if (!::mkdtemp(name.data()))
         throw StorageError("cannot make a temporary folder " + name + ": " + std::generic_category().message(errno) +
-                           "; the environment variable TMPDIR can name another place");
-    path_ = name;
-    list_leftover(path_);
+                           advice);
+    list_leftover(name);
+    return name;
 }
+
+}
+
+ScratchFolder::ScratchFolder()
+    : path_(new_folder(folder_for_temporaries() / "poissonlab-",
+                       "; the environment variable TMPDIR can name another place"))
+{}
+
+ScratchFolder::ScratchFolder(const std::filesystem::path& beside)
+    : path_(new_folder(beside.parent_path() / ("." + beside.filename().string() + "-parts-"), ""))
+{}
 
 ScratchFolder::~ScratchFolder() { remove_leftover(path_); }
 

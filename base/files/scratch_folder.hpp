@@ -13,6 +13,11 @@ class ScratchFolder
 public:
     /// Makes the folder, in folder_for_temporaries(). Throws StorageError.
     ScratchFolder();
+
+    /// Makes it beside a file that is to be written, hidden: for as much as the file itself will hold, and for other
+    /// processes that share this file's folder. Throws StorageError.
+    explicit ScratchFolder(const std::filesystem::path& beside);
+
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
     ~ScratchFolder();

@@ -48,14 +48,14 @@ void check_head(const std::filesystem::path& path, const PointFileHead& head)
     if (is_hdf5_name(path)) check_hdf5_head(path, head);
 }
 
-void check_room(const std::filesystem::path& path, const PointFileHead& head)
+void check_room(const std::filesystem::path& path, const PointFileHead& head, std::uint64_t scratch)
 {
     constexpr std::uint64_t head_bytes = 4096;
     std::error_code error;
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const auto space = std::filesystem::space(folder, error);
     if (error || space.available == static_cast<std::uintmax_t>(-1)) return; // writing shows it
-    const std::uint64_t each = bytes_per_point(path, head.dimension);
+    const std::uint64_t each = bytes_per_point(path, head.dimension) + scratch;
     const std::uint64_t room = (space.available - std::min<std::uintmax_t>(space.available, head_bytes)) / each;
     if (head.points <= room) return;
     throw InputError(fmt::format("{}: {} points take {:.3g} GB, and {:.3g} GB are free there: at most {} points fit",

@@ -44,6 +44,15 @@ std::size_t most_open_cells(std::size_t cells, int dimension)
     return dimension == 2 ? cells : six_deviations_above(1.605 * static_cast<double>(cells));
 }
 
+/// No packing has more points in the grid: disks of those in a cube of cells lie in a cube that is larger by the
+/// distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less than the whole.)
+std::size_t most_points_in(const DartTorus& torus, double min_distance)
+{
+    const double all = static_cast<double>(packing_bound(min_distance, torus.dimension));
+    const double side = (torus.grid_size + 2.0 * torus.hierarchy.reach) / torus.hierarchy.size;
+    return static_cast<std::size_t>(all * std::min(1.0, std::pow(side, torus.dimension))) + 1;
+}
+
 /// The buffers that a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than the
 /// first.
 NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, DartSettling settling,
@@ -51,14 +60,14 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
 {
     using namespace contract::dart_throwing;
     const int d = request.dimension;
-    const DartTorus torus(request.min_distance, d);
-    const std::size_t cells = lattice_cells(torus.hierarchy.size, d);
+    const DartTorus torus(request.min_distance, d, request.block);
+    const std::size_t cells = lattice_cells(torus.grid_size, d);
     const std::size_t axes = static_cast<std::size_t>(d);
     const std::size_t most = most_darts(cells, d);
     NeededBuffers buffers{{b.thresholds, poisson_thresholds(darts_per_cell(1, d)).size()},
                           {b.masks, cells * MASK_WORDS(d, torus.hierarchy.reach)},
                           {b.positions, cells * axes},
-                          {b.points, packing_bound(request.min_distance, d) * POINT_WORDS(d)},
+                          {b.points, most_points_in(torus, request.min_distance) * POINT_WORDS(d)},
                           {b.counters, COUNTERS},
                           {b.parents, most_open_cells(cells, d) * axes},
                           {b.open, most_open_cells(cells, d) * axes},
@@ -97,7 +106,7 @@ public:
     Throwing(Device& device, DartBuffers& buffers, const DartThrowingRequest& request, std::size_t group_size,
              DartSettling settling)
         : device_(device), buffers_(buffers), request_(request), group_size_(group_size),
-          torus_(request.min_distance, D),
+          torus_(request.min_distance, D, request.block),
           throw_(device.kernel(throwing_program(torus_, request.region != nullptr), "throw_darts")),
           settler_(make_dart_settler(device, settling, torus_, group_size))
     {
@@ -108,10 +117,41 @@ public:
 
     PointSet run()
     {
+        throw_all();
+        PointSet set{D, {}};
+        const std::vector<Point<D>> sorted = points_in_order();
+        const std::size_t size = std::min(sorted.size(), request_.points.value_or(SIZE_MAX));
+        set.coordinates.reserve(size * D);
+        for (const Point<D>& point : std::span(sorted).first(size))
+            for (const std::uint32_t c : point.position) set.coordinates.push_back(c * 0x1p-32);
+        return set;
+    }
+
+    std::vector<OrderedDart<D>> run_ordered()
+    {
+        throw_all();
+        const std::vector<Point<D>> sorted = points_in_order();
+        std::vector<OrderedDart<D>> darts(sorted.size());
+        std::uint32_t batch = 0;
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            while (i >= batch_ends_[batch]) ++batch;
+            darts[i] = {batch, sorted[i].time};
+            std::ranges::copy(sorted[i].position, darts[i].begin() + 2);
+        }
+        return darts;
+    }
+
+private:
+    using enum contract::dart_throwing::Counter;
+    static constexpr std::size_t dart_words = contract::dart_throwing::DART_WORDS(D);
+
+    void throw_all()
+    {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::size_t parent_count = lattice_cells(torus_.hierarchy.size, D);
+        std::size_t parent_count = lattice_cells(torus_.grid_size, D);
         int level = 0;
-        for (std::uint32_t batch = 0; point_count() < target && parent_count > 0; ++batch) {
+        for (std::uint32_t batch = 0; batch < request_.most_batches && point_count() < target && parent_count > 0;
+             ++batch) {
             write_thresholds(batch);
             const bool split = splits_cells(batch) && level < torus_.hierarchy.last_level;
             if (split) ++level;
@@ -125,13 +165,7 @@ public:
             std::swap(buffers_.parents, buffers_.open);
             parent_count = open_count;
         }
-        const std::vector<TorusPoint<D>> all = points_in_order();
-        return to_point_set<D>(std::span<const TorusPoint<D>>(all).first(std::min(all.size(), target)));
     }
-
-private:
-    using enum contract::dart_throwing::Counter;
-    static constexpr std::size_t dart_words = contract::dart_throwing::DART_WORDS(D);
 
     void write_region(const FixedRegion& region)
     {
@@ -165,7 +199,8 @@ private:
         for (;;) {
             const contract::dart_throwing::Batch batch{.step = torus_.hierarchy.step,
                                                        .squared_min_distance = torus_.squared_min_distance,
-                                                       .grid_size = torus_.hierarchy.size,
+                                                       .part = torus_.part,
+                                                       .grid_size = torus_.grid_size,
                                                        .number = number,
                                                        .parents = u32(parent_count),
                                                        .level = level,
@@ -196,7 +231,7 @@ private:
     }
 
     /// The points in dart order: batch after batch, and within a batch by time.
-    std::vector<TorusPoint<D>> points_in_order() const
+    std::vector<Point<D>> points_in_order() const
     {
         std::vector<Point<D>> sorted(point_count());
         constexpr std::size_t words = contract::dart_throwing::POINT_WORDS(D);
@@ -208,10 +243,7 @@ private:
             tbb::parallel_sort(begin, end);
             begin = end;
         }
-        std::vector<TorusPoint<D>> positions;
-        positions.reserve(sorted.size());
-        for (const Point<D>& point : sorted) positions.push_back(point.position);
-        return positions;
+        return sorted;
     }
 
     std::size_t point_count() const { return batch_ends_.empty() ? 0 : batch_ends_.back(); }
@@ -242,6 +274,15 @@ PointSet DartThrower::throw_darts(const DartThrowingRequest& request)
     return request.dimension == 2 ? Throwing<2>(device_, *buffers_, request, work_group_size_, settling_).run()
                                   : Throwing<3>(device_, *buffers_, request, work_group_size_, settling_).run();
 }
+
+template <int D>
+std::vector<OrderedDart<D>> DartThrower::ordered_darts(const DartThrowingRequest& request)
+{
+    return Throwing<D>(device_, *buffers_, request, work_group_size_, settling_).run_ordered();
+}
+
+template std::vector<OrderedDart<2>> DartThrower::ordered_darts<2>(const DartThrowingRequest& request);
+template std::vector<OrderedDart<3>> DartThrower::ordered_darts<3>(const DartThrowingRequest& request);
 
 DeviceMemory DartThrower::memory(const DartThrowingRequest& request, const DeviceInfo& device)
 {

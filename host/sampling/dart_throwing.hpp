@@ -15,8 +15,10 @@
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace poissonlab {
 
@@ -30,12 +32,23 @@ struct DartThrowingRequest
     /// In 2D: the points lie in this region, in its fixed-point coordinates, which must not meet around the torus:
     /// min_distance is at most 1/2. Empty: everywhere.
     std::shared_ptr<const FixedRegion> region{};
+
+    /// Darts fall into these cells only; empty: into all.
+    std::optional<DartBlock> block{};
+
+    /// No darts of later batches.
+    std::uint32_t most_batches = UINT32_MAX;
 };
 
 /// Points in dart order (every prefix is a dart throwing of its own). Coordinates are multiples of 2^-32.
 /// Fewer points than asked for: the set is saturated, no further point of that grid of coordinates fits.
 namespace reference {
 PointSet throw_darts(const DartThrowingRequest& request);
+
+/// The same with what the order of points follows from; D is the dimension of the request. It goes on to the end of the
+/// batch in which the number of points is reached.
+template <int D>
+std::vector<OrderedDart<D>> ordered_darts(const DartThrowingRequest& request);
 }
 
 /// The same, by kernels/dart_throwing.cl and either way of DartSettling: the same bytes as the reference on every
@@ -47,6 +60,10 @@ public:
     explicit DartThrower(Device device, std::size_t work_group_size = 0, std::optional<DartSettling> settling = {});
 
     PointSet throw_darts(const DartThrowingRequest& request);
+
+    /// As reference::ordered_darts().
+    template <int D>
+    std::vector<OrderedDart<D>> ordered_darts(const DartThrowingRequest& request);
 
     /// The memory that throw_darts() takes on a device, nearly: chance decides how many darts a batch has.
     static DeviceMemory memory(const DartThrowingRequest& request, const DeviceInfo& device);

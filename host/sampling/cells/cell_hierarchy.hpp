@@ -25,6 +25,15 @@ struct CellHierarchy
         __extension__ using Wide = unsigned __int128;
         return static_cast<std::uint64_t>((static_cast<Wide>(cell << (32 - level)) * step) >> 64);
     }
+
+    /// The cell of level 0 that holds a coordinate.
+    std::uint32_t cell_of(std::uint32_t coordinate) const
+    {
+        std::uint64_t cell = std::uint64_t{coordinate} * size >> 32; // widths are rounded: it may be the one beside it
+        while (lower_bound(cell, 0) > coordinate) --cell;
+        while (lower_bound(cell + 1, 0) <= coordinate) ++cell;
+        return static_cast<std::uint32_t>(cell);
+    }
 };
 
 /// The number of level 0 cells for a minimum distance, and how many are possible: some 20 bytes of device

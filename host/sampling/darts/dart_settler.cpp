@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 
 namespace poissonlab {
 namespace {
@@ -37,8 +38,8 @@ std::uint32_t words32(std::size_t value) { return static_cast<std::uint32_t>(val
 
 std::uint32_t slab_count(const DartTorus& torus, unsigned compute_units)
 {
-    const std::size_t cells = lattice_cells(torus.hierarchy.size, torus.dimension);
-    return std::clamp(torus.hierarchy.size / least_slab_layers, 1u,
+    const std::size_t cells = lattice_cells(torus.grid_size, torus.dimension);
+    return std::clamp(torus.grid_size / least_slab_layers, 1u,
                       std::max({1u, compute_units, words32(cells / usual_slab_cells)}));
 }
 
@@ -46,7 +47,7 @@ std::uint32_t slab_count(const DartTorus& torus, unsigned compute_units)
 /// read, but does not matter.
 std::uint32_t row_words(const DartTorus& torus)
 {
-    return (torus.hierarchy.size + 2 * words32(static_cast<std::size_t>(torus.hierarchy.reach)) + 31) / 32 + 1;
+    return (torus.grid_size + 2 * words32(static_cast<std::size_t>(torus.hierarchy.reach)) + 31) / 32 + 1;
 }
 
 /// The logarithm of the number of buckets of a slab.
@@ -60,7 +61,7 @@ NeededBuffers in_order_buffers(DartBuffers& b, const DartTorus& torus, unsigned 
 {
     const std::uint32_t slabs = slab_count(torus, compute_units);
     const std::size_t listed = slabs == 1 ? darts : 2 * darts; // slabs look at darts of each other
-    const std::size_t rows = lattice_cells(torus.hierarchy.size, torus.dimension - 1);
+    const std::size_t rows = lattice_cells(torus.grid_size, torus.dimension - 1);
     const std::size_t layer = rows; // a layer has as many cells as there are rows
     const std::size_t ghosts = slabs == 1 ? 0 : 2 * slabs * static_cast<std::size_t>(torus.hierarchy.reach);
     return {{b.states, darts},
@@ -68,12 +69,12 @@ NeededBuffers in_order_buffers(DartBuffers& b, const DartTorus& torus, unsigned 
             {b.keys, listed},
             {b.buckets, std::size_t{slabs} << bucket_bits(darts, slabs)},
             {b.accepted, rows * row_words(torus)},
-            {b.slots, (torus.hierarchy.size + ghosts) * layer}};
+            {b.slots, (torus.grid_size + ghosts) * layer}};
 }
 
 NeededBuffers in_rounds_buffers(DartBuffers& b, const DartTorus& torus, std::size_t darts)
 {
-    return {{b.slots, lattice_cells(torus.hierarchy.size, torus.dimension)},
+    return {{b.slots, lattice_cells(torus.grid_size, torus.dimension)},
             {b.next, darts},
             {b.states, darts},
             {b.next_states, darts},
@@ -101,11 +102,10 @@ public:
 
     void prepare_batch(DartBuffers& b) override
     {
-        const CellHierarchy& h = torus_.hierarchy;
         const std::uint32_t slabs =
-            std::clamp(h.size / least_marking_layers, 1u, marking_slabs_a_thread * std::max(1u, threads_));
-        mark_.run(slabs, 1, slabs, h.size, row_words(torus_), h.step, torus_.squared_min_distance, b.accepted,
-                  b.positions, b.masks);
+            std::clamp(torus_.grid_size / least_marking_layers, 1u, marking_slabs_a_thread * std::max(1u, threads_));
+        mark_.run(slabs, 1, slabs, torus_.part, torus_.grid_size, row_words(torus_), torus_.hierarchy.step,
+                  torus_.squared_min_distance, b.accepted, b.positions, b.masks);
     }
 
 private:
@@ -113,7 +113,7 @@ private:
     {
         const Slabs arguments{.squared_min_distance = torus_.squared_min_distance,
                               .slabs = slabs,
-                              .grid_size = torus_.hierarchy.size,
+                              .grid_size = torus_.grid_size,
                               .row_words = row_words(torus_),
                               .darts = words32(dart_count),
                               .bucket_bits = bucket_bits(dart_count, slab_count(torus_, threads_)),
@@ -148,8 +148,8 @@ public:
         first_dart_ += dart_count;
         if (dart_count == 0) return;
         insert_.run((dart_count + insertion_run - 1) / insertion_run, group_size_, b.darts, words32(dart_count),
-                    insertion_run, b.states, torus_.hierarchy.size, torus_.hierarchy.step, torus_.squared_min_distance,
-                    b.masks, b.positions, b.points, b.counters);
+                    insertion_run, b.states, torus_.part, torus_.grid_size, torus_.hierarchy.step,
+                    torus_.squared_min_distance, b.masks, b.positions, b.points, b.counters);
     }
 
 private:
@@ -164,7 +164,7 @@ private:
             const std::uint32_t end = rounds + (rounds == 0 ? first_rounds : further_rounds);
             for (; rounds < end; ++rounds) {
                 resolve_.run(dart_count, group_size_, b.darts, words32(dart_count), words32(first_dart_), rounds,
-                             b.slots, b.next, torus_.hierarchy.size, torus_.squared_min_distance, b.rivals, b.states,
+                             b.slots, b.next, torus_.grid_size, torus_.squared_min_distance, b.rivals, b.states,
                              b.next_states, b.counters);
                 std::swap(b.states, b.next_states);
             }
@@ -186,10 +186,13 @@ DartSettling settling_for(const DeviceInfo& device)
     return device.type == "CPU" ? DartSettling::in_order : DartSettling::in_rounds;
 }
 
-DartTorus::DartTorus(double min_distance, int dimension)
-    : dimension(dimension), hierarchy(cell_hierarchy(min_distance, dimension)),
-      squared_min_distance(squared_threshold(min_distance)), has_large_disks(min_distance > 0.25)
-{}
+DartTorus::DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block)
+    : dimension(dimension), hierarchy(cell_hierarchy(min_distance, dimension)), part{{}, hierarchy.size},
+      grid_size(block ? block->size : hierarchy.size), squared_min_distance(squared_threshold(min_distance)),
+      has_large_disks(min_distance > 0.25)
+{
+    if (block) std::ranges::copy(block->first, std::begin(part.first));
+}
 
 KernelProgram dart_program(const std::string& file, const DartTorus& torus)
 {

@@ -3,11 +3,14 @@
 
 #include "host/device/device.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/darts/dart_block.hpp"
 #include "host/sampling/darts/dart_buffers.hpp"
+#include "kernels/common/darts/dart_throwing.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace poissonlab {
 
@@ -21,15 +24,17 @@ enum class DartSettling
 /// The faster way for a device.
 DartSettling settling_for(const DeviceInfo& device);
 
-/// The torus in which darts have a minimum distance.
+/// The torus in which darts have a minimum distance, and the part of it that they fall into.
 struct DartTorus
 {
-    DartTorus(double min_distance, int dimension);
+    DartTorus(double min_distance, int dimension, const std::optional<DartBlock>& block = {});
 
     int dimension;
     CellHierarchy hierarchy;
-    std::uint64_t squared_min_distance; ///< units of 2^-64
-    bool has_large_disks;               ///< so large that they wrap around
+    contract::dart_throwing::GridPart part; ///< that the grid holds
+    std::uint32_t grid_size;                ///< cells of level 0 along each axis of the grid
+    std::uint64_t squared_min_distance;     ///< units of 2^-64
+    bool has_large_disks;                   ///< so large that they wrap around
 };
 
 /// A program of dart throwing: the file with the constants of the torus.

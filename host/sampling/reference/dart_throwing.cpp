@@ -25,7 +25,7 @@ struct Dart
 {
     std::uint32_t time;
     TorusPoint<D> position;
-    Cell<D> cell; ///< of level 0
+    Cell<D> cell; ///< of level 0, in the grid
 
     bool operator<(const Dart& other) const { return std::tie(time, position) < std::tie(other.time, other.position); }
 };
@@ -48,16 +48,17 @@ std::uint64_t squared_farthest(const TorusPoint<D>& point, const Box<D>& box)
     return sum;
 }
 
-/// Points by level 0 cell (at most one in each), and the tests against them.
+/// Points by level 0 cell (at most one in each), and the tests against them. Cells are those of the grid, which is the
+/// block.
 template <int D>
 class DartGrid
 {
 public:
-    DartGrid(const CellHierarchy& hierarchy, std::uint64_t squared_min_distance)
-        : hierarchy_(hierarchy), squared_min_distance_(squared_min_distance)
+    DartGrid(std::uint32_t size, int reach, std::uint64_t squared_min_distance)
+        : size_(size), reach_(reach), squared_min_distance_(squared_min_distance)
     {
         std::size_t cells = 1;
-        for (int k = 0; k < D; ++k) cells *= hierarchy.size;
+        for (int k = 0; k < D; ++k) cells *= size;
         occupied_.resize(cells);
         points_.resize(cells);
     }
@@ -86,37 +87,37 @@ private:
     std::size_t index(const Cell<D>& cell) const
     {
         std::size_t result = 0;
-        for (int k = D - 1; k >= 0; --k) result = result * hierarchy_.size + cell[k];
+        for (int k = D - 1; k >= 0; --k) result = result * size_ + cell[k];
         return result;
     }
 
     template <typename Predicate>
     bool any_near(const Cell<D>& cell, Predicate&& predicate) const
     {
-        const int reach = hierarchy_.reach;
         std::array<int, D> offset;
-        offset.fill(-reach);
+        offset.fill(-reach_);
         for (;;) {
             Cell<D> other;
             for (int k = 0; k < D; ++k) other[k] = wrapped(cell[k], offset[k]);
             const std::size_t i = index(other);
             if (occupied_[i] && predicate(points_[i])) return true;
             int k = 0;
-            while (k < D && ++offset[k] > reach) offset[k++] = -reach;
+            while (k < D && ++offset[k] > reach_) offset[k++] = -reach_;
             if (k == D) return false;
         }
     }
 
     std::uint32_t wrapped(std::uint32_t cell, int offset) const
     {
-        const auto size = static_cast<std::int64_t>(hierarchy_.size);
+        const auto size = static_cast<std::int64_t>(size_);
         std::int64_t c = static_cast<std::int64_t>(cell) + offset;
         while (c < 0) c += size;
         while (c >= size) c -= size;
         return static_cast<std::uint32_t>(c);
     }
 
-    CellHierarchy hierarchy_;
+    std::uint32_t size_;
+    int reach_;
     std::uint64_t squared_min_distance_;
     std::vector<char> occupied_;
     std::vector<TorusPoint<D>> points_;
@@ -128,15 +129,17 @@ class Throwing
 public:
     explicit Throwing(const DartThrowingRequest& request)
         : request_(request), hierarchy_(cell_hierarchy(request.min_distance, D)),
-          grid_(hierarchy_, squared_threshold(request.min_distance))
+          block_(request.block.value_or(DartBlock{{}, hierarchy_.size})),
+          grid_(block_.size, hierarchy_.reach, squared_threshold(request.min_distance))
     {}
 
-    PointSet run()
+    std::vector<OrderedDart<D>> run()
     {
         const std::size_t target = request_.points.value_or(SIZE_MAX);
-        std::vector<Cell<D>> open = all_cells(hierarchy_.size);
+        std::vector<Cell<D>> open = all_cells();
         int level = 0;
-        for (std::uint32_t batch = 0; points_.size() < target && !open.empty(); ++batch) {
+        for (std::uint32_t batch = 0; batch < request_.most_batches && points_.size() < target && !open.empty();
+             ++batch) {
             thresholds_ = poisson_thresholds(darts_per_cell(batch, D));
             const bool split = splits_cells(batch) && level < hierarchy_.last_level;
             if (split) ++level;
@@ -144,26 +147,40 @@ public:
             open = split_and_throw(open, split, level, batch, darts);
             std::sort(darts.begin(), darts.end());
             for (const Dart<D>& dart : darts) {
-                if (points_.size() == target) break;
                 if (grid_.conflicts(dart.position, dart.cell)) continue;
                 grid_.insert(dart.position, dart.cell);
-                points_.push_back(dart.position);
+                OrderedDart<D> point{batch, dart.time};
+                std::copy(dart.position.begin(), dart.position.end(), point.begin() + 2);
+                points_.push_back(point);
             }
         }
-        return to_point_set<D>(std::span<const TorusPoint<D>>(points_));
+        return points_;
     }
 
 private:
-    static std::vector<Cell<D>> all_cells(std::uint32_t size)
+    /// All cells of level 0 that darts fall into.
+    std::vector<Cell<D>> all_cells() const
     {
         std::vector<Cell<D>> cells;
-        Cell<D> cell{};
+        Cell<D> in_grid{};
         for (;;) {
+            Cell<D> cell;
+            for (int k = 0; k < D; ++k)
+                cell[k] = static_cast<std::uint32_t>((std::uint64_t{in_grid[k]} + block_.first[k]) % hierarchy_.size);
             cells.push_back(cell);
             int k = 0;
-            while (k < D && ++cell[k] == size) cell[k++] = 0;
+            while (k < D && ++in_grid[k] == block_.size) in_grid[k++] = 0;
             if (k == D) return cells;
         }
+    }
+
+    /// The cell of the grid that a cell of a level lies in.
+    Cell<D> base_of(const Cell<D>& cell, int level) const
+    {
+        Cell<D> base;
+        for (int k = 0; k < D; ++k)
+            base[k] = ((cell[k] >> level) + (hierarchy_.size - block_.first[k])) % hierarchy_.size;
+        return base;
     }
 
     Box<D> box_of(const Cell<D>& cell, int level) const
@@ -215,8 +232,7 @@ private:
             for (std::size_t c = 0; c < (split ? std::size_t{1} << D : 1); ++c) {
                 Cell<D> child = parent;
                 for (int k = 0; split && k < D; ++k) child[k] = 2 * parent[k] + (c >> k & 1);
-                Cell<D> base = child;
-                for (int k = 0; k < D; ++k) base[k] = child[k] >> level;
+                const Cell<D> base = base_of(child, level);
                 const Box<D> box = box_of(child, level);
                 if (closed(box, base, level)) continue;
                 open.push_back(child);
@@ -265,16 +281,36 @@ private:
 
     DartThrowingRequest request_;
     CellHierarchy hierarchy_;
+    DartBlock block_;
     std::vector<std::uint32_t> thresholds_; ///< of the batch at hand
     DartGrid<D> grid_;
-    std::vector<TorusPoint<D>> points_;
+    std::vector<OrderedDart<D>> points_;
 };
+
+template <int D>
+PointSet points_of(const DartThrowingRequest& request)
+{
+    const std::vector<OrderedDart<D>> darts = Throwing<D>(request).run();
+    PointSet set{D, {}};
+    for (const OrderedDart<D>& dart : std::span(darts).first(std::min(darts.size(), request.points.value_or(SIZE_MAX))))
+        for (int k = 0; k < D; ++k) set.coordinates.push_back(dart[k + 2] * 0x1p-32);
+    return set;
+}
 
 }
 
+template <int D>
+std::vector<OrderedDart<D>> ordered_darts(const DartThrowingRequest& request)
+{
+    return Throwing<D>(request).run();
+}
+
+template std::vector<OrderedDart<2>> ordered_darts<2>(const DartThrowingRequest& request);
+template std::vector<OrderedDart<3>> ordered_darts<3>(const DartThrowingRequest& request);
+
 PointSet throw_darts(const DartThrowingRequest& request)
 {
-    return request.dimension == 2 ? Throwing<2>(request).run() : Throwing<3>(request).run();
+    return request.dimension == 2 ? points_of<2>(request) : points_of<3>(request);
 }
 
 }

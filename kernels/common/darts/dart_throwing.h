@@ -47,11 +47,19 @@ enum
     GROUP_WORDS = 4
 };
 
+/// Which cells of the torus the grid holds: as many along each axis as the grid has, from `first` on, around the torus.
+struct GridPart
+{
+    uint first[3];
+    uint torus_size; ///< cells of level 0 along each axis of the torus; those of the grid where it is all of it
+};
+
 /// The arguments of throw_darts. Capacities are numbers of cells and of darts.
 struct Batch
 {
     ulong step; ///< cell width of level 0, units of 2^-64
     ulong squared_min_distance;
+    struct GridPart part;
     uint grid_size; ///< cells of level 0 along each axis
     uint number;
     uint parents;
