@@ -105,7 +105,7 @@ struct Series
     std::optional<FoldedDensityFile> folded_density; ///< of tilings of the plane
     std::optional<Iterations> iterations;
     std::optional<ZonePlateResult> zone_plate;
-    std::vector<std::string> point_files;
+    std::vector<std::string> point_files;  ///< none of sets that were read in pieces
     std::optional<TileSetRecord> tile_set; ///< of methods that tile
     std::vector<double> sample_seconds;    ///< of timed runs; at least one a realization, but for imported sets
     std::size_t device_bytes = 0;          ///< the most that sampling takes of a device; 0: it needs none

@@ -125,7 +125,6 @@ void check(const StoredObject& object, const Series& series)
     if (series.radial_file.empty() && !series.spectrum_file.empty())
         throw object.error("radial", "is missing, though there is a spectrum");
     if (series.iterations) check(object.object("iterations"), *series.iterations);
-    if (series.point_files.empty()) throw object.error("point_files", "must name at least one file");
 }
 
 }

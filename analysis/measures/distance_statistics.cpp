@@ -11,6 +11,7 @@
 #include "base/geometry/relative_radius.hpp"
 #include "base/geometry/torus.hpp"
 #include "base/geometry/window.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <algorithm>
 #include <array>
@@ -200,9 +201,37 @@ double mean_distance(const PointSet& set, const Metric& squared)
     return sum / static_cast<double>(set.size());
 }
 
+/// Distances of the first `own` points of a set to their nearest ones. Empty where one of them has none within `reach`,
+/// so that a nearer one may be missing from the set.
+template <int D, class Metric>
+std::vector<double> nearest_of_first(const PointSet& set, std::size_t own, double reach, const Metric& squared)
+{
+    HashedGrid<D> grid(set.size());
+    std::vector<double> distances(own);
+    std::vector<std::uint32_t> open(own);
+    std::iota(open.begin(), open.end(), 0u);
+    for (double width = std::max(closest_pair<D>(set, squared), 0x1p-32); !open.empty(); width *= 2) {
+        grid.reset(width);
+        for (std::uint32_t j = 0; j < set.size(); ++j) grid.insert(j, set[j]);
+        bool is_too_far = false;
+        std::erase_if(open, [&](std::uint32_t i) {
+            auto least = std::numeric_limits<decltype(squared(0, 0))>::max();
+            grid.for_each_near(set[i], [&](std::uint32_t j) {
+                if (j != i) least = std::min(least, squared(i, j));
+            });
+            distances[i] = Metric::distance(least);
+            const bool is_settled = distances[i] <= width || width > 1;
+            is_too_far = is_too_far || (is_settled ? distances[i] > reach : width > reach);
+            return is_settled;
+        });
+        if (is_too_far) return {};
+    }
+    return distances;
+}
+
 /// A function of a set and its metric, with the metric that suits the set.
 template <int D, class Measure>
-double with_metric(const PointSet& set, const Measure& measure)
+auto with_metric(const PointSet& set, const Measure& measure)
 {
     if (FixedPointMetric<D>::suits(set)) return measure(FixedPointMetric<D>(set));
     return measure(FloatingMetric<D>{set});
@@ -220,6 +249,45 @@ double mean_nearest(const PointSet& set)
     return with_metric<D>(set, [&](const auto& metric) { return mean_distance<D>(set, metric); });
 }
 
+/// Distances of the points of a strip to their nearest ones, as soon as enough is known of what is around it.
+template <int D>
+std::vector<double> nearest_in_strip(const PointStrips& points, std::size_t strip, bool is_window)
+{
+    const double spacing = std::pow(static_cast<double>(points.size()), -1.0 / D);
+    for (double reach = 4 * spacing;; reach *= 4) {
+        const double around = std::min(1.0, reach * slack);
+        PointSet part = points.strip(strip);
+        const std::size_t own = part.size();
+        points.append_around(strip, around, around, is_window, part);
+        if (own == 0) return {};
+        const double known = around < 1 ? reach : std::numeric_limits<double>::infinity();
+        // A window is half as large on its torus.
+        if (is_window) part = halved(std::move(part));
+        std::vector<double> distances = with_metric<D>(part, [&](const auto& metric) {
+            return nearest_of_first<D>(part, own, is_window ? known / 2 : known, metric);
+        });
+        if (is_window)
+            for (double& distance : distances) distance *= 2;
+        if (!distances.empty()) return distances;
+    }
+}
+
+}
+
+NearestDistances nearest_distances(const PointStrips& points, bool is_window)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (points.size() < 2) return {infinity, infinity};
+    NearestDistances result{infinity, 0};
+    for (std::size_t strip = 0; strip < points.count(); ++strip) {
+        stop_if_interrupted();
+        const std::vector<double> distances = points.dimension() == 2 ? nearest_in_strip<2>(points, strip, is_window)
+                                                                      : nearest_in_strip<3>(points, strip, is_window);
+        result.mean += std::accumulate(distances.begin(), distances.end(), 0.0);
+        for (const double distance : distances) result.least = std::min(result.least, distance);
+    }
+    result.mean /= static_cast<double>(points.size());
+    return result;
 }
 
 double min_toroidal_distance(const PointSet& points)

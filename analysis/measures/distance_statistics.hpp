@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 namespace poissonlab {
 
@@ -24,5 +25,15 @@ double min_distance_in_window(const PointSet& points);
 
 /// The mean nearest distance of a window of the plane (of space).
 double mean_nearest_distance_in_window(const PointSet& points);
+
+/// Both distances of a set.
+struct NearestDistances
+{
+    double least = 0, mean = 0;
+};
+
+/// Those of a set on disk, which is a torus or a window, strip by strip. The least distance is that of the functions
+/// above, bit by bit; the mean is a sum in another order, and differs by its rounding, less than N 2^-53 of it.
+NearestDistances nearest_distances(const PointStrips& points, bool is_window);
 
 }

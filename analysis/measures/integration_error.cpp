@@ -1,6 +1,7 @@
 #include "analysis/measures/integration_error.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <Random123/philox.h>
 #include <tbb/parallel_for.h>
@@ -98,11 +99,11 @@ std::array<double, 3> shift_of(std::uint64_t seed, std::size_t set, std::size_t 
     return {words.v[0] * 0x1p-32, words.v[1] * 0x1p-32, words.v[2] * 0x1p-32};
 }
 
-/// The errors of all integrands for one shift.
-std::vector<double> errors_of(const PointSet& points, const std::array<double, 3>& shift)
+/// Adds the values of all integrands at points that are shifted.
+void add_values(const PointSet& points, const std::array<double, 3>& shift, std::vector<double>& sums)
 {
     const auto& functions = integrands(points.dimension);
-    std::vector<double> errors(functions.size());
+    sums.resize(functions.size());
     std::array<double, 3> x{};
     const Position position(x.data(), static_cast<std::size_t>(points.dimension));
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -110,12 +111,8 @@ std::vector<double> errors_of(const PointSet& points, const std::array<double, 3
             const double moved = points[i][k] + shift[k];
             x[k] = moved < 1 ? moved : moved - 1;
         }
-        for (std::size_t f = 0; f < functions.size(); ++f) errors[f] += functions[f].value(position);
+        for (std::size_t f = 0; f < functions.size(); ++f) sums[f] += functions[f].value(position);
     }
-    for (std::size_t f = 0; f < functions.size(); ++f) {
-        errors[f] = errors[f] / static_cast<double>(points.size()) - functions[f].integral;
-    }
-    return errors;
 }
 
 }
@@ -135,21 +132,49 @@ IntegrationErrorEstimate::IntegrationErrorEstimate(int dimension, std::uint64_t 
     if (shifts < 1) throw InputError("integration error: the number of shifts must be at least 1");
 }
 
+/// Adds a set, or a part of it, to the sums of the set that comes next.
+void IntegrationErrorEstimate::sum(const PointSet& points, Sums& sums) const
+{
+    sums.resize(static_cast<std::size_t>(shifts_));
+    tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t s) {
+        add_values(points, shift_of(seed_, first_ + squares_.size(), s), sums[s]);
+    });
+}
+
+void IntegrationErrorEstimate::add_sums(const Sums& sums, std::uint64_t points)
+{
+    const auto& functions = integrands(dimension_);
+    const auto n = static_cast<double>(points);
+    std::vector<double> squares(functions.size());
+    for (const auto& of_shift : sums) {
+        for (std::size_t f = 0; f < squares.size(); ++f) {
+            const double error = of_shift[f] / n - functions[f].integral;
+            squares[f] += error * error / shifts_;
+        }
+    }
+    squares_.push_back(std::move(squares));
+    sizes_.push_back(n);
+}
+
 void IntegrationErrorEstimate::add(const PointSet& points)
 {
     if (points.dimension != dimension_) throw InputError("integration error: sets differ in their dimension");
     if (points.size() == 0) throw InputError("integration error: a set must have at least one point");
-    const auto shifts = static_cast<std::size_t>(shifts_);
-    std::vector<std::vector<double>> errors(shifts);
-    tbb::parallel_for(std::size_t{0}, shifts, [&](std::size_t s) {
-        errors[s] = errors_of(points, shift_of(seed_, first_ + squares_.size(), s));
-    });
-    std::vector<double> squares(integrands(dimension_).size());
-    for (const auto& of_shift : errors) {
-        for (std::size_t f = 0; f < squares.size(); ++f) squares[f] += of_shift[f] * of_shift[f] / shifts_;
+    Sums sums;
+    sum(points, sums);
+    add_sums(sums, points.size());
+}
+
+void IntegrationErrorEstimate::add(const PointStrips& points)
+{
+    if (points.dimension() != dimension_) throw InputError("integration error: sets differ in their dimension");
+    if (points.size() == 0) throw InputError("integration error: a set must have at least one point");
+    Sums sums;
+    for (std::size_t strip = 0; strip < points.count(); ++strip) {
+        stop_if_interrupted();
+        sum(points.strip(strip), sums);
     }
-    squares_.push_back(std::move(squares));
-    sizes_.push_back(static_cast<double>(points.size()));
+    add_sums(sums, points.size());
 }
 
 void IntegrationErrorEstimate::append(const IntegrationErrorEstimate& other)

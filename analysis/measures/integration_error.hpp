@@ -13,6 +13,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -66,6 +67,10 @@ public:
     /// must lie in [0, 1).
     void add(const PointSet& points);
 
+    /// The same of a set on disk: sums over strips, which have another order, and so errors that differ by rounding of
+    /// means of N numbers of size 1, some sqrt(N) 1e-16 of one.
+    void add(const PointStrips& points);
+
     /// Appends the sets of `other`, which begins with the number after the last one here; equal to adding them here.
     void append(const IntegrationErrorEstimate& other);
 
@@ -80,6 +85,11 @@ public:
     }
 
 private:
+    using Sums = std::vector<std::vector<double>>; ///< over points, of each shift and integrand
+
+    void sum(const PointSet& points, Sums& sums) const;
+    void add_sums(const Sums& sums, std::uint64_t points);
+
     int dimension_;
     std::uint64_t seed_;
     int shifts_;

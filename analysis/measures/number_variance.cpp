@@ -3,6 +3,7 @@
 #include "analysis/measures/cell_grid.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "base/errors/errors.hpp"
+#include "base/programs/interrupt.hpp"
 #include "base/random/random.hpp"
 
 #include <tbb/parallel_for.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace poissonlab {
 namespace {
@@ -64,7 +66,7 @@ private:
             ball.turns[k] = turns_of(row[k]);
             line = line * static_cast<std::size_t>(m) + static_cast<std::size_t>(row[k] - ball.turns[k] * m);
         }
-        if (nearest >= ball.squared_radius) return 0;
+        if (nearest >= ball.squared_radius || is_empty(line)) return 0;
         const double outer = std::sqrt(ball.squared_radius - nearest);
         const int begin = static_cast<int>(std::floor((ball.centre[0] - outer) * m));
         const int end = static_cast<int>(std::floor((ball.centre[0] + outer) * m)) + 1;
@@ -78,6 +80,13 @@ private:
         for (int x = begin; x < inner_begin; ++x) points += inside(ball, line, x);
         for (int x = inner_end; x < end; ++x) points += inside(ball, line, x);
         return points;
+    }
+
+    /// True for a row of cells without points, as most are where they lie in a strip.
+    bool is_empty(std::size_t line) const
+    {
+        const std::size_t first = line * static_cast<std::size_t>(grid_.cells);
+        return grid_.starts[first] == grid_.starts[first + static_cast<std::size_t>(grid_.cells)];
     }
 
     int turns_of(int cell) const { return cell < 0 ? -1 : cell / grid_.cells; }
@@ -130,15 +139,13 @@ std::array<double, D> centre_of(std::uint32_t i, double margin)
     return centre;
 }
 
-/// The numbers of points in balls of one radius.
+/// Adds the numbers of points in balls of one radius.
 template <int D>
-std::vector<std::int64_t> counts_of(const BallCounter<D>& counter, std::size_t centres, double radius, double margin)
+void add_points_in_balls(const BallCounter<D>& counter, double radius, double margin, std::vector<std::int64_t>& counts)
 {
-    std::vector<std::int64_t> counts(centres);
-    tbb::parallel_for(std::size_t{0}, centres, [&](std::size_t i) {
-        counts[i] = counter.count(centre_of<D>(static_cast<std::uint32_t>(i), margin), radius);
+    tbb::parallel_for(std::size_t{0}, counts.size(), [&](std::size_t i) {
+        counts[i] += counter.count(centre_of<D>(static_cast<std::uint32_t>(i), margin), radius);
     });
-    return counts;
 }
 
 struct Moments
@@ -158,20 +165,6 @@ Moments moments_of(const std::vector<std::int64_t>& counts, double expected, boo
     return {expected + sum / n, (squares - sum * sum / n) / (n - 1)};
 }
 
-template <int D>
-void add_set(const PointSet& points, const std::vector<double>& radii, std::size_t centres, bool is_window,
-             std::vector<double>& means, std::vector<double>& variances)
-{
-    const BallCounter<D> counter(points);
-    for (const double radius : radii) {
-        const double expected = static_cast<double>(points.size()) * torus_ball_volume(radius, D);
-        const auto counts = counts_of<D>(counter, centres, radius, is_window ? radius : 0);
-        const Moments moments = moments_of(counts, expected, is_window);
-        means.push_back(moments.mean);
-        variances.push_back(moments.variance);
-    }
-}
-
 }
 
 NumberVarianceEstimate::NumberVarianceEstimate(int dimension, std::size_t points, bool is_window)
@@ -185,15 +178,50 @@ NumberVarianceEstimate::NumberVarianceEstimate(int dimension, std::size_t points
     radii_.back() = largest_radius;
 }
 
+/// Adds the points of a set, or of a part of it, to those in the balls.
+void NumberVarianceEstimate::count(const PointSet& points, Counts& counts) const
+{
+    const auto add = [&](const auto& counter) {
+        for (std::size_t r = 0; r < radii_.size(); ++r)
+            add_points_in_balls(counter, radii_[r], is_window_ ? radii_[r] : 0, counts[r]);
+    };
+    counts.resize(radii_.size(), std::vector<std::int64_t>(centres_));
+    if (dimension_ == 2) add(BallCounter<2>(points));
+    if (dimension_ == 3) add(BallCounter<3>(points));
+}
+
+void NumberVarianceEstimate::add_counts(const Counts& counts, std::uint64_t points)
+{
+    std::vector<double> means, variances;
+    for (std::size_t r = 0; r < radii_.size(); ++r) {
+        const double expected = static_cast<double>(points) * torus_ball_volume(radii_[r], dimension_);
+        const Moments moments = moments_of(counts[r], expected, is_window_);
+        means.push_back(moments.mean);
+        variances.push_back(moments.variance);
+    }
+    means_.push_back(std::move(means));
+    variances_.push_back(std::move(variances));
+}
+
 void NumberVarianceEstimate::add(const PointSet& points)
 {
     if (points.dimension != dimension_) throw InputError("number variance: sets differ in dimension");
     if (radii_.empty()) return;
-    std::vector<double> means, variances;
-    if (dimension_ == 2) add_set<2>(points, radii_, centres_, is_window_, means, variances);
-    if (dimension_ == 3) add_set<3>(points, radii_, centres_, is_window_, means, variances);
-    means_.push_back(std::move(means));
-    variances_.push_back(std::move(variances));
+    Counts counts;
+    count(points, counts);
+    add_counts(counts, points.size());
+}
+
+void NumberVarianceEstimate::add(const PointStrips& points)
+{
+    if (points.dimension() != dimension_) throw InputError("number variance: sets differ in dimension");
+    if (radii_.empty()) return;
+    Counts counts;
+    for (std::size_t strip = 0; strip < points.count(); ++strip) {
+        stop_if_interrupted();
+        count(points.strip(strip), counts);
+    }
+    add_counts(counts, points.size());
 }
 
 void NumberVarianceEstimate::append(const NumberVarianceEstimate& other)

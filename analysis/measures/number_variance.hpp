@@ -9,6 +9,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +44,9 @@ public:
     /// Adds one set. Throws InputError for another dimension. Coordinates must lie in [0, 1).
     void add(const PointSet& points);
 
+    /// The same of a set on disk, whose strips are counted one after another, to the same numbers.
+    void add(const PointStrips& points);
+
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here.
     void append(const NumberVarianceEstimate& other);
 
@@ -57,6 +61,11 @@ public:
     }
 
 private:
+    using Counts = std::vector<std::vector<std::int64_t>>; ///< of each radius, in the balls
+
+    void count(const PointSet& points, Counts& counts) const;
+    void add_counts(const Counts& counts, std::uint64_t points);
+
     int dimension_;
     bool is_window_;
     std::size_t centres_ = 0;

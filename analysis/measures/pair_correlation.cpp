@@ -4,6 +4,7 @@
 #include "analysis/measures/torus_ball.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/window.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
@@ -152,9 +153,45 @@ void PairCorrelationEstimate::add(const PointSet& points)
 {
     if (points.dimension != dimension_) throw InputError("pair correlation: sets differ in their dimension");
     if (points.size() < 2) throw InputError("pair correlation: a set must have at least two points");
-    const Counts counts =
-        is_window_ ? count_pairs(halved(points), max_distance_ / 2, bins_) : count_pairs(points, max_distance_, bins_);
-    const auto n = static_cast<double>(points.size());
+    add_counts(count(points), points.size());
+}
+
+/// Unordered pairs in each bin.
+std::vector<std::uint64_t> PairCorrelationEstimate::count(const PointSet& points) const
+{
+    if (points.size() < 2) return Counts(bins_);
+    return is_window_ ? count_pairs(halved(points), max_distance_ / 2, bins_)
+                      : count_pairs(points, max_distance_, bins_);
+}
+
+/// Each pair is in a strip, or of a strip and the layer above it that is as high as pairs are apart.
+void PairCorrelationEstimate::add(const PointStrips& points)
+{
+    if (points.dimension() != dimension_) throw InputError("pair correlation: sets differ in their dimension");
+    if (points.size() < 2) throw InputError("pair correlation: a set must have at least two points");
+    const double reach = max_distance_ * (1 + 0x1p-20);
+    if (reach * static_cast<double>(points.count()) > 1) { // of a small set, whose pairs may be of any two strips
+        PointSet all = points.strip(0);
+        points.append_around(0, 1, 1, false, all);
+        return add(all);
+    }
+    Counts sum(bins_);
+    for (std::size_t strip = 0; strip < points.count(); ++strip) {
+        stop_if_interrupted();
+        PointSet above{dimension_, {}};
+        points.append_around(strip, 0, reach, is_window_, above);
+        const Counts counted_twice = count(above);
+        PointSet both = points.strip(strip);
+        both.coordinates.insert(both.coordinates.end(), above.coordinates.begin(), above.coordinates.end());
+        const Counts counts = count(both);
+        for (std::size_t k = 0; k < bins_; ++k) sum[k] += counts[k] - counted_twice[k];
+    }
+    add_counts(sum, points.size());
+}
+
+void PairCorrelationEstimate::add_counts(const Counts& counts, std::uint64_t points)
+{
+    const auto n = static_cast<double>(points);
     const double width = max_distance_ / static_cast<double>(bins_);
 
     std::vector<double> values(bins_);

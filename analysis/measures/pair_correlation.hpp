@@ -18,8 +18,10 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace poissonlab {
@@ -50,6 +52,9 @@ public:
     /// in [0, 1).
     void add(const PointSet& points);
 
+    /// The same of a set on disk: pairs are counted strip by strip, to the same numbers.
+    void add(const PointStrips& points);
+
     /// Appends the sets of `other`, which was constructed alike; equal to adding them here, up to rounding.
     void append(const PairCorrelationEstimate& other);
 
@@ -64,6 +69,9 @@ public:
     }
 
 private:
+    std::vector<std::uint64_t> count(const PointSet& points) const;
+    void add_counts(const std::vector<std::uint64_t>& counts, std::uint64_t points);
+
     int dimension_;
     double max_distance_;
     std::size_t bins_;

@@ -56,27 +56,36 @@ bool are_near(double a, double b)
 
 }
 
-SetMark set_mark(const PointSet& points, double min_distance, double mean_nearest)
+void SetMarkSums::add(const PointSet& points)
 {
     const auto dimension = static_cast<std::size_t>(points.dimension);
     const auto& frequencies = dimension == 2 ? plane_frequencies : space_frequencies;
-    std::array<Wave, 6> sums;
-    sums.fill({0, 0});
     for (std::size_t i = 0; i < points.size(); ++i) {
         std::array<Wave, 3> waves;
         for (std::size_t k = 0; k < dimension; ++k) waves[k] = wave_of(points.coordinates[i * dimension + k]);
         for (std::size_t j = 0; j < frequencies.size(); ++j) {
             const Frequency& f = frequencies[j];
             const Wave wave = power_of(waves[0], f[0]) * power_of(waves[1], f[1]) * power_of(waves[2], f[2]);
-            sums[j].real += wave.real;
-            sums[j].imaginary += wave.imaginary;
+            real_[j] += wave.real;
+            imaginary_[j] += wave.imaginary;
         }
     }
-    SetMark mark{points.size(), min_distance, mean_nearest, {}};
-    const double root = std::sqrt(static_cast<double>(points.size()));
-    for (std::size_t j = 0; j < sums.size(); ++j)
-        mark.amplitudes[j] = std::hypot(sums[j].real, sums[j].imaginary) / root;
+    points_ += points.size();
+}
+
+SetMark SetMarkSums::mark(double min_distance, double mean_nearest) const
+{
+    SetMark mark{points_, min_distance, mean_nearest, {}};
+    const double root = std::sqrt(static_cast<double>(points_));
+    for (std::size_t j = 0; j < real_.size(); ++j) mark.amplitudes[j] = std::hypot(real_[j], imaginary_[j]) / root;
     return mark;
+}
+
+SetMark set_mark(const PointSet& points, double min_distance, double mean_nearest)
+{
+    SetMarkSums sums;
+    sums.add(points);
+    return sums.mark(min_distance, mean_nearest);
 }
 
 bool are_same_set(const SetMark& a, const SetMark& b)

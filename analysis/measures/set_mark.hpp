@@ -27,6 +27,20 @@ struct SetMark
     }
 };
 
+/// The sums of a mark, over points that come in pieces, in their order.
+class SetMarkSums
+{
+public:
+    void add(const PointSet& points);
+
+    /// The mark of the points that were added, at least one, whose distances are known.
+    SetMark mark(double min_distance, double mean_nearest) const;
+
+private:
+    std::size_t points_ = 0;
+    std::array<double, 6> real_{}, imaginary_{};
+};
+
 /// The mark of a set that is not empty, in 2D or 3D, whose distances are known.
 SetMark set_mark(const PointSet& points, double min_distance, double mean_nearest);
 

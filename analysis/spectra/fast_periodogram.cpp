@@ -10,6 +10,7 @@
 #include "analysis/spectra/fftw_plan.hpp"
 #include "analysis/spectra/point_spreading.hpp"
 #include "analysis/spectra/uninitialized_vector.hpp"
+#include "base/programs/interrupt.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -79,6 +80,7 @@ public:
     Plan(int dimension, int size, double tolerance, std::size_t band_bytes);
 
     void compute(const PointSet& points, HalfSpectrum& half);
+    void compute(const PointStrips& points, HalfSpectrum& half);
 
 private:
     /// The memory in which a thread works, kept from line to line.
@@ -93,7 +95,9 @@ private:
     };
 
     void transform(Complex* from, Complex* to) { fftw_execute_dft(plan_.get(), fftw(from), fftw(to)); }
-    void transform_along_x();
+    void check(int dimension, std::size_t points) const;
+    void transform_along_x(std::size_t first, std::size_t last);
+    void finish(std::size_t points, HalfSpectrum& half);
     void transform_band(std::size_t first, std::size_t end);
     void transform_pair(std::size_t y, std::size_t z, Workspace& work, Complex* result);
     void separate_pairs(const Complex* lines, std::size_t pairs, Complex* target) const;
@@ -181,10 +185,11 @@ void FastPeriodogram::Plan::transform_band(std::size_t first, std::size_t end)
     });
 }
 
-void FastPeriodogram::Plan::transform_along_x()
+/// Slices first .. last - 1, whole blocks of them or up to the last one of all.
+void FastPeriodogram::Plan::transform_along_x(std::size_t first, std::size_t last)
 {
-    for (std::size_t first = 0; first < grid_;) {
-        const std::size_t end = spreading_.band_end(first, dimension_ == 2 ? block : 1, band_bytes_);
+    while (first < last) {
+        const std::size_t end = std::min(last, spreading_.band_end(first, dimension_ == 2 ? block : 1, band_bytes_));
         transform_band(first, end);
         first = end;
     }
@@ -219,18 +224,48 @@ void FastPeriodogram::Plan::store_power(const Complex* line, double factor, doub
     store(size_ / 2, columns_, line);
 }
 
+void FastPeriodogram::Plan::check(int dimension, std::size_t points) const
+{
+    if (dimension != dimension_ || points == 0)
+        throw std::invalid_argument("FastPeriodogram: no points, or of another dimension");
+}
+
 void FastPeriodogram::Plan::compute(const PointSet& points, HalfSpectrum& half)
 {
-    if (points.dimension != dimension_ || points.size() == 0)
-        throw std::invalid_argument("FastPeriodogram: no points, or of another dimension");
+    check(points.dimension, points.size());
     spreading_.set_points(points);
-    transform_along_x();
+    transform_along_x(0, grid_);
+    finish(points.size(), half);
+}
 
+void FastPeriodogram::Plan::compute(const PointStrips& points, HalfSpectrum& half)
+{
+    check(points.dimension(), points.size());
+    const auto first_slice = [&](std::size_t strip) {
+        const auto slice = static_cast<std::size_t>(points.begin_of(strip) * static_cast<double>(grid_));
+        return strip == points.count() ? grid_ : slice / block * block;
+    };
+    // Slices of a strip begin up to a block before it, and a kernel reaches over half its width.
+    const double margin = static_cast<double>(block + SpreadingKernel::max_width) / static_cast<double>(grid_);
+    PointSet part;
+    for (std::size_t strip = 0; strip < points.count(); ++strip) {
+        stop_if_interrupted();
+        part = points.strip(strip);
+        points.append_around(strip, std::min(1.0, margin), std::min(1.0, margin), false, part);
+        spreading_.set_points(part);
+        transform_along_x(first_slice(strip), first_slice(strip + 1));
+    }
+    finish(points.size(), half);
+}
+
+/// Powers from lines that were transformed along x.
+void FastPeriodogram::Plan::finish(std::size_t points, HalfSpectrum& half)
+{
     half.dimension = dimension_;
     half.size = static_cast<int>(size_);
     const std::size_t rows = half.rows();
     half.power.resize(columns_ * half.lines() * rows);
-    const double scale = 0.25 / static_cast<double>(points.size()); // 0.25: see separate_pairs()
+    const double scale = 0.25 / static_cast<double>(points); // 0.25: see separate_pairs()
     tbb::parallel_for(std::size_t{0}, columns_, [&](std::size_t u) {
         Workspace& work = workspaces_.local();
         Complex* const plane = transforms_.data() + u * plane_;
@@ -269,5 +304,7 @@ HalfSpectrum FastPeriodogram::compute(const PointSet& points)
 }
 
 void FastPeriodogram::compute(const PointSet& points, HalfSpectrum& result) { plan_->compute(points, result); }
+
+void FastPeriodogram::compute(const PointStrips& points, HalfSpectrum& result) { plan_->compute(points, result); }
 
 }

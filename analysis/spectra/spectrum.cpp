@@ -38,6 +38,23 @@ void SpectrumEstimate::add(const PointSet& points)
     check("realization " + std::to_string(power_.count()), points.dimension, points.size());
     if (power_.count() == 0) points_ = points.size();
     compute_periodogram(points);
+    add_periodogram();
+}
+
+void SpectrumEstimate::add(const PointStrips& points)
+{
+    check("realization " + std::to_string(power_.count()), points.dimension(), points.size());
+    if (method_ == PeriodogramMethod::exact)
+        throw InputError("spectrum = \"exact\": sets that are read in pieces have none; must be \"fast\" for them");
+    if (power_.count() == 0) points_ = points.size();
+    if (!fast_) fast_ = std::make_unique<FastPeriodogram>(dimension_, size_);
+    fast_->compute(points, periodogram_);
+    add_periodogram();
+}
+
+/// Adds what is in periodogram_.
+void SpectrumEstimate::add_periodogram()
+{
     radial_curves_.push_back(radial_means(periodogram_));
     if (bin_width_ != 1) wide_curves_.push_back(radial_means(periodogram_, bin_width_));
     power_.add(periodogram_.power);

@@ -10,6 +10,7 @@
 #include "analysis/spectra/half_spectrum.hpp"
 #include "analysis/spectra/running_moments.hpp"
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 #include <array>
 #include <cstddef>
@@ -81,6 +82,9 @@ public:
     /// (unless sizes vary) or the dimension differs from those before, or when the set is empty.
     void add(const PointSet& points);
 
+    /// The same of a set on disk, by FastPeriodogram alone: InputError where the exact sum is asked for.
+    void add(const PointStrips& points);
+
     /// Appends the realizations of `other`; equal to adding them here, up to rounding. Throws InputError as add()
     /// does.
     void append(const SpectrumEstimate& other);
@@ -109,6 +113,7 @@ public:
 private:
     void check(const std::string& name, int dimension, std::size_t points);
     void compute_periodogram(const PointSet& points);
+    void add_periodogram();
 
     int dimension_, size_;
     bool sizes_vary_;

@@ -1,5 +1,7 @@
 #include "analysis/tilings/distance_within_tiles.hpp"
 
+#include "base/programs/interrupt.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,6 +66,26 @@ double min_distance_within_tiles(const PointSet& points, int tiles)
             least = std::min(least, squared_offset(swept[i], swept[j]));
         }
     return std::sqrt(least);
+}
+
+double min_distance_within_tiles(const PointStrips& points, int tiles)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (int row = 0; row < tiles; ++row) {
+        stop_if_interrupted();
+        const double low = row / static_cast<double>(tiles) - rounding_of_borders;
+        const double high = (row + 1) / static_cast<double>(tiles) + rounding_of_borders;
+        PointSet part{points.dimension(), {}};
+        for (std::size_t strip = 0; strip < points.count(); ++strip) {
+            const double begin = points.begin_of(strip), end = points.begin_of(strip + 1);
+            const bool is_rounded = end > 1 + low; // of the last strip, some points belong to the first row
+            if ((end < low || begin > high) && !is_rounded) continue;
+            const PointSet more = points.strip(strip);
+            part.coordinates.insert(part.coordinates.end(), more.coordinates.begin(), more.coordinates.end());
+        }
+        least = std::min(least, min_distance_within_tiles(part, tiles));
+    }
+    return least;
 }
 
 }

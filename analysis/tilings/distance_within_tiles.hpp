@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/geometry/point_set.hpp"
+#include "base/points/point_strips.hpp"
 
 namespace poissonlab {
 
@@ -12,5 +13,8 @@ namespace poissonlab {
 /// each axis; infinite where no tile has two. A tile is a square (a cube) with its lower borders, and places on borders
 /// may be off by 2^-17 tiles, half of the step in which points of tiles are placed.
 double min_distance_within_tiles(const PointSet& points, int tiles);
+
+/// The same of a set on disk, of which the strips that touch a row (layer) of tiles are in memory at a time.
+double min_distance_within_tiles(const PointStrips& points, int tiles);
 
 }

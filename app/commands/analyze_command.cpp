@@ -28,6 +28,7 @@ struct AnalyzeOptions
     std::string domain; ///< as for parse_range(); empty: what the files say
     std::vector<std::string> overrides;
     bool gallery = false;
+    bool in_pieces = false;
     int threads = 0;
     bool quiet = false;
     std::string command;
@@ -43,9 +44,13 @@ void analyze(const AnalyzeOptions& options)
             throw InputError("analyze: --domain " + options.domain +
                              ": must be LOW:HIGH, two numbers, the first smaller; or HIGH");
     }
-    Experiment experiment = import_points(options.files, options.label, domain);
+    const std::string label = options.label.empty() ? options.files.front().stem().string() : options.label;
+    const LargeImports large{options.out.empty() ? std::filesystem::path("out") / label : options.out,
+                             options.in_pieces};
+    Experiment experiment = import_points(options.files, options.label, domain, large);
     experiment.overrides = options.overrides;
     experiment.analysis = overridden_analysis(options.overrides, experiment.dimension);
+    check_imported(experiment);
     experiment.command = options.command;
     const auto out = options.out.empty() ? std::filesystem::path("out") / experiment.series.front().name : options.out;
     Progress progress(Progress::detect(options.quiet));
@@ -67,6 +72,8 @@ Command analyze_command(const std::string& typed)
              {"--domain", &o->domain,
               "Range of all coordinates, such as 512 or -1:1; default: what a file says, or 0:1", "[LOW:]HIGH"},
              {"--gallery", &o->gallery, "Lay reference curves of the laboratory's methods behind those of the sets"},
+             {"--in-pieces", &o->in_pieces,
+              "Read each file in pieces and keep its points on the disk, as is done of more than 16,777,216"},
              {"--set", &o->overrides, "Set a key of [analysis]; may be repeated", "analysis.KEY=VALUE"},
              {"--threads", &o->threads, "Use so many threads; default: all", "N"},
              {"--quiet", &o->quiet, "Print nothing but errors and the report's path"}},

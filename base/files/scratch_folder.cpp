@@ -41,6 +41,9 @@ ScratchFolder::ScratchFolder(const std::filesystem::path& beside)
     : path_(new_folder(beside.parent_path() / ("." + beside.filename().string() + "-parts-"), ""))
 {}
 
-ScratchFolder::~ScratchFolder() { remove_leftover(path_); }
+ScratchFolder::~ScratchFolder()
+{
+    if (!path_.empty()) remove_leftover(path_);
+}
 
 }

@@ -34,8 +34,8 @@ bool has_known_places(const std::filesystem::path& path);
 /// Throws InputError where the format does not take such points.
 void check_head(const std::filesystem::path& path, const PointFileHead& head);
 
-/// Throws InputError where the disk has no room for the file, and says how many points it has room for. Each point takes
-/// `scratch` bytes more there while the file is made.
+/// Throws InputError where the disk has no room for the file, and says how many points it has room for. Each point
+/// takes `scratch` bytes more there while the file is made.
 void check_room(const std::filesystem::path& path, const PointFileHead& head, std::uint64_t scratch = 0);
 
 /// Rows of numbers in a file.

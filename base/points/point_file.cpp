@@ -3,6 +3,7 @@
 #include "base/errors/errors.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/hdf5_reading.hpp"
 #include "base/points/point_file_formats.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +44,8 @@ bool is_number(std::string_view word)
     return parse_number(word, value);
 }
 
-/// The range that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
+}
+
 CoordinateRange declared_range(const PointFileContent& file)
 {
     for (LineReader lines(file.bytes); lines.next();) {
@@ -57,8 +59,6 @@ CoordinateRange declared_range(const PointFileContent& file)
         fail_in_point_file(file, lines.number(), text, "a domain is LOW:HIGH, two numbers, the first smaller");
     }
     return {};
-}
-
 }
 
 std::optional<CoordinateRange> parse_range(std::string_view text)
@@ -82,6 +82,7 @@ std::vector<PointSet> read_points(const std::filesystem::path& path, std::option
 {
     const std::string content = read_whole_file(path);
     PointFileContent file{path.string(), content};
+    if (file.bytes.starts_with(hdf5_magic)) return {read_hdf5_points(path, range)};
     const bool is_npy = file.bytes.starts_with(npy_magic);
     const bool is_utk = file.bytes.starts_with(utk_magic) || file.bytes.starts_with(swapped_utk_magic);
     file.range = range ? *range : is_npy || is_utk ? CoordinateRange{} : declared_range(file);

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +21,22 @@ struct PointFileContent
     std::string_view bytes;
     CoordinateRange range = {};
 };
+
+/// Takes the unit coordinates of a set that is read in pieces, each of whole points, and the place in the file up to
+/// which it is not needed any more.
+using PieceSink = std::function<void(int dimension, std::span<const double> coordinates, const char* done)>;
+
+// They read files of one set in pieces, and else do as those below.
+void stream_text_points(const PointFileContent& file, const PieceSink& sink);
+void stream_npy_points(const PointFileContent& file, const PieceSink& sink);
+
+/// What the head of a .npy file says.
+struct NpyShape
+{
+    std::uint64_t sets = 0, points = 0; ///< points of each set
+    int dimension = 2;
+};
+NpyShape shape_of_npy_sets(const PointFileContent& file);
 
 // Each throws InputError; what they accept is described at read_points.
 std::vector<PointSet> read_text_points(const PointFileContent& file);
@@ -35,7 +53,11 @@ inline constexpr std::string_view npy_magic = "\x93NUMPY";
 /// What is before the numbers of a .npy file of float64, points x dimension.
 std::string npy_header(std::uint64_t points, int dimension);
 
+inline constexpr std::string_view hdf5_magic = "\x89HDF\r\n\x1a\n";
 inline constexpr std::string_view utk_magic = "UTK!", swapped_utk_magic = "!KTU"; ///< 0x214B5455 of either byte order
+
+/// The range that a comment before the points declares: `# domain LOW:HIGH`, in PLY `comment domain LOW:HIGH`.
+CoordinateRange declared_range(const PointFileContent& file);
 
 /// The first line of comma-separated values in 2D and 3D.
 inline constexpr std::string_view csv_header_2d = "x,y", csv_header_3d = "x,y,z";

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
@@ -142,7 +143,9 @@ double value_at(const PointFileContent& file, const NpyLayout& layout, std::size
 
 }
 
-std::vector<PointSet> read_npy_points(const PointFileContent& file)
+namespace {
+
+NpyLayout read_npy_layout(const PointFileContent& file)
 {
     NpyLayout layout;
     const std::string_view header = header_text(file, layout.data_offset);
@@ -150,7 +153,40 @@ std::vector<PointSet> read_npy_points(const PointFileContent& file)
     layout.fortran_order = value_of(file, header, "fortran_order").starts_with("True");
     read_shape(file, value_of(file, header, "shape"), layout);
     check_size(file, layout);
+    return layout;
+}
 
+}
+
+NpyShape shape_of_npy_sets(const PointFileContent& file)
+{
+    const NpyLayout layout = read_npy_layout(file);
+    return {layout.realizations, layout.points, static_cast<int>(layout.dimension)};
+}
+
+void stream_npy_points(const PointFileContent& file, const PieceSink& sink)
+{
+    constexpr std::size_t points_of_piece = std::size_t{1} << 18;
+    const NpyLayout layout = read_npy_layout(file);
+    if (layout.realizations != 1)
+        fail_in_point_file(file, 0, fmt::format("{} sets", layout.realizations),
+                           "a file that is read in pieces has one");
+    std::vector<double> piece;
+    for (std::size_t n = 0; n < layout.points;) {
+        const std::size_t end = std::min(layout.points, n + points_of_piece);
+        piece.clear();
+        for (; n < end; ++n)
+            for (std::size_t axis = 0; axis < layout.dimension; ++axis)
+                piece.push_back(to_unit(value_at(file, layout, layout.index(0, n, axis)), file.range));
+        const std::size_t done =
+            layout.fortran_order ? 0 : layout.data_offset + n * layout.dimension * layout.value_bytes;
+        sink(static_cast<int>(layout.dimension), piece, file.bytes.data() + done);
+    }
+}
+
+std::vector<PointSet> read_npy_points(const PointFileContent& file)
+{
+    const NpyLayout layout = read_npy_layout(file);
     std::vector<PointSet> sets(layout.realizations);
     for (std::size_t k = 0; k < layout.realizations; ++k) {
         sets[k].dimension = static_cast<int>(layout.dimension);

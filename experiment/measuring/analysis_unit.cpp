@@ -26,6 +26,8 @@ void AnalysisUnit::add(const PointSet& points)
     if (series_.add(points) && options_.zone_plate) zone_plate_.add(points);
 }
 
+void AnalysisUnit::add(const PointStrips& points) { series_.add(points); }
+
 void AnalysisUnit::append(const AnalysisUnit& next)
 {
     series_.append(next.series_);

@@ -22,6 +22,9 @@ public:
 
     void add(const PointSet& points);
 
+    /// A set on disk, see SeriesAnalysis.
+    void add(const PointStrips& points);
+
     /// As SeriesAnalysis has them.
     bool repeats(const AnalysisUnit& earlier) const { return series_.repeats(earlier.series_); }
     void leave_out(const AnalysisUnit& earlier) { series_.leave_out(earlier.series_); }

@@ -1,13 +1,10 @@
 #include "experiment/measuring/series_analysis.hpp"
 
-#include "analysis/measures/distance_statistics.hpp"
 #include "analysis/measures/hyperuniformity.hpp"
 #include "analysis/measures/off_lattice_anisotropy.hpp"
 #include "analysis/measures/torus_ball.hpp"
 #include "analysis/spectra/radial_bin.hpp"
 #include "analysis/statistics/jackknife.hpp"
-#include "analysis/tilings/distance_within_tiles.hpp"
-#include "analysis/tilings/lattice_share.hpp"
 #include "base/errors/errors.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "results/file_names.hpp"
@@ -16,10 +13,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -27,18 +21,10 @@
 namespace poissonlab {
 namespace {
 
-constexpr std::size_t most_points_triangulated = 300'000;
 constexpr double distances_shown = 4; // in units of the largest possible minimum distance, with
 constexpr double bins_per_distance = 50;
 constexpr std::uint64_t shift_seed = 0; // the same shifts of every series, so that errors compare
 constexpr int integration_shifts = 16;
-
-/// The mean ratio of a set's own periodogram; none, which is not a number, where a set of one tile that is repeated has
-/// nothing between its peaks: such a ratio would be all of a spread.
-double own_lattice_peak(const LatticePeaks& peaks)
-{
-    return peaks.empty_rings == 0 ? peaks.mean_ratio : std::numeric_limits<double>::quiet_NaN();
-}
 
 }
 
@@ -84,68 +70,6 @@ void SeriesAnalysis::start_spectrum()
                                      label_, options_.bin_width, spectrum_size_ / 2 - 1,
                                      dimension_ == 2 ? "annulus" : "shell", spectrum_size_));
     estimate_.emplace(dimension_, spectrum_size_, sizes_vary_, *options_.spectrum, options_.bin_width);
-}
-
-/// What is known of a set from its distances.
-SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
-{
-    const std::size_t n = points.size();
-    SetMeasures set{n, static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size()), {}};
-    set.min_distance = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
-    set.relative_radius = relative_radius(set.min_distance, n, points.dimension);
-    set.mean_nearest = (options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points)) /
-                       max_min_distance(n, points.dimension);
-    set.covered_fraction = covered_fraction(set.min_distance, n, points.dimension);
-    set.mark = set_mark(points, set.min_distance, set.mean_nearest);
-    return set;
-}
-
-bool SeriesAnalysis::is_known(const SetMark& mark) const
-{
-    const auto is_same = [&](const SetMark& other) { return are_same_set(mark, other); };
-    return std::ranges::any_of(sets_, is_same, &SetMeasures::mark) || std::ranges::any_of(left_out_, is_same);
-}
-
-bool SeriesAnalysis::add(const PointSet& points)
-{
-    const auto begin = std::chrono::steady_clock::now();
-    const auto count_seconds = [&] {
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    };
-    const std::size_t n = points.size();
-    check(points.dimension, n, begin_.realization + sets_.size() + repeated_.size());
-    SetMeasures set = measure_distances(points);
-    if (is_known(set.mark)) {
-        repeated_.push_back(set.realization);
-        count_seconds();
-        return false;
-    }
-    if (sets_.empty()) {
-        dimension_ = points.dimension;
-        if (begin_.points == 0) begin_.points = n;
-        has_pairs_ = n > 1 && begin_.points > 1 && !options_.distances_only;
-        if (begin_.realization == 0 && !options_.distances_only && !options_.window) first_ = points;
-        start();
-    }
-    if (estimate_) {
-        estimate_->add(points);
-        if (options_.tiles > 0) {
-            set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
-            set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
-        }
-    }
-    if (options_.progressive) set.prefix_radius = prefix_radius(points);
-    if (options_.tiles > 1)
-        set.radius_within = relative_radius(min_distance_within_tiles(points, options_.tiles), n, points.dimension);
-    sets_.push_back(set);
-    if (integration_) integration_->add(points);
-    if (seams_) seams_->add(points);
-    if (folded_) folded_->add(points);
-    if (variance_) variance_->add(points);
-    if (n < 2) leave_out_pairs();
-    if (pairs_) pairs_->add(points);
-    count_seconds();
-    return true;
 }
 
 /// A set of one point has no pairs, and a mean over some of the sets would mislead.
@@ -209,22 +133,6 @@ Estimate SeriesAnalysis::mean_of(double SetMeasures::*member) const
     if (groups.size() > 1) mean.standard_error = standard_error_of_mean(groups);
     if (mean.standard_error && !std::isfinite(*mean.standard_error)) mean.standard_error.reset();
     return mean;
-}
-
-/// The smallest relative radius of the first half, the first quarter and the first eighth of a set, as sets of so many
-/// points; parts of one point have none.
-double SeriesAnalysis::prefix_radius(const PointSet& points) const
-{
-    double smallest = 1;
-    for (std::size_t n = points.size() / 2; n > 1 && 8 * n + 8 > points.size(); n /= 2) {
-        PointSet part{points.dimension, {}};
-        const auto begin = points.coordinates.begin();
-        part.coordinates.assign(begin,
-                                begin + static_cast<std::ptrdiff_t>(n * static_cast<std::size_t>(part.dimension)));
-        const double distance = options_.window ? min_distance_in_window(part) : min_toroidal_distance(part);
-        smallest = std::min(smallest, relative_radius(distance, n, part.dimension));
-    }
-    return smallest;
 }
 
 Series SeriesAnalysis::result() const

@@ -68,6 +68,11 @@ public:
     /// dimension, or of another size where sizes must not vary.
     bool add(const PointSet& points);
 
+    /// The same of a set on disk, of which a few strips are in memory at a time. Numbers of pairs, of points in balls
+    /// and tiles and the least distance are the same to the last bit; sums over all points (spectrum, mean distance,
+    /// errors of integrals) differ by their rounding. Measures of the first set alone are not made: it is too large.
+    bool add(const PointStrips& points);
+
     /// True for a realization, by its number, that was added and is one of the sets before.
     bool is_repeated(std::size_t realization) const { return std::ranges::binary_search(repeated_, realization); }
 
@@ -130,6 +135,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t most_points_triangulated = 300'000;
+
     /// The measures of one set.
     struct SetMeasures
     {
@@ -153,7 +160,15 @@ private:
         }
     };
 
+    template <class Points>
+    bool add_set(const Points& points);
     SetMeasures measure_distances(const PointSet& points) const;
+    SetMeasures measure_distances(const PointStrips& points) const;
+    SetMeasures measures_of(std::size_t points, int dimension, double least, double mean, SetMark mark) const;
+    void measure_order(const PointSet& points, SetMeasures& set) const;
+    void measure_order(const PointStrips& points, SetMeasures& set) const;
+    void keep_first(const PointSet& points);
+    void keep_first(const PointStrips& /*points*/) {}
     bool is_known(const SetMark& mark) const;
     std::vector<std::size_t> tile_set_groups() const;
     std::optional<Statistic> statistic(double SetMeasures::*member) const;

@@ -2,6 +2,7 @@
 // another.
 #pragma once
 
+#include "base/points/point_strips.hpp"
 #include "experiment/config/analysis_options.hpp"
 #include "experiment/exhibits/exhibit.hpp"
 #include "experiment/store/unit_key.hpp"
@@ -35,6 +36,8 @@ struct SeriesTask
     /// begins; empty: name and sampler say enough.
     std::function<UnitKey()> identity;
     std::function<std::unique_ptr<Sampler>()> create;
+    /// Sets on disk that are there already, one a realization, instead of a sampler: their points are not stored.
+    std::vector<std::shared_ptr<const PointStrips>> strips{};
 };
 
 /// Told what is being done, in a few words, by work that takes long.

@@ -1,7 +1,10 @@
 #include "experiment/series/imported_points.hpp"
 
+#include "base/files/scratch_folder.hpp"
 #include "base/files/xxh64_bytes.hpp"
+#include "base/points/placed_file.hpp"
 #include "base/points/point_file.hpp"
+#include "base/points/point_stream.hpp"
 #include "experiment/config/config.hpp"
 #include "experiment/config/plan.hpp"
 #include "experiment/crew/thread_limit.hpp"
@@ -9,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace poissonlab {
@@ -25,29 +30,50 @@ private:
     std::shared_ptr<const std::vector<PointSet>> sets_;
 };
 
-/// Checks a set against the first one. `place` names it in messages.
-void check_set(const PointSet& points, const std::string& place, const PointSet& first, const std::string& first_place)
+/// What sets must have in common.
+struct SetShape
 {
-    if (points.dimension != first.dimension)
-        throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, points.dimension, first_place,
+    int dimension = 2;
+    std::uint64_t points = 0;
+
+    explicit SetShape(const PointSet& set) : dimension(set.dimension), points(set.size()) {}
+    explicit SetShape(const PointStrips& set) : dimension(set.dimension()), points(set.size()) {}
+};
+
+/// Checks a set against the first one. `place` names it in messages.
+void check_set(const SetShape& set, const std::string& place, const SetShape& first, const std::string& first_place)
+{
+    if (set.dimension != first.dimension)
+        throw InputError(fmt::format("{}: has {}D points where {} has {}D ones", place, set.dimension, first_place,
                                      first.dimension));
-    if (points.size() != first.size())
+    if (set.points != first.points)
         throw InputError(fmt::format("{}: has {} points where {} has {}: realizations must have the same number", place,
-                                     points.size(), first_place, first.size()));
+                                     set.points, first_place, first.points));
 }
 
-/// All coordinates decide; the names of the files are written into what is stored.
-UnitKey identity_of(const std::vector<PointSet>& sets, const std::vector<std::string>& paths)
+void add_bytes(Xxh64& hash, std::span<const double> x)
+{
+    hash.add({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
+}
+
+/// Hashes of coordinates decide; the names of the files are written into what is stored.
+UnitKey identity_of(const std::vector<std::uint64_t>& hashes, const std::vector<std::string>& paths)
+{
+    UnitKey key("imported sets");
+    for (const std::string& path : paths) key.add("path", path);
+    for (const std::uint64_t hash : hashes) key.add("coordinates", hash);
+    return key;
+}
+
+/// A hash of all coordinates of all sets.
+std::uint64_t hash_of(const std::vector<PointSet>& sets)
 {
     Xxh64 hash;
     for (const PointSet& set : sets) {
-        const std::vector<double>& x = set.coordinates;
-        hash.add(fmt::format("{} {} ", set.dimension, x.size()));
-        hash.add({reinterpret_cast<const char*>(x.data()), x.size() * sizeof(double)});
+        hash.add(fmt::format("{} {} ", set.dimension, set.coordinates.size()));
+        add_bytes(hash, set.coordinates);
     }
-    UnitKey key("imported sets");
-    for (const std::string& path : paths) key.add("path", path);
-    return key.add("coordinates", hash.value());
+    return hash.value();
 }
 
 void check_count(std::size_t sets, const std::string& place)
@@ -64,8 +90,8 @@ std::string series_folder_name(const std::string& label)
     return is_taken ? "points-" + name : name;
 }
 
-/// The experiment of sets that were checked. `paths` are the files that they come from.
-Experiment experiment_of(std::shared_ptr<const std::vector<PointSet>> sets, const std::string& label,
+/// The experiment of sets that were checked, without what makes them. `paths` are the files that they come from.
+Experiment experiment_of(const SetShape& shape, std::size_t sets, const std::string& label,
                          const std::vector<std::string>& paths)
 {
     SeriesTask task;
@@ -74,14 +100,12 @@ Experiment experiment_of(std::shared_ptr<const std::vector<PointSet>> sets, cons
     task.sampler = "file";
     if (!paths.empty()) task.parameters.set("path", paths);
     task.is_timed = false;
-    task.realizations = static_cast<std::uint32_t>(sets->size());
-    task.points = sets->front().size();
-    task.identity = [sets, paths] { return identity_of(*sets, paths); };
-    task.create = [sets] { return std::make_unique<ImportedPoints>(sets); };
+    task.realizations = static_cast<std::uint32_t>(sets);
+    task.points = shape.points;
 
     Experiment experiment;
     experiment.title = task.label;
-    experiment.dimension = sets->front().dimension;
+    experiment.dimension = shape.dimension;
     experiment.realizations = task.realizations;
     experiment.series.push_back(std::move(task));
     experiment.workplace->machine = [](bool) {
@@ -92,35 +116,128 @@ Experiment experiment_of(std::shared_ptr<const std::vector<PointSet>> sets, cons
     return experiment;
 }
 
+Experiment experiment_of(const std::shared_ptr<const std::vector<PointSet>>& sets, const std::string& label,
+                         const std::vector<std::string>& paths)
+{
+    Experiment experiment = experiment_of(SetShape(sets->front()), sets->size(), label, paths);
+    experiment.series.front().identity = [sets, paths] { return identity_of({hash_of(*sets)}, paths); };
+    experiment.series.front().create = [sets] { return std::make_unique<ImportedPoints>(sets); };
+    return experiment;
+}
+
+/// A set on disk, and the folder that is removed with it.
+struct KeptSet
+{
+    ScratchFolder folder;
+    PointStrips strips;
+    std::uint64_t hash = 0; ///< of all coordinates
+};
+
+/// The part of a path that is there already, in which a scratch folder can be made.
+std::filesystem::path place_beside(const std::filesystem::path& path)
+{
+    std::filesystem::path place = std::filesystem::absolute(path);
+    while (!std::filesystem::is_directory(place.parent_path()) && place.has_parent_path() && place != place.root_path())
+        place = place.parent_path();
+    return place;
+}
+
+std::shared_ptr<const KeptSet> keep_set(const std::filesystem::path& file, std::optional<CoordinateRange> domain,
+                                        const std::filesystem::path& beside)
+{
+    ScratchFolder folder(beside);
+    Xxh64 hash;
+    PointStrips strips = read_into_strips(file, domain, folder.path(),
+                                          [&](std::span<const double> coordinates) { add_bytes(hash, coordinates); });
+    return std::make_shared<const KeptSet>(KeptSet{std::move(folder), std::move(strips), hash.value()});
+}
+
+/// All files in pieces.
+Experiment import_large(const std::vector<std::filesystem::path>& files, const std::string& label,
+                        std::optional<CoordinateRange> domain, const std::filesystem::path& beside)
+{
+    const std::filesystem::path place = place_beside(beside);
+    PointFileHead needed;
+    for (const auto& file : files)
+        if (const auto shape = known_shape(file)) {
+            needed.points += shape->points;
+            needed.dimension = shape->dimension;
+        }
+    check_room(place, needed);
+    std::vector<std::shared_ptr<const PointStrips>> strips;
+    std::vector<std::uint64_t> hashes;
+    std::vector<std::string> paths;
+    for (const auto& file : files) {
+        const auto set = keep_set(file, domain, place);
+        hashes.push_back(set->hash);
+        paths.push_back(file.string());
+        strips.emplace_back(set, &set->strips);
+        check_set(SetShape(*strips.back()), paths.back(), SetShape(*strips.front()), paths.front());
+    }
+    Experiment experiment = experiment_of(SetShape(*strips.front()), strips.size(), label, paths);
+    experiment.series.front().identity = [hashes, paths] { return identity_of(hashes, paths); };
+    experiment.series.front().strips = std::move(strips);
+    return experiment;
+}
+
+/// Must, or should, the files be read in pieces?
+bool is_large(const std::vector<std::filesystem::path>& files, const LargeImports& large)
+{
+    if (large.beside.empty()) return false;
+    for (const auto& file : files)
+        if (!can_be_streamed(file)) {
+            if (!large.all) return false;
+            throw InputError::at({file.string()},
+                                 "only text, CSV, NumPy and HDF5, one set a file, can be read in pieces");
+        }
+    return large.all || std::ranges::any_of(files, [](const std::filesystem::path& file) {
+               return points_at_most(file) > most_points_in_memory;
+           });
+}
+
 }
 
 Experiment import_points(const std::vector<std::filesystem::path>& files, const std::string& label,
-                         std::optional<CoordinateRange> domain)
+                         std::optional<CoordinateRange> domain, const LargeImports& large)
 {
+    for (const auto& file : files)
+        if (std::filesystem::is_directory(file))
+            throw InputError(file.string() + ": is a folder; files of points are needed");
+    const std::string name = label.empty() ? files.front().stem().string() : label;
+    if (is_large(files, large)) return import_large(files, name, domain, large.beside);
     auto sets = std::make_shared<std::vector<PointSet>>();
     std::vector<std::string> places;
     std::vector<std::string> paths;
     for (const auto& file : files) {
-        if (std::filesystem::is_directory(file))
-            throw InputError(file.string() + ": is a folder; files of points are needed");
         std::vector<PointSet> read = read_points(file, domain);
         for (std::size_t i = 0; i < read.size(); ++i) {
             places.push_back(read.size() == 1 ? file.string()
                                               : fmt::format("{}: realization {}", file.string(), i + 1));
             sets->push_back(std::move(read[i]));
-            check_set(sets->back(), places.back(), sets->front(), places.front());
+            check_set(SetShape(sets->back()), places.back(), SetShape(sets->front()), places.front());
         }
         check_count(sets->size(), file.string());
         paths.push_back(file.string());
     }
-    return experiment_of(sets, label.empty() ? files.front().stem().string() : label, paths);
+    return experiment_of(sets, name, paths);
+}
+
+void check_imported(const Experiment& experiment)
+{
+    if (experiment.series.front().strips.empty()) return;
+    const auto fail = [](const char* key, const char* value) {
+        throw InputError(fmt::format("analysis.{} = {}: sets that are read in pieces have none", key, value));
+    };
+    if (experiment.analysis.zone_plate) fail("zone_plate", "true");
+    if (experiment.analysis.spectrum == PeriodogramMethod::exact) fail("spectrum", "\"exact\"");
 }
 
 Experiment import_sets(const std::vector<PointSet>& sets, const std::string& label)
 {
     check_count(sets.size(), label);
     for (std::size_t i = 0; i < sets.size(); ++i)
-        check_set(sets[i], fmt::format("{}: realization {}", label, i), sets.front(), label + ": realization 0");
+        check_set(SetShape(sets[i]), fmt::format("{}: realization {}", label, i), SetShape(sets.front()),
+                  label + ": realization 0");
     return experiment_of(std::make_shared<const std::vector<PointSet>>(sets), label, {});
 }
 

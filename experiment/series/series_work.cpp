@@ -74,7 +74,10 @@ StorageError SeriesWork::missing_unit(const std::string& what) const
 // Realizations.
 
 /// True if the points of the realization are kept.
-bool SeriesWork::has_points_to_keep(std::uint32_t realization) const { return realization == 0 || keeps_points(); }
+bool SeriesWork::has_points_to_keep(std::uint32_t realization) const
+{
+    return task_.strips.empty() && (realization == 0 || keeps_points());
+}
 
 bool SeriesWork::is_sampled(std::uint32_t realization) const
 {
@@ -87,8 +90,13 @@ bool SeriesWork::is_sampled(std::uint32_t realization) const
 Sample SeriesWork::make(const RealizationRange& range, const WorkListener& listener)
 {
     stop_if_interrupted();
-    Sample sample = slot_.make(task_, range, *experiment_.workplace);
-    if (sample.points.size() == 0)
+    Sample sample;
+    if (task_.strips.empty())
+        sample = slot_.make(task_, range, *experiment_.workplace);
+    else
+        sample.record.points = task_.strips.at(range.first)->size();
+    sample.record.conditions = experiment_.workplace->conditions();
+    if (sample.record.points == 0)
         throw InputError(fmt::format("{}: realization {} has no points", task_.label, range.first));
     if (listener.sampled) listener.sampled(sample.record.points, sample.record.seconds);
     return sample;
@@ -149,7 +157,11 @@ void SeriesWork::add_realizations(AnalysisUnit& unit, const RealizationRange& ra
 {
     for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
         stop_if_interrupted();
-        if (k == 0 && first_.size() > 0) {
+        if (!task_.strips.empty()) {
+            if (experiment_.workplace->on_step) experiment_.workplace->on_step("analysing sets on the disk");
+            unit.add(*task_.strips.at(k));
+            if (!is_sampled(k)) store(k, make({k, 1}, listener));
+        } else if (k == 0 && first_.size() > 0) {
             unit.add(std::exchange(first_, {}));
         } else if (const auto file = stored_points(store_, units_.sample_key(k))) {
             unit.add(read_points(*file).at(0));
@@ -213,6 +225,10 @@ void SeriesWork::add_new_sets(AnalysisUnit& unit, std::uint32_t part, const Anal
     unit.leave_out(earlier);
     const RealizationRange range = units_.part(part);
     for (std::uint32_t k = range.first; k < range.first + range.count; ++k) {
+        if (!task_.strips.empty()) {
+            unit.add(*task_.strips.at(k));
+            continue;
+        }
         const auto file = stored_points(store_, units_.sample_key(k));
         unit.add(file ? read_points(*file).at(0) : make({k, range.first + range.count - k}, {}).points);
     }

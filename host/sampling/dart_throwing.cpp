@@ -5,6 +5,8 @@
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/torus.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/darts/dart_memory.hpp"
+#include "host/sampling/darts/darts_in_blocks.hpp"
 #include "kernels/common/darts/dart_throwing.h"
 #include "kernels/common/regions/region_grid.h"
 
@@ -14,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <tuple>
 
 namespace poissonlab {
@@ -28,59 +31,6 @@ struct Point
 
     bool operator<(const Point& other) const { return std::tie(time, position) < std::tie(other.time, other.position); }
 };
-
-std::size_t six_deviations_above(double mean) { return static_cast<std::size_t>(mean + 6 * std::sqrt(mean)) + 1; }
-
-/// No batch has more darts than the first, a Poisson number.
-std::size_t most_darts(std::size_t cells, int dimension)
-{
-    return six_deviations_above(static_cast<double>(cells) * darts_per_cell(0, dimension));
-}
-
-/// The first subdivision leaves 0.83 open cells for each cell of level 0 in 2D, up to 1.604 in 3D, whatever the size of
-/// the set; later batches fewer. The lists begin with one.
-std::size_t most_open_cells(std::size_t cells, int dimension)
-{
-    return dimension == 2 ? cells : six_deviations_above(1.605 * static_cast<double>(cells));
-}
-
-/// No packing has more points in the grid: disks of those in a cube of cells lie in a cube that is larger by the
-/// distance, and in such a cube they are no denser than anywhere. (Twice as much larger, as it is less than the whole.)
-std::size_t most_points_in(const DartTorus& torus, double min_distance)
-{
-    const double all = static_cast<double>(packing_bound(min_distance, torus.dimension));
-    const double side = (torus.grid_size + 2.0 * torus.hierarchy.reach) / torus.hierarchy.size;
-    return static_cast<std::size_t>(all * std::min(1.0, std::pow(side, torus.dimension))) + 1;
-}
-
-/// The buffers that a set takes, nearly: lists grow where chance wants it. Later batches have more thresholds than the
-/// first.
-NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, DartSettling settling,
-                           unsigned compute_units)
-{
-    using namespace contract::dart_throwing;
-    const int d = request.dimension;
-    const DartTorus torus(request.min_distance, d, request.block);
-    const std::size_t cells = lattice_cells(torus.grid_size, d);
-    const std::size_t axes = static_cast<std::size_t>(d);
-    const std::size_t most = most_darts(cells, d);
-    NeededBuffers buffers{{b.thresholds, poisson_thresholds(darts_per_cell(1, d)).size()},
-                          {b.masks, cells * MASK_WORDS(d, torus.hierarchy.reach)},
-                          {b.positions, cells * axes},
-                          {b.points, most_points_in(torus, request.min_distance) * POINT_WORDS(d)},
-                          {b.counters, COUNTERS},
-                          {b.parents, most_open_cells(cells, d) * axes},
-                          {b.open, most_open_cells(cells, d) * axes},
-                          {b.darts, std::max(cells, most) * DART_WORDS(d)}};
-    if (request.region) {
-        buffers.push_back({b.region_cells, request.region->cells().size()});
-        buffers.push_back({b.region_edges, request.region->edges().size() * 4});
-        buffers.push_back({b.region_filled, request.region->filled().size()});
-    }
-    for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
-        buffers.push_back(buffer);
-    return buffers;
-}
 
 contract::regions::RegionGrid region_grid(const FixedRegion& region)
 {
@@ -97,6 +47,20 @@ KernelProgram throwing_program(const DartTorus& torus, bool has_region)
                                                {"REACH", torus.hierarchy.reach},
                                                {"LARGE_DISKS", torus.has_large_disks},
                                                {"REGION", has_region}});
+}
+
+/// Cells of a block along each axis, halo included: what is known of them stays in a processor's caches.
+constexpr std::uint32_t fast_block_side = 1024;
+
+/// Cells along each axis of larger tori do not, and darts come from anywhere: block by block they are faster. (In 3D
+/// halos would take more than that saves.)
+constexpr std::uint32_t most_side_at_once = 2048;
+
+bool is_thrown_in_blocks(const DartThrowingRequest& request, const DeviceInfo& device)
+{
+    return request.dimension == 2 && !request.region && !request.block &&
+           settling_for(device) == DartSettling::in_order &&
+           cell_hierarchy(request.min_distance, 2).size > most_side_at_once;
 }
 
 template <int D>
@@ -271,6 +235,16 @@ DartThrower::DartThrower(Device device, std::size_t work_group_size, std::option
 
 PointSet DartThrower::throw_darts(const DartThrowingRequest& request)
 {
+    if (is_thrown_in_blocks(request, device_.info())) {
+        const auto throw_block = [this](const DartThrowingRequest& block) { return ordered_darts<2>(block); };
+        const std::vector<OrderedDart<2>> darts = throw_in_blocks<2>(throw_block, request, fast_block_side);
+        PointSet set{2, {}};
+        const std::size_t size = std::min(darts.size(), request.points.value_or(SIZE_MAX));
+        set.coordinates.reserve(2 * size);
+        for (const OrderedDart<2>& dart : std::span(darts).first(size))
+            for (const std::uint32_t c : std::span(dart).subspan(2)) set.coordinates.push_back(c * 0x1p-32);
+        return set;
+    }
     return request.dimension == 2 ? Throwing<2>(device_, *buffers_, request, work_group_size_, settling_).run()
                                   : Throwing<3>(device_, *buffers_, request, work_group_size_, settling_).run();
 }
@@ -287,7 +261,9 @@ template std::vector<OrderedDart<3>> DartThrower::ordered_darts<3>(const DartThr
 DeviceMemory DartThrower::memory(const DartThrowingRequest& request, const DeviceInfo& device)
 {
     DartBuffers buffers;
-    return memory_of(dart_buffers(buffers, request, settling_for(device), device.compute_units));
+    DartThrowingRequest thrown = request;
+    if (is_thrown_in_blocks(request, device)) thrown.block = DartBlock{{}, fast_block_side};
+    return memory_of(dart_buffers(buffers, thrown, settling_for(device), device.compute_units));
 }
 
 }

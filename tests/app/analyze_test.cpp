@@ -103,5 +103,38 @@ TEST(Analyze, BrokenFilesNameTheLine)
     EXPECT_EQ(run_program(folder.path(), {"analyze", "."}).status, 2);
 }
 
+/// Numbers of a file that is read in pieces: those of the same file in memory.
+TEST(Analyze, InPiecesIsTheSame)
+{
+    const TemporaryFolder folder;
+    ASSERT_EQ(run_program(folder.path(), {"points", "dart-throwing", "--points", "4000", "--out", "set.h5"}).status, 0);
+    ASSERT_EQ(run_program(folder.path(), {"analyze", "set.h5", "--out", "memory"}).status, 0);
+    const Outcome outcome = run_program(folder.path(), {"analyze", "set.h5", "--out", "new/pieces", "--in-pieces"});
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+    const auto series = [&](const std::string& out) {
+        return nlohmann::json::parse(content_of(folder.path() / out / "results.json"))["series"][0];
+    };
+    const auto memory = series("memory"), pieces = series("new/pieces");
+    for (const char* exact : {"points", "min_distance", "relative_radius", "covered_fraction"})
+        EXPECT_EQ(pieces[exact], memory[exact]) << exact;
+    for (const auto& [name, value] : memory["measures"].items()) {
+        if (!value.is_object() || !value.contains("value") || !value["value"].is_number()) continue;
+        ASSERT_TRUE(pieces["measures"].contains(name)) << name;
+        EXPECT_NEAR(pieces["measures"][name]["value"].get<double>(), value["value"].get<double>(),
+                    1e-9 * (1 + std::abs(value["value"].get<double>())))
+            << name;
+    }
+    for (const char* table : {"set/pair-correlation.csv", "set/number-variance.csv"})
+        EXPECT_EQ(content_of(folder.path() / "new/pieces" / table), content_of(folder.path() / "memory" / table));
+    EXPECT_TRUE(pieces["point_files"].empty());
+    for (const auto& entry : fs::directory_iterator(folder.path() / "new"))
+        EXPECT_EQ(entry.path().filename(), "pieces"); // nothing is left of the strips
+    EXPECT_EQ(run_program(folder.path(), {"report", "new/pieces"}).status, 0);
+    const Outcome plate = run_program(
+        folder.path(), {"analyze", "set.h5", "--in-pieces", "--set", "analysis.zone_plate=true", "--out", "plate"});
+    EXPECT_EQ(plate.status, 2);
+    EXPECT_THAT(plate.error, testing::HasSubstr("analysis.zone_plate = true: sets that are read in pieces have none"));
+}
+
 }
 }

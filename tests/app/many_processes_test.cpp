@@ -174,6 +174,27 @@ TEST_F(ManyProcesses, RanksWriteOneFileOfPoints)
     expect_one_error(run_ranks(folder_->path(), 3, "tiles points none.ptiles --torus 2 --out a.npy"), "none.ptiles: ");
 }
 
+/// Dozens of blocks, of which each process makes some; the parts that it keeps are gone afterwards.
+TEST_F(ManyProcesses, RanksThrowTheDartsOfOneSet)
+{
+    const std::string arguments = "points dart-throwing --points 30000 --memory 0.003 --quiet --out darts/";
+    fs::create_directories(folder_->path() / "darts");
+    for (const int ranks : {1, 2, 3}) {
+        const std::string file = std::to_string(ranks) + ".npy";
+        const Outcome outcome = run_ranks(folder_->path(), ranks, arguments + file);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_TRUE(content_of(folder_->path() / "darts" / file) == content_of(folder_->path() / "darts/1.npy"));
+    }
+    expect_one_error(run_ranks(folder_->path(), 2, arguments + "4.npy --relative-radius 0.9"),
+                     "points dart-throwing: --relative-radius 0.9: ");
+    const std::string command = quoted(program_file()) + " " + arguments + "5.npy";
+    const Outcome died = run_in_shell(folder_->path(), mpirun + "-n 1 " + command + " : -n 1 sh -c " +
+                                                           quoted("ulimit -f 1; exec " + command));
+    EXPECT_NE(died.status, 0);
+    for (const auto& entry : fs::directory_iterator(folder_->path() / "darts"))
+        EXPECT_THAT(entry.path().filename().string(), testing::MatchesRegex("[123].npy"));
+}
+
 /// mpirun ends the others; whoever starts it again gets the file.
 TEST_F(ManyProcesses, ARankThatDiesLeavesNoFileOfPoints)
 {

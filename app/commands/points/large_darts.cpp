@@ -6,7 +6,7 @@
 #include "base/geometry/lattice.hpp"
 #include "base/geometry/relative_radius.hpp"
 #include "base/programs/interrupt.hpp"
-#include "host/sampling/darts/dart_blocks.hpp"
+#include "host/sampling/darts/darts_in_blocks.hpp"
 
 #include <fmt/format.h>
 #include <tbb/parallel_sort.h>
@@ -25,9 +25,6 @@ constexpr std::uint32_t fast_block_side(int dimension) { return dimension == 2 ?
 
 /// Bytes that the plain twin takes for a cell, nearly.
 constexpr std::uint64_t reference_cell_bytes = 64;
-
-template <int D>
-using ThrowBlock = std::function<std::vector<OrderedDart<D>>(const DartThrowingRequest&)>;
 
 template <int D>
 ThrowBlock<D> block_thrower(const DistributionPlace& place)
@@ -55,7 +52,7 @@ public:
         if (!crew_.together([&] { throw_block_ = block_thrower<D>(place_); })) return false;
         std::uint32_t batches = UINT32_MAX;
         if (!crew_.together([&] {
-                if (crew_.leads()) batches = batches_for_points();
+                if (crew_.leads()) batches = enough_batches<D>(throw_block_, set_.darts, blocks_);
             }))
             return false;
         batches = static_cast<std::uint32_t>(std::stoul(crew_.from_leader(std::to_string(batches))));
@@ -113,22 +110,6 @@ private:
         request.points.reset();
         request.block = blocks_.with_halo(block);
         return request;
-    }
-
-    /// As many batches as have enough points, by what the first block has of them: nearly always enough. All batches
-    /// where those for saturation would hardly be more.
-    std::uint32_t batches_for_points() const
-    {
-        if (!set_.darts.points || blocks_.count() == 1) return UINT32_MAX;
-        const double wanted = static_cast<double>(*set_.darts.points);
-        const double saturated =
-            std::pow(saturation_relative_radius(D) / relative_radius(set_.darts.min_distance, 1, D), D);
-        if (saturated < 1.2 * wanted) return UINT32_MAX;
-        std::vector<OrderedDart<D>> darts = throw_block_(request_of(0));
-        blocks_.keep_own<D>(0, darts);
-        const double here = 1.01 * wanted / blocks_.count(); // blocks differ by a layer
-        const auto enough = static_cast<std::size_t>(here + 6 * std::sqrt(here));
-        return enough < darts.size() ? darts[enough][0] + 1 : UINT32_MAX;
     }
 
     bool throw_blocks(std::uint32_t batches)

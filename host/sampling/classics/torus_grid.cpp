@@ -21,6 +21,7 @@ TorusGrid::TorusGrid(std::size_t points, int dimension) : dimension_(dimension)
     const std::size_t most = std::max<std::size_t>(points, 1);
     while (std::size_t{1} << (static_cast<std::size_t>((bits_ + 1) * dimension)) <= most) ++bits_;
     heads_.assign(std::size_t{1} << (bits_ * dimension), none);
+    lasts_.assign(heads_.size(), {{}, empty});
 }
 
 std::size_t TorusGrid::cell_number(const std::array<std::int64_t, 3>& cell) const
@@ -41,15 +42,18 @@ std::array<std::int64_t, 3> TorusGrid::cell_of(const TorusPosition& position) co
 
 void TorusGrid::add(const TorusPosition& position)
 {
-    std::uint32_t& head = heads_[cell_number(cell_of(position))];
-    points_.push_back({position, head});
-    head = static_cast<std::uint32_t>(points_.size() - 1);
+    const std::size_t cell = cell_number(cell_of(position));
+    points_.push_back({position, heads_[cell]});
+    lasts_[cell] = points_.back();
+    heads_[cell] = static_cast<std::uint32_t>(points_.size() - 1);
 }
 
 void TorusGrid::ask_for_cells(const TorusPosition& position) const
 {
     const auto home = cell_of(position);
-    for (std::int64_t y = -1; y <= 1; ++y) __builtin_prefetch(&heads_[cell_number({home[0], home[1] + y, home[2]})]);
+    for (std::int64_t y = -1; y <= 1; ++y)
+        for (std::int64_t x = -1; x <= 1; x += 2)
+            __builtin_prefetch(&lasts_[cell_number({home[0] + x, home[1] + y, home[2]})]);
 }
 
 void TorusGrid::ask_for_points(const TorusPosition& position) const
@@ -57,15 +61,18 @@ void TorusGrid::ask_for_points(const TorusPosition& position) const
     const auto home = cell_of(position);
     for (std::int64_t y = -1; y <= 1; ++y)
         for (std::int64_t x = -1; x <= 1; ++x) {
-            const std::uint32_t head = heads_[cell_number({home[0] + x, home[1] + y, home[2]})];
-            if (head != none) __builtin_prefetch(&points_[head]);
+            const std::uint32_t next = lasts_[cell_number({home[0] + x, home[1] + y, home[2]})].next;
+            if (next < empty) __builtin_prefetch(&points_[next]);
         }
 }
 
 void TorusGrid::visit(const std::array<std::int64_t, 3>& cell, const TorusPosition& position,
                       std::uint64_t& nearest) const
 {
-    for (std::uint32_t i = heads_[cell_number(cell)]; i != none; i = points_[i].next)
+    const Link& last = lasts_[cell_number(cell)];
+    if (last.next == empty) return;
+    nearest = std::min(nearest, squared_torus_distance(last.position, position));
+    for (std::uint32_t i = last.next; i != none; i = points_[i].next)
         nearest = std::min(nearest, squared_torus_distance(points_[i].position, position));
 }
 

@@ -56,11 +56,12 @@ private:
         std::uint32_t next;
     };
 
-    static constexpr std::uint32_t none = UINT32_MAX;
+    static constexpr std::uint32_t none = UINT32_MAX, empty = UINT32_MAX - 1;
     int dimension_;
     int bits_ = 0; ///< cells along an axis: 2^bits
     std::vector<Link> points_;
-    std::vector<std::uint32_t> heads_;
+    std::vector<std::uint32_t> heads_; ///< the last point of each cell
+    std::vector<Link> lasts_; ///< the same points themselves: cells in a row, with what is in them, are one look
 };
 
 }

@@ -1,0 +1,158 @@
+// How a SeriesAnalysis takes a set, which is in memory or on the disk.
+#include "experiment/measuring/series_analysis.hpp"
+
+#include "analysis/measures/distance_statistics.hpp"
+#include "analysis/measures/lattice_peaks.hpp"
+#include "analysis/tilings/distance_within_tiles.hpp"
+#include "analysis/tilings/lattice_share.hpp"
+#include "base/geometry/relative_radius.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+/// The mean ratio of a set's own periodogram; none, which is not a number, where a set of one tile that is repeated has
+/// nothing between its peaks: such a ratio would be all of a spread.
+double own_lattice_peak(const LatticePeaks& peaks)
+{
+    return peaks.empty_rings == 0 ? peaks.mean_ratio : std::numeric_limits<double>::quiet_NaN();
+}
+
+int dimension_of(const PointSet& points) { return points.dimension; }
+int dimension_of(const PointStrips& points) { return points.dimension(); }
+
+/// Calls `what` with all points, in parts.
+void for_each_part(const PointSet& points, const auto& what) { what(points); }
+void for_each_part(const PointStrips& points, const auto& what)
+{
+    for (std::size_t strip = 0; strip < points.count(); ++strip) what(points.strip(strip));
+}
+
+}
+
+/// What is known of a set from its distances.
+SeriesAnalysis::SetMeasures SeriesAnalysis::measures_of(std::size_t points, int dimension, double least, double mean,
+                                                        SetMark mark) const
+{
+    SetMeasures set{points, static_cast<std::uint32_t>(begin_.realization + sets_.size() + repeated_.size()), {}};
+    set.min_distance = least;
+    set.relative_radius = relative_radius(least, points, dimension);
+    set.mean_nearest = mean / max_min_distance(points, dimension);
+    set.covered_fraction = covered_fraction(least, points, dimension);
+    set.mark = mark;
+    set.mark.min_distance = least;
+    set.mark.mean_nearest = set.mean_nearest;
+    return set;
+}
+
+SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointSet& points) const
+{
+    const double least = options_.window ? min_distance_in_window(points) : min_toroidal_distance(points);
+    const double mean = options_.window ? mean_nearest_distance_in_window(points) : mean_nearest_distance(points);
+    return measures_of(points.size(), points.dimension, least, mean, set_mark(points, least, mean));
+}
+
+SeriesAnalysis::SetMeasures SeriesAnalysis::measure_distances(const PointStrips& points) const
+{
+    const NearestDistances distances = nearest_distances(points, options_.window);
+    SetMarkSums sums;
+    for (std::size_t strip = 0; strip < points.count(); ++strip) sums.add(points.strip(strip));
+    return measures_of(points.size(), points.dimension(), distances.least, distances.mean,
+                       sums.mark(distances.least, distances.mean));
+}
+
+bool SeriesAnalysis::is_known(const SetMark& mark) const
+{
+    const auto is_same = [&](const SetMark& other) { return are_same_set(mark, other); };
+    return std::ranges::any_of(sets_, is_same, &SetMeasures::mark) || std::ranges::any_of(left_out_, is_same);
+}
+
+/// Measures of the order of points and of their tiles.
+void SeriesAnalysis::measure_order(const PointSet& points, SetMeasures& set) const
+{
+    if (options_.progressive) set.prefix_radius = prefix_radius(points);
+    if (options_.tiles > 1)
+        set.radius_within =
+            relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), points.dimension);
+}
+
+void SeriesAnalysis::measure_order(const PointStrips& points, SetMeasures& set) const
+{
+    if (options_.tiles > 1)
+        set.radius_within =
+            relative_radius(min_distance_within_tiles(points, options_.tiles), points.size(), points.dimension());
+}
+
+/// Keeps the set for measures of the first one.
+void SeriesAnalysis::keep_first(const PointSet& points)
+{
+    if (begin_.realization == 0 && !options_.distances_only && !options_.window &&
+        points.size() <= most_points_triangulated)
+        first_ = points;
+}
+
+template <class Points>
+bool SeriesAnalysis::add_set(const Points& points)
+{
+    const auto begin = std::chrono::steady_clock::now();
+    const auto count_seconds = [&] {
+        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const std::size_t n = points.size();
+    check(dimension_of(points), n, begin_.realization + sets_.size() + repeated_.size());
+    SetMeasures set = measure_distances(points);
+    if (is_known(set.mark)) {
+        repeated_.push_back(set.realization);
+        count_seconds();
+        return false;
+    }
+    if (sets_.empty()) {
+        dimension_ = dimension_of(points);
+        if (begin_.points == 0) begin_.points = n;
+        has_pairs_ = n > 1 && begin_.points > 1 && !options_.distances_only;
+        keep_first(points);
+        start();
+    }
+    if (estimate_) {
+        estimate_->add(points);
+        if (options_.tiles > 0) {
+            set.mean_lattice_peak = own_lattice_peak(lattice_peaks(estimate_->last_periodogram(), n, options_.tiles));
+            set.lattice_share = lattice_share(estimate_->last_periodogram(), options_.tiles);
+        }
+    }
+    measure_order(points, set);
+    sets_.push_back(set);
+    if (integration_) integration_->add(points);
+    if (seams_) for_each_part(points, [&](const PointSet& part) { seams_->add(part); });
+    if (folded_) for_each_part(points, [&](const PointSet& part) { folded_->add(part); });
+    if (variance_) variance_->add(points);
+    if (n < 2) leave_out_pairs();
+    if (pairs_) pairs_->add(points);
+    count_seconds();
+    return true;
+}
+
+bool SeriesAnalysis::add(const PointSet& points) { return add_set(points); }
+bool SeriesAnalysis::add(const PointStrips& points) { return add_set(points); }
+
+/// The smallest relative radius of the first half, the first quarter and the first eighth of a set, as sets of so many
+/// points; parts of one point have none.
+double SeriesAnalysis::prefix_radius(const PointSet& points) const
+{
+    double smallest = 1;
+    for (std::size_t n = points.size() / 2; n > 1 && 8 * n + 8 > points.size(); n /= 2) {
+        PointSet part{points.dimension, {}};
+        const auto begin = points.coordinates.begin();
+        part.coordinates.assign(begin,
+                                begin + static_cast<std::ptrdiff_t>(n * static_cast<std::size_t>(part.dimension)));
+        const double distance = options_.window ? min_distance_in_window(part) : min_toroidal_distance(part);
+        smallest = std::min(smallest, relative_radius(distance, n, part.dimension));
+    }
+    return smallest;
+}
+
+}
