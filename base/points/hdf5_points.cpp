@@ -81,7 +81,7 @@ std::string one_line(std::string text)
 void create_points_table(hid_t file, const std::filesystem::path& target, const PointFileHead& head)
 {
     const Hdf5Object points = create_table(file, tables_of(target).front(), head, head.points > 0);
-    write_attribute(points, "domain", H5T_NATIVE_DOUBLE, std::array{0.0, head.side});
+    if (head.side > 0) write_attribute(points, "domain", H5T_NATIVE_DOUBLE, std::array{0.0, head.side});
     write_attribute(points, "unit", head.unit);
     write_attribute(points, "comment", one_line(head.comment));
 }

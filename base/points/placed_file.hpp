@@ -2,7 +2,8 @@
 // written in any order, by any thread, and by several processes into one file. Memory does not depend on the file.
 //
 // .npy     float64, N x dimension.
-// .h5      HDF5: /points (N x dimension, float64, in chunks) with the attributes `domain` and `comment`.
+// .h5      HDF5: /points (N x dimension, float64, in chunks) with the attributes `domain`, where there is one, and
+//          `comment`.
 // .hdf5, .h5part  particles in 3D, see particle_file.hpp.
 #pragma once
 
@@ -23,7 +24,7 @@ struct PointFileHead
 {
     int dimension = 2;
     std::uint64_t points = 0;
-    double side = 1;                         ///< coordinates are in [0, side)
+    double side = 1;                         ///< coordinates are in [0, side); 0: anywhere
     std::string unit = "sides of the torus"; ///< of lengths
     std::string comment{};
 };

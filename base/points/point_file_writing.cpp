@@ -90,8 +90,17 @@ std::string npy_header(std::uint64_t points, int dimension)
 
 void write_points(const std::filesystem::path& path, const PointSet& points, const std::string& comment)
 {
-    write_points_in_pieces(path, points.dimension, points.size(), comment,
-                           [&](const PointSink& sink) { sink(points.coordinates); });
+    const auto write = [&](const PointSink& sink) { sink(points.coordinates); };
+    const bool is_of_torus = std::ranges::all_of(points.coordinates, [](double c) { return c >= 0 && c < 1; });
+    if (!is_of_torus && has_known_places(path))
+        return write_placed_points(path,
+                                   {.dimension = points.dimension,
+                                    .points = points.size(),
+                                    .side = 0,
+                                    .unit = "units of the coordinates",
+                                    .comment = comment},
+                                   write);
+    write_points_in_pieces(path, points.dimension, points.size(), comment, write);
 }
 
 void write_points_in_pieces(const std::filesystem::path& path, int dimension, std::size_t points,

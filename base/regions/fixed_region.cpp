@@ -1,10 +1,15 @@
 #include "base/regions/fixed_region.hpp"
 
+#include "base/regions/fixed_edges.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 
 namespace poissonlab {
+
+using namespace fixed_edges;
+
 namespace {
 
 /// Cells of the grid for each edge, nearly, and the limits of its bits: small grids are of no use where regions have
@@ -12,83 +17,6 @@ namespace {
 constexpr std::size_t cells_an_edge = 16;
 constexpr int least_grid_bits = 5;
 constexpr int most_grid_bits = 11;
-
-constexpr std::uint32_t most_coordinate = (1u << FixedRegion::coordinate_bits) - 1;
-
-FixedEdgeKind kind_of(const FixedEdge& e)
-{
-    return FixedEdgeKind{e[0] >> FixedRegion::coordinate_bits | e[2] >> FixedRegion::coordinate_bits << 1};
-}
-
-FixedEdge ends_of(const FixedEdge& e) { return {e[0] & most_coordinate, e[1], e[2] & most_coordinate, e[3]}; }
-
-bool is_of_boundary(const FixedEdge& e) { return kind_of(e) == FixedEdgeKind::boundary; }
-
-std::int64_t whole(std::uint32_t value) { return static_cast<std::int64_t>(value); }
-
-/// Positive on one side of the edge's line, negative on the other, and 0 on it.
-std::int64_t line_side(const FixedEdge& e, std::int64_t x, std::int64_t y)
-{
-    return (whole(e[2]) - whole(e[0])) * (y - whole(e[1])) - (whole(e[3]) - whole(e[1])) * (x - whole(e[0]));
-}
-
-/// Does an edge that goes through the height y + e cross it left of x + e^2? `side` is line_side(x, y).
-bool is_left(const FixedEdge& edge, std::int64_t side) { return side < 0 || (side == 0 && edge[2] <= edge[0]); }
-
-/// Does an edge that goes through x + e^2 cross that below y + e?
-bool is_below(const FixedEdge& edge, std::int64_t side) { return edge[2] > edge[0] ? side >= 0 : side <= 0; }
-
-bool spans_height(const FixedEdge& e, std::uint32_t y) { return e[1] <= y && y < e[3]; }
-bool spans_width(const FixedEdge& e, std::uint32_t x) { return (e[0] <= x) != (e[2] <= x); }
-
-/// Of a position on the edge's line.
-bool is_between(const FixedEdge& e, const TorusPoint<2>& p)
-{
-    return std::min(e[0], e[2]) <= p[0] && p[0] <= std::max(e[0], e[2]) && e[1] <= p[1] && p[1] <= e[3];
-}
-
-/// Does the edge have a point in the box, its border included?
-bool touches(const FixedEdge& e, const FixedBox& box)
-{
-    if (std::max(e[0], e[2]) < box.low[0] || std::min(e[0], e[2]) > box.high[0] || e[3] < box.low[1] ||
-        e[1] > box.high[1])
-        return false;
-    const bool goes_right = e[2] >= e[0];
-    const std::int64_t most = line_side(e, whole(box.low[0]), whole(goes_right ? box.high[1] : box.low[1]));
-    const std::int64_t least = line_side(e, whole(box.high[0]), whole(goes_right ? box.low[1] : box.high[1]));
-    return least <= 0 && most >= 0;
-}
-
-/// The box and what is so near to it along the axes, as far as coordinates go.
-FixedBox enlarged(const FixedBox& box, std::uint32_t margin)
-{
-    FixedBox large;
-    for (std::size_t k = 0; k < 2; ++k) {
-        large.low[k] = box.low[k] - std::min(box.low[k], margin);
-        large.high[k] = box.high[k] + std::min(most_coordinate - box.high[k], margin);
-    }
-    return large;
-}
-
-/// Is the squared distance from the edge less than that?
-bool is_near(const FixedEdge& e, const TorusPoint<2>& p, std::uint64_t squared)
-{
-    const std::int64_t dx = whole(e[2]) - whole(e[0]), dy = whole(e[3]) - whole(e[1]);
-    const std::int64_t x = whole(p[0]) - whole(e[0]), y = whole(p[1]) - whole(e[1]);
-    const std::int64_t along = dx * x + dy * y, squared_length = dx * dx + dy * dy;
-    if (along <= 0) return static_cast<std::uint64_t>(x * x + y * y) < squared;
-    if (along >= squared_length) return static_cast<std::uint64_t>((x - dx) * (x - dx) + (y - dy) * (y - dy)) < squared;
-    __extension__ using Wide = unsigned __int128;
-    const auto across = static_cast<Wide>(std::abs(dx * y - dy * x));
-    return across * across < static_cast<Wide>(squared) * static_cast<Wide>(squared_length);
-}
-
-/// Are all positions of a box so near to the edge? What is near is convex.
-bool is_all_near(const FixedEdge& e, const FixedBox& box, std::uint64_t squared)
-{
-    return is_near(e, box.low, squared) && is_near(e, {box.high[0], box.low[1]}, squared) &&
-           is_near(e, {box.low[0], box.high[1]}, squared) && is_near(e, box.high, squared);
-}
 
 }
 
@@ -105,11 +33,13 @@ FixedRegion::FixedRegion(const PlaneRegion& region, double margin, const KeptAwa
         squared_margins_[i] = squared_threshold(margins[i]);
     }
     for (const RegionPolygon& polygon : region.polygons) {
-        add_ring(polygon.outline);
-        for (const RegionRing& hole : polygon.holes) add_ring(hole);
+        add_ring(polygon.outline, false);
+        for (const RegionRing& hole : polygon.holes) add_ring(hole, true);
     }
     for (const auto& [x0, y0, x1, y1] : kept_away.lines) add_edge({x0, y0}, {x1, y1}, FixedEdgeKind::line);
     for (const auto& point : kept_away.points) add_edge(point, point, FixedEdgeKind::point);
+    const RegionBox around = box_of(region);
+    extent_ = {rounded(around.low), rounded(around.high)};
     const auto wanted = static_cast<int>(std::bit_width(cells_an_edge * edges_.size() - 1));
     bits_ = std::clamp((wanted + 1) / 2, least_grid_bits, most_grid_bits);
     // Cells no narrower than the margins, so that they are near few others.
@@ -129,19 +59,35 @@ TorusPoint<2> FixedRegion::rounded(const std::array<double, 2>& corner) const
     return position;
 }
 
-void FixedRegion::add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind)
+void FixedRegion::add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind,
+                           bool lies_right)
 {
     TorusPoint<2> a = rounded(from), b = rounded(to);
     if (a == b && kind == FixedEdgeKind::boundary) return;
-    if (std::pair(b[1], b[0]) < std::pair(a[1], a[0])) std::swap(a, b);
+    if (std::pair(b[1], b[0]) < std::pair(a[1], a[0])) {
+        std::swap(a, b);
+        lies_right = !lies_right;
+    }
     const std::uint32_t line = kind == FixedEdgeKind::line, point = kind == FixedEdgeKind::point;
     edges_.push_back({a[0] | line << coordinate_bits, a[1], b[0] | point << coordinate_bits, b[1]});
+    lies_right_.push_back(lies_right);
 }
 
-void FixedRegion::add_ring(const RegionRing& ring)
+std::vector<FixedEdge> FixedRegion::directed_boundary() const
 {
+    std::vector<FixedEdge> directed;
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        const FixedEdge& e = edges_[i];
+        if (is_of_boundary(e)) directed.push_back(lies_right_[i] ? FixedEdge{e[2], e[3], e[0], e[1]} : e);
+    }
+    return directed;
+}
+
+void FixedRegion::add_ring(const RegionRing& ring, bool is_hole)
+{
+    const bool lies_right = (signed_area_of(ring) < 0) != is_hole;
     for (std::size_t i = 0; i < ring.size(); ++i)
-        add_edge(ring[i], ring[(i + 1) % ring.size()], FixedEdgeKind::boundary);
+        add_edge(ring[i], ring[(i + 1) % ring.size()], FixedEdgeKind::boundary, lies_right);
 }
 
 std::uint32_t FixedRegion::margin_of(const FixedEdge& edge) const
@@ -239,23 +185,46 @@ void FixedRegion::count_filled()
         }
 }
 
-bool FixedRegion::contains(const TorusPoint<2>& p, bool has_margins) const
+FixedRegion::Inside FixedRegion::look_at(const TorusPoint<2>& p, bool has_margins) const
 {
-    if ((p[0] | p[1]) >> coordinate_bits != 0) return false;
+    Inside inside;
+    if ((p[0] | p[1]) >> coordinate_bits != 0) return inside;
     const TorusPoint<2> corner{p[0] >> shift() << shift(), p[1] >> shift() << shift()};
     const std::size_t cell = cell_at(p[0] >> shift(), p[1] >> shift());
-    bool is_inside = cells_[cell] % 2 == 1, is_on_edge = false;
+    inside.moved = cells_[cell] % 2 == 1;
     for (const FixedEdge& e : edges_of(cell)) {
-        if (has_margins && is_too_near(e, p)) return false;
+        if (has_margins && is_too_near(e, p)) {
+            inside.is_too_near = true;
+            return inside;
+        }
         if (!is_of_boundary(e)) continue;
         const std::int64_t side = line_side(e, whole(p[0]), whole(p[1]));
-        is_on_edge |= side == 0 && is_between(e, p);
+        inside.is_on_edge |= side == 0 && is_between(e, p);
         const std::int64_t above_corner = line_side(e, whole(corner[0]), whole(p[1]));
-        if (spans_height(e, p[1])) is_inside ^= is_left(e, side) != is_left(e, above_corner);
+        if (spans_height(e, p[1])) inside.moved ^= is_left(e, side) != is_left(e, above_corner);
         if (spans_width(e, corner[0]))
-            is_inside ^= is_below(e, above_corner) != is_below(e, line_side(e, whole(corner[0]), whole(corner[1])));
+            inside.moved ^= is_below(e, above_corner) != is_below(e, line_side(e, whole(corner[0]), whole(corner[1])));
     }
-    return is_inside || is_on_edge;
+    return inside;
+}
+
+bool FixedRegion::contains(const TorusPoint<2>& position, bool has_margins) const
+{
+    const Inside inside = look_at(position, has_margins);
+    return !inside.is_too_near && (inside.moved || inside.is_on_edge);
+}
+
+bool FixedRegion::contains_moved(const TorusPoint<2>& position) const { return look_at(position, false).moved; }
+
+bool FixedRegion::contains_place(const std::array<double, 2>& place) const
+{
+    TorusPoint<2> position;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double nearest = std::round((place[k] - box_.low[k]) / unit_);
+        if (!(nearest >= 0 && nearest < 0x1p31)) return false;
+        position[k] = static_cast<std::uint32_t>(nearest);
+    }
+    return contains(position);
 }
 
 bool FixedRegion::contains_plainly(const TorusPoint<2>& p) const

@@ -76,10 +76,19 @@ public:
 
     bool contains(const TorusPoint<2>& position) const { return contains(position, true); }
 
+    /// The same of the position that is nearest to a place in the region's own units.
+    bool contains_place(const std::array<double, 2>& place) const;
+
     /// The same without the grid, by all edges: to test it.
     bool contains_plainly(const TorusPoint<2>& position) const;
 
+    /// Is the position inside when it is moved by (e^2, e), margins aside? It is on no edge, then.
+    bool contains_moved(const TorusPoint<2>& position) const;
+
     RegionSide side_of(const FixedBox& box) const;
+
+    /// The least box that has the region inside, in the grid.
+    const FixedBox& extent() const { return extent_; }
 
     /// A position in the region's own units: its lowest corner and `unit` times the position, rounded once each.
     std::array<double, 2> own(const TorusPoint<2>& position) const;
@@ -99,13 +108,27 @@ public:
     std::span<const std::uint32_t> cells() const { return cells_; }
     std::span<const FixedEdge> edges() const { return listed_; }
 
+    /// Each edge of the boundary once, from x, y to x, y, with the region on its left.
+    std::vector<FixedEdge> directed_boundary() const;
+
     /// The number of cells below and left of each corner of the grid that are not outside altogether.
     std::span<const std::uint32_t> filled() const { return filled_; }
 
 private:
     TorusPoint<2> rounded(const std::array<double, 2>& corner) const;
-    void add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind);
-    void add_ring(const RegionRing& ring);
+    void add_edge(const std::array<double, 2>& from, const std::array<double, 2>& to, FixedEdgeKind kind,
+                  bool lies_right = false);
+    void add_ring(const RegionRing& ring, bool is_hole);
+
+    /// What is known of a position, with margins or without.
+    struct Inside
+    {
+        bool moved = false; ///< as contains_moved()
+        bool is_on_edge = false;
+        bool is_too_near = false; ///< the rest is not known, then
+    };
+    Inside look_at(const TorusPoint<2>& position, bool has_margins) const;
+
     /// Is the position inside? With margins: and no nearer to an edge than its margin?
     bool contains(const TorusPoint<2>& position, bool has_margins) const;
     bool is_too_near(const FixedEdge& edge, const TorusPoint<2>& position) const;
@@ -129,7 +152,9 @@ private:
     int bits_ = 0;
     std::array<std::uint32_t, 3> margins_{};         ///< rounded up
     std::array<std::uint64_t, 3> squared_margins_{}; ///< of margins that are not rounded
-    std::vector<FixedEdge> edges_;                   ///< each once
+    FixedBox extent_{};
+    std::vector<FixedEdge> edges_; ///< each once
+    std::vector<bool> lies_right_; ///< for each of them, of the region, on the way up
     std::vector<FixedEdge> listed_;
     std::vector<std::uint32_t> cells_, filled_;
 };

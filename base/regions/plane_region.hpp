@@ -36,10 +36,18 @@ struct RegionBox
 
 RegionBox box_of(const PlaneRegion& region);
 
+/// The area that a ring encloses: positive where it goes round to the left.
+double signed_area_of(const RegionRing& ring);
+
 /// In squares of its units.
 double area_of(const PlaneRegion& region);
 
 std::size_t corner_count(const PlaneRegion& region);
+
+/// What a minimum distance is enlarged by, so that points in the box that are so far apart have coordinates whose
+/// computed distance is not below it: each coordinate is rounded twice, by half a unit in the last place of the largest
+/// one at most, and so are differences, squares and root.
+double distance_rounding(double distance, const RegionBox& box);
 
 /// Throws InputError, a line that begins with `name`, where there is no region: no polygon, fewer than three corners,
 /// coordinates that are no numbers, rings that cross or touch themselves, cross each other or share a piece of a line,

@@ -22,9 +22,9 @@ std::optional<double> number_in(const std::string& text)
 
 }
 
-WindowDensity::WindowDensity(const std::string& text, const std::string& from, const TileBlock& window, int dimension,
+WindowDensity::WindowDensity(const std::string& text, const std::string& from, const DensityArea& area, int dimension,
                              bool is_quiet)
-    : size_{static_cast<double>(window.size[0]), static_cast<double>(window.size[1])}
+    : area_(area)
 {
     if (from != "light" && !is_file_name(text))
         throw InputError(fmt::format("tiles points: --density-from {}: is for pictures, and --density {} is none",
@@ -39,7 +39,7 @@ WindowDensity::WindowDensity(const std::string& text, const std::string& from, c
     if (dimension != 2)
         throw InputError(fmt::format("{} {}: must be a number for tiles in space", option, shortened(text)));
     try {
-        density_ = density_of_text(text, from, size_[0], size_[1]);
+        density_ = density_of_text(text, from, area.size[0], area.size[1]);
         if (!density_->note.empty() && !is_quiet) fmt::print(stderr, "poissonlab: note: {}\n", density_->note);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", option, error.what()));

@@ -54,8 +54,9 @@ std::uint64_t write_window(const std::filesystem::path& path, PointFileHead head
     std::uint64_t all = 0;
     crew.together([&] {
         if (!crew.leads()) return;
-        for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) all += points.count(piece);
-        const std::string comment = fmt::format("domain 0:{}\n{}", head.side, head.comment);
+        all = points.count_all();
+        const std::string comment =
+            head.side > 0 ? fmt::format("domain 0:{}\n{}", head.side, head.comment) : head.comment;
         write_points_in_pieces(path, head.dimension, all, comment, [&](const PointSink& sink) {
             std::vector<double> coordinates;
             for (std::uint32_t piece = 0; piece < points.pieces(); ++piece) {

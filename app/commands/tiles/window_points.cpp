@@ -22,7 +22,7 @@ constexpr std::uint64_t points_per_piece = std::uint64_t{1} << 21;
 /// With chains, points lie outside of their tiles' squares: those of a window are looked for one tile farther.
 TileBlock searched_block(const WindowOfTiling& window, const PoissonTileParameters& p)
 {
-    if (p.border == TileBorder::strip || window.period > 0) return window.block;
+    if (p.border == TileBorder::strip || window.period > 0 || window.region) return window.block;
     TileBlock block = window.block;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         constexpr std::uint32_t most = 65'534;
@@ -90,8 +90,15 @@ std::uint64_t WindowPoints::least_points() const
 {
     const TileBlock& b = window_.block;
     if (has_known_counts()) return b.tiles() * tiles_.parameters.points_per_tile;
-    if (!density_.is_full() || b.size[0] < 3 || b.size[1] < 3) return 0;
+    if (!density_.is_full() || window_.region || b.size[0] < 3 || b.size[1] < 3) return 0;
     return std::uint64_t{b.size[0] - 2} * (b.size[1] - 2) * tiles_.parameters.points_per_tile; // of tiles well inside
+}
+
+std::uint64_t WindowPoints::count_all()
+{
+    std::uint64_t all = 0;
+    for (std::uint32_t piece = 0; piece < pieces_; ++piece) all += count(piece);
+    return all;
 }
 
 std::uint64_t WindowPoints::count(std::uint32_t piece)
@@ -137,9 +144,10 @@ void WindowPoints::append(std::span<const std::uint32_t> units, std::vector<doub
         for (std::size_t i = 0; i < units.size(); ++i) out[i] = static_cast<double>(units[i]) / units_per_tile;
 }
 
-/// Appends a point and says so, unless it is outside of the window.
+/// Appends a point and says so, unless it is outside of the window or the region.
 bool WindowPoints::append_if_inside(std::span<const std::uint32_t> units, std::vector<double>& coordinates) const
 {
+    if (window_.region) return window_.region->append_if_inside(units, coordinates);
     if (!has_overhang_ || window_.period > 0) {
         append(units, coordinates);
         return true;

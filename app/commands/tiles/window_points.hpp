@@ -1,11 +1,13 @@
-// The points of a window of a tiling, or of a whole torus, in pieces that any process can make.
+// The points of a window of a tiling, of a whole torus, or of a region, in pieces that any process can make.
 #pragma once
 
 #include "app/commands/tiles/window_density.hpp"
 #include "host/tile_points/tile_points.hpp"
+#include "host/tile_points/tiled_region.hpp"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace poissonlab {
@@ -16,6 +18,7 @@ struct WindowOfTiling
     TileBlock block;
     std::uint32_t period = 0; ///< of the torus that the block is; 0: the plane
     std::uint32_t seed = 1;
+    std::shared_ptr<const TiledRegion> region{}; ///< only points in it, in its units: the block is its block
 };
 
 /// Hands on the integer positions of the points of the tiles `first` ... `end` - 1 of a block, in pieces of whole
@@ -30,8 +33,8 @@ UnitStream device_stream(const Device& device, const PoissonTileSet& tiles);
 /// One tile after the other, by the plain twin. The tiles must outlive what is returned.
 UnitStream reference_stream(const PoissonTileSet& tiles);
 
-/// Makes the coordinates, in tiles from the window's lowest corner. Pieces do not depend on the device: together, one
-/// after another, they have the points in their order.
+/// Makes the coordinates, in tiles from the window's lowest corner, or in a region's units. Pieces do not depend on the
+/// device: together, one after another, they have the points in their order.
 class WindowPoints
 {
 public:
@@ -42,10 +45,16 @@ public:
     std::uint32_t pieces() const { return pieces_; }
 
     /// True if the number of points follows from that of the tiles.
-    bool has_known_counts() const { return (!has_overhang_ || window_.period > 0) && density_.is_full(); }
+    bool has_known_counts() const
+    {
+        return (!has_overhang_ || window_.period > 0) && density_.is_full() && !window_.region;
+    }
 
     /// At least so many points are in the window.
     std::uint64_t least_points() const;
+
+    /// The number of all points, each of which is made where it is not known.
+    std::uint64_t count_all();
 
     /// The number of a piece's points, which are made where it is not known.
     std::uint64_t count(std::uint32_t piece);

@@ -1,0 +1,180 @@
+#include "app/commands/tiles/tile_points_work.hpp"
+
+#include "app/commands/point_target.hpp"
+#include "base/errors/errors.hpp"
+#include "base/points/hdf5_points.hpp"
+#include "base/regions/region_text.hpp"
+#include "tiles/poisson/tile_set_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace poissonlab {
+namespace {
+
+TileBlock checked_window(const std::vector<std::int64_t>& numbers, int dimension)
+{
+    const std::string option = fmt::format("tiles points: --window {}", fmt::join(numbers, " "));
+    const auto axes = static_cast<std::size_t>(dimension);
+    if (numbers.size() != 2 * axes)
+        throw InputError(fmt::format("{}: must be {}", option, dimension == 3 ? "X Y Z W H D" : "X Y W H"));
+    TileBlock block;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        const std::int64_t size = numbers[axes + axis];
+        if (numbers[axis] < INT32_MIN || numbers[axis] > INT32_MAX || size < 1 || size > UINT32_MAX)
+            throw InputError(option + ": places have 32 bits, and sizes are at least 1");
+        block.lowest[axis] = static_cast<std::int32_t>(numbers[axis]);
+        block.size[axis] = static_cast<std::uint32_t>(size);
+    }
+    check(block, dimension);
+    return block;
+}
+
+/// The whole torus.
+TileBlock torus_block(std::uint32_t tiles, int dimension)
+{
+    if (tiles < 1 || tiles > 65'535)
+        throw InputError(fmt::format("tiles points: --torus {}: must be 1 to 65,535 tiles", tiles));
+    TileBlock block;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimension); ++axis) block.size[axis] = tiles;
+    return block;
+}
+
+TileBlock checked_block(const TilesPointsOptions& options, int dimension)
+{
+    const int places = !options.window.empty() + (options.torus > 0) + !options.region.empty();
+    if (places != 1) throw InputError("tiles points: needs one of --window, --torus and --region");
+    return options.torus > 0 ? torus_block(options.torus, dimension) : checked_window(options.window, dimension);
+}
+
+/// The region of --region, checked with what belongs to it; nothing where there is none.
+std::shared_ptr<const FixedRegion> checked_region(const TilesPointsOptions& options, int dimension)
+{
+    if (options.region.empty()) {
+        for (const auto& [name, is_given] : {std::pair("--planar", options.is_planar),
+                                             {"--min-distance", options.min_distance != 0},
+                                             {"--points", options.points != 0}})
+            if (is_given) throw InputError(fmt::format("tiles points: {}: goes with --region", name));
+        return nullptr;
+    }
+    if (dimension != 2) throw InputError("tiles points: --region: tiles in space have no plane region");
+    if ((options.min_distance == 0) == (options.points == 0))
+        throw InputError("tiles points: --region: needs --min-distance or --points, and not both");
+    if (options.min_distance != 0 && !(options.min_distance >= 1e-12 && options.min_distance <= 1e12))
+        throw InputError(
+            fmt::format("tiles points: --min-distance {}: must be from 1e-12 to 1e12", options.min_distance));
+    try {
+        return std::make_shared<const FixedRegion>(read_region(options.region, options.is_planar));
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+    }
+}
+
+/// Particles are in cubes.
+void check_particles(const TilesPointsOptions& options, const TileBlock& block, const PointFileHead& head)
+{
+    check_head(options.out, head);
+    if (is_particle_file(options.out) && (block.size[0] != block.size[1] || block.size[0] != block.size[2]))
+        throw InputError(
+            fmt::format("tiles points: --out {}: particles are in a cube: --window must have as many tiles "
+                        "along each axis",
+                        printable(options.out.string())));
+}
+
+/// What the file says of its points.
+std::string comment_of(const TilesPointsOptions& options, const TiledRegion* region)
+{
+    const std::string density = options.density == "1" ? "" : fmt::format(" --density {}", printable(options.density));
+    const std::string begin = fmt::format("poissonlab tiles points {} ", options.file.filename().string());
+    if (region)
+        return fmt::format("{}--region {} --seed {}{}: in units of the region, of which a tile is {:.17g} wide", begin,
+                           shortened(printable(options.region)), options.seed, density, region->tile_width());
+    const std::string place = options.torus > 0 ? fmt::format("--torus {}", options.torus)
+                                                : fmt::format("--window {}", fmt::join(options.window, " "));
+    return fmt::format("{}{} --seed {}{}: coordinates in tiles, from the lowest corner of the {}", begin, place,
+                       options.seed, density, options.torus > 0 ? "torus" : "window");
+}
+
+}
+
+TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(options)
+{
+    check_point_target("tiles points", options.out);
+    tiles_ = read_tile_set(options.file);
+    head.dimension = tiles_.parameters.dimension;
+    region_ = checked_region(options, head.dimension);
+    if (region_)
+        set_up_region();
+    else
+        set_up_block();
+}
+
+double TilePointsWork::min_distance() const
+{
+    if (options_.points == 0) return options_.min_distance;
+    return min_distance_in(tiled_->tile_width(), tiles_, region_->box());
+}
+
+void TilePointsWork::set_up_block()
+{
+    const TileBlock block = checked_block(options_, head.dimension);
+    head.side = std::ranges::max(block.size); // of the square (cube) that the points are in
+    head.comment = comment_of(options_, nullptr);
+    check_particles(options_, block, head);
+    set_density({{}, {static_cast<double>(block.size[0]), static_cast<double>(block.size[1])}});
+    open_stream(block);
+    points.emplace(stream_, tiles_, WindowOfTiling{block, options_.torus, options_.seed}, *density_);
+}
+
+void TilePointsWork::set_up_region()
+{
+    const RegionBox& box = region_->box();
+    set_density({box.low, {box.width(), box.height()}});
+    head.side = 0;
+    head.unit = "units of the region";
+    check_head(options_.out, head);
+    try {
+        const double width = tile_width_for(options_.points > 0 ? 1 : options_.min_distance, tiles_, box);
+        if (options_.points == 0) {
+            lay_tiles(width);
+        } else {
+            const double tiles = static_cast<double>(options_.points) / tiles_.parameters.points_per_tile;
+            lay_tiles(tile_width_for_points(options_.points, std::sqrt(region_->area() / tiles), [&](double tried) {
+                lay_tiles(tried);
+                return points->count_all();
+            }));
+        }
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("tiles points: --region: {}", error.what()));
+    }
+    head.comment = comment_of(options_, tiled_.get());
+}
+
+/// The region's points with tiles of this width.
+void TilePointsWork::lay_tiles(double width)
+{
+    tiled_ = std::make_shared<const TiledRegion>(region_, width);
+    if (!stream_) open_stream(tiled_->block());
+    points.emplace(stream_, tiles_, WindowOfTiling{tiled_->block(), 0, options_.seed, tiled_}, *density_);
+}
+
+void TilePointsWork::set_density(const DensityArea& area)
+{
+    density_.emplace(options_.density, options_.density_from, area, head.dimension, options_.work.is_quiet());
+}
+
+void TilePointsWork::open_stream(const TileBlock& block)
+{
+    const DistributionPlace place = options_.work.place("tiles points", true);
+    if (place.engine == Engine::opencl)
+        check_fits(options_.file.string(),
+                   TilePointGenerator::memory(tiles_.parameters, block.tiles(), place.device().info()),
+                   place.device().info());
+    stream_ = place.engine == Engine::opencl ? device_stream(place.device(), tiles_) : reference_stream(tiles_);
+}
+
+}

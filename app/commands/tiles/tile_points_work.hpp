@@ -1,0 +1,65 @@
+// All that the points of `tiles points` are made from: the tile set, the window, torus or region, and the density.
+#pragma once
+
+#include "app/commands/tiles/window_density.hpp"
+#include "app/commands/tiles/window_points.hpp"
+#include "app/commands/work_options.hpp"
+#include "base/points/placed_file.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace poissonlab {
+
+struct TilesPointsOptions
+{
+    std::filesystem::path file;       ///< the tile set
+    std::vector<std::int64_t> window; ///< X Y W H; 3D: X Y Z W H D
+    std::uint32_t torus = 0;          ///< tiles along each axis; 0: a window of the plane
+    std::string region;               ///< instead of both: see read_region()
+    bool is_planar = false;
+    double min_distance = 0;  ///< in the region's units; 0: as `points` wants it
+    std::uint64_t points = 0; ///< of the region; 0: as many as there are
+    std::uint32_t seed = 1;
+    std::string density = "1"; ///< a number, the name of a picture, or a formula
+    std::string density_from = "light";
+    std::filesystem::path out;
+    bool as_json = false;
+    WorkOptions work;
+};
+
+/// Reads the tile set and checks the options. With --points it looks for the width of tiles.
+class TilePointsWork
+{
+public:
+    /// The options must outlive this. Throws InputError, a line that begins with the command.
+    explicit TilePointsWork(const TilesPointsOptions& options);
+
+    const TiledRegion* region() const { return tiled_.get(); } ///< nullptr: there is none
+
+    /// That of points in the region, in its units.
+    double min_distance() const;
+
+    PointFileHead head{.unit = "tiles"}; ///< without the number of points
+    std::optional<WindowPoints> points;
+
+private:
+    void set_up_block();
+    void set_up_region();
+    void lay_tiles(double width);
+    void set_density(const DensityArea& area);
+    void open_stream(const TileBlock& block);
+
+    const TilesPointsOptions& options_;
+    PoissonTileSet tiles_;
+    std::optional<WindowDensity> density_;
+    std::shared_ptr<const FixedRegion> region_;
+    std::shared_ptr<const TiledRegion> tiled_;
+    UnitStream stream_;
+};
+
+}
