@@ -74,6 +74,7 @@ std::optional<CoordinateRange> parse_range(std::string_view text)
 
 double to_unit(double value, const CoordinateRange& range)
 {
+    if (std::isinf(range.high)) return value; // of no range
     // The quotient can round to 1.
     return std::min((value - range.low) / (range.high - range.low), 1 - 0x1p-53);
 }

@@ -68,7 +68,7 @@ inline bool is_coordinate(double value, const CoordinateRange& range)
     return value >= range.low && value < range.high;
 }
 
-/// The coordinate mapped from its range to [0, 1); unchanged if that is its range.
+/// The coordinate mapped from its range to [0, 1); unchanged if that is its range, or if the range has no end.
 double to_unit(double value, const CoordinateRange& range);
 
 /// Appends the number in `word` to `coordinates`. Throws InputError when it is no coordinate.

@@ -1,15 +1,19 @@
 #include "base/regions/region_text.hpp"
 
 #include "base/errors/errors.hpp"
+#include "base/files/file_kind.hpp"
 #include "base/files/text_lines.hpp"
 #include "base/files/whole_file.hpp"
+#include "base/points/point_file.hpp"
 #include "base/regions/obstacles.hpp"
+#include "base/regions/region_raster.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -89,6 +93,22 @@ PlaneRegion disk_of(const std::string& text)
     return region;
 }
 
+/// Four numbers and an expression.
+PlaneRegion formula_region_of(const std::string& text)
+{
+    std::array<double, 4> n{};
+    WordReader words(text);
+    bool is_right = words.next();
+    for (double& number : n)
+        is_right = is_right && words.next() && parse_number(words.word(), number) && std::isfinite(number);
+    is_right = is_right && words.next() && n[0] < n[2] && n[1] < n[3];
+    if (!is_right)
+        throw InputError(shortened(printable(text)) +
+                         ": must be formula X0 Y0 X1 Y1 EXPRESSION with X0 < X1, Y0 < Y1 and an expression in x and y");
+    const auto begin = static_cast<std::size_t>(words.word().data() - text.data());
+    return region_of_formula(text.substr(begin), {n[0], n[1]}, {n[2], n[3]});
+}
+
 /// Could the coordinates be longitudes and latitudes?
 bool fits_globe(const RegionBox& box)
 {
@@ -142,24 +162,51 @@ PlaneRegion read_wkt(std::string_view text, const std::string& name, bool is_pla
     return region;
 }
 
+PlaneRegion shape_of(const std::string& text)
+{
+    if (begins_with(text, "formula ")) return formula_region_of(text);
+    return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
+}
+
 /// A region's text, what messages call it, and what it holds.
 struct TypedRegion
 {
     std::string name, content;
+    std::optional<PlaneRegion> shape; ///< of what is neither GeoJSON nor WKT
 
     explicit TypedRegion(const std::string& text)
     {
         const bool is_file = !is_region_text(text);
         name = is_file ? printable(text) : shortened(printable(text), 40);
+        if (is_file && has_picture_name(text)) {
+            shape = region_of_picture(text);
+            return;
+        }
         content = without_blanks_around(is_file ? read_whole_file(text) : text);
-        if (!is_region_text(content))
-            throw InputError(name + ": is neither GeoJSON nor WKT, nor rectangle X0 Y0 X1 Y1, nor disk X Y RADIUS");
+        if (is_region_text(content) && !is_json() && !is_wkt(content)) shape = shape_of(content);
     }
+
+    bool is_json() const { return content.starts_with('{'); }
+    bool is_known() const { return shape || is_region_text(content); }
 };
 
-PlaneRegion shape_of(const std::string& text)
+constexpr auto no_region = "is neither GeoJSON nor WKT, nor a picture, nor rectangle X0 Y0 X1 Y1, disk X Y RADIUS or "
+                           "formula X0 Y0 X1 Y1 EXPRESSION";
+
+/// The points of a file in one of the formats of points.
+std::vector<std::array<double, 2>> points_of_file(const std::string& file)
 {
-    return begins_with(text, "disk ") ? disk_of(text) : rectangle_of(text);
+    constexpr double far = std::numeric_limits<double>::infinity();
+    std::vector<std::array<double, 2>> points;
+    try {
+        for (const PointSet& set : read_points(file, CoordinateRange{-far, far})) {
+            if (set.dimension != 2) throw InputError("the points are in space");
+            for (std::size_t i = 0; i < set.size(); ++i) points.push_back({set[i][0], set[i][1]});
+        }
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}, nor a file of points: {}", printable(file), no_region, error.what()));
+    }
+    return points;
 }
 
 /// As if lines and points were outlines.
@@ -189,18 +236,19 @@ void check_obstacles(const Obstacles& obstacles, const std::string& name)
 bool is_region_text(std::string_view text)
 {
     const std::string_view begin = without_blanks_around(text);
-    return begin.starts_with('{') || is_wkt(begin) || begins_with(begin, "rectangle ") || begins_with(begin, "disk ");
+    return begin.starts_with('{') || is_wkt(begin) || begins_with(begin, "rectangle ") || begins_with(begin, "disk ") ||
+           begins_with(begin, "formula ");
 }
 
 PlaneRegion read_region(const std::string& text, bool is_planar)
 {
     const TypedRegion typed(text);
+    if (!typed.is_known()) throw InputError(fmt::format("{}: {}", typed.name, no_region));
     if (is_wkt(typed.content)) return read_wkt(typed.content, typed.name, is_planar);
-    const bool is_json = typed.content.starts_with('{');
     bool says_metres = false;
-    PlaneRegion region = is_json ? region_of_geojson(typed.content, typed.name, says_metres) : shape_of(typed.content);
+    PlaneRegion region = typed.shape ? *typed.shape : region_of_geojson(typed.content, typed.name, says_metres);
     check_region(region, typed.name);
-    if (is_json && !is_planar && !says_metres && fits_globe(box_of(region)))
+    if (typed.is_json() && !is_planar && !says_metres && fits_globe(box_of(region)))
         refuse_degrees(box_of(region), typed.name, "GeoJSON without another crs");
     return region;
 }
@@ -210,17 +258,19 @@ Obstacles read_obstacles(const std::string& text, bool is_planar)
     const TypedRegion typed(text);
     Obstacles obstacles;
     std::string degrees; // why coordinates are taken for degrees
-    if (is_wkt(typed.content)) {
+    if (!typed.is_known()) {
+        obstacles.points = points_of_file(text);
+    } else if (typed.shape) {
+        obstacles.polygons = typed.shape->polygons;
+    } else if (is_wkt(typed.content)) {
         const WktBegin begin = wkt_begin(typed.content, typed.name);
         obstacles = obstacles_of_wkt(begin.text, typed.name);
         if (begin.says_degrees) degrees = "its SRID is one of degrees";
-    } else if (typed.content.starts_with('{')) {
+    } else {
         bool says_metres = false;
         obstacles = obstacles_of_geojson(typed.content, typed.name, says_metres);
         if (!says_metres && obstacles.count() > 0 && fits_globe(box_of_all(obstacles)))
             degrees = "GeoJSON without another crs";
-    } else {
-        obstacles.polygons = shape_of(typed.content).polygons;
     }
     check_obstacles(obstacles, typed.name);
     if (!degrees.empty() && !is_planar) refuse_degrees(box_of_all(obstacles), typed.name, degrees);
