@@ -24,11 +24,37 @@
 // distance within which one point has all of the part. That does not depend on the radius, so the table holds
 // until the host makes the grids finer.
 //
-// Needs DIMENSION (2 or 3) and COVER_BITS (2 or 3).
+// With REGION darts fall into the least box around a region of the plane, whose coordinates are a quarter of the torus:
+// parts of the table outside count as covered, and darts outside fail.
+//
+// Needs DIMENSION (2 or 3), COVER_BITS (2 or 3) and REGION (1 or 0; see common/regions/inside_region.clh).
 
-#include "kernels/common/philox.clh"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 #include "kernels/common/darts/relaxing_grid.clh"
+#include "kernels/common/philox.clh"
+#include "kernels/common/regions/inside_region.clh"
+
+// Arguments of kernels, and what becomes of them.
+#if REGION
+#define BOX_PARAMETER , struct DartBox box
+#define REGION_PARAMETERS                                                                                              \
+    , struct RegionGrid region_grid, global const uint *region_cells, global const uint *region_edges,                 \
+        global const uint *region_filled
+#define REGION_OF_PARAMETERS const Region region = {region_grid, region_cells, region_edges, region_filled};
+#define IS_ALLOWED(position) is_in_region(&region, (uint2)((position).c[0], (position).c[1]))
+#define BOX_LOW(k) ((k) == 0 ? box.low_x : box.low_y)
+#define BOX_SIZE(k) ((k) == 0 ? box.width : box.height)
+// The coordinate that a random word stands for; of lanes of 64 bits as well.
+#define PLACED(k, word) (BOX_LOW(k) + (((word)&0xffffffffu) * BOX_SIZE(k) >> 32))
+#define PLACE_IN_BOX(position) FOR_EACH_AXIS(k)(position).c[k] = (uint)PLACED(k, (ulong)(position).c[k])
+#else
+#define BOX_PARAMETER
+#define REGION_PARAMETERS
+#define REGION_OF_PARAMETERS
+#define IS_ALLOWED(position) true
+#define PLACED(k, word) (word)
+#define PLACE_IN_BOX(position)
+#endif
 
 #define BLOCKS_A_WORD (DARTS_A_WORD / DARTS_A_BLOCK)
 
@@ -83,8 +109,8 @@ ALWAYS_INLINE Position dart_position(ulong dart, uint2 key)
 
 /// One work-item owns eight blocks of darts. Needs `flags` to have room for all work-items, padded to whole
 /// groups.
-kernel void throw_darts(global const ulong* restrict state, global const ushort* restrict table,
-                        uint grid_bits, uint key_x, uint key_y, global uchar* restrict flags)
+kernel void throw_darts(global const ulong* restrict state, global const ushort* restrict table, uint grid_bits,
+                        uint key_x, uint key_y, global uchar* restrict flags BOX_PARAMETER)
 {
     const uint id = get_global_id(0);
     const uint bits = grid_bits + COVER_BITS;
@@ -100,17 +126,14 @@ kernel void throw_darts(global const ulong* restrict state, global const ushort*
     ulong8 parts[DARTS_A_BLOCK];
     _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK; ++i)
     {
-        parts[i] = UPPERMOST(words.word[DIMENSION * i + DIMENSION - 1], bits);
+        parts[i] = UPPERMOST(PLACED(DIMENSION - 1, words.word[DIMENSION * i + DIMENSION - 1]), bits);
         _Pragma("unroll") for (int k = DIMENSION - 2; k >= 0; --k)
         {
-            parts[i] = parts[i] << bits | UPPERMOST(words.word[DIMENSION * i + k], bits);
+            parts[i] = parts[i] << bits | UPPERMOST(PLACED(k, words.word[DIMENSION * i + k]), bits);
         }
     }
     ushort farthest[DARTS_A_BLOCK * 8];
-    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK * 8; ++i)
-    {
-        farthest[i] = table[((const ulong*)parts)[i]];
-    }
+    _Pragma("unroll") for (uint i = 0; i < DARTS_A_BLOCK * 8; ++i) { farthest[i] = table[((const ulong*)parts)[i]]; }
     // The sign of low - farthest says that the part is not covered: neither exceeds 2^15. (oclgrind 21.10
     // takes a vector comparison for 255 where it is widened to 1.)
     ushort8 result = (low - vload8(0, farthest)) >> (ushort8)15;
@@ -125,9 +148,10 @@ uint lowest_bit(ulong bits) { return 63 - (uint)clz(bits & (0ul - bits)); }
 
 /// One work-item owns one word of candidates and its darts' flags: bytes of blocks, eight at a time.
 kernel void find_candidates(global const ulong* state, global const ulong* flags, uint word_count,
-                            global const uint* heads, global const uint* points, uint grid_bits, uint key_x,
-                            uint key_y, global ulong* candidates)
+                            global const uint* heads, global const uint* points, uint grid_bits, uint key_x, uint key_y,
+                            global ulong* candidates BOX_PARAMETER REGION_PARAMETERS)
 {
+    REGION_OF_PARAMETERS
     const uint id = get_global_id(0);
     if (id >= word_count) return;
     const ulong threshold = state[LOW_THRESHOLD];
@@ -137,8 +161,9 @@ kernel void find_candidates(global const ulong* state, global const ulong* flags
         for (ulong bits = flags[id * (BLOCKS_A_WORD / 8) + i]; bits != 0; bits &= bits - 1) {
             const uint bit = lowest_bit(bits);
             const uint dart = (i * 8 + bit / 8) * DARTS_A_BLOCK + bit % 8;
-            const Position position = dart_position(first + dart, (uint2)(key_x, key_y));
-            if (is_free(&position, heads, points, grid_bits, threshold)) word |= 1ul << dart;
+            Position position = dart_position(first + dart, (uint2)(key_x, key_y));
+            PLACE_IN_BOX(position);
+            if (is_free(&position, heads, points, grid_bits, threshold) && IS_ALLOWED(position)) word |= 1ul << dart;
         }
     }
     candidates[id] = word;
@@ -174,7 +199,7 @@ ALWAYS_INLINE bool fail(Progress* progress, ulong count, ulong attempts, ulong l
 ///
 /// `thresholds` the squared minimum distances of levels from `first_level` on.
 kernel void settle_candidates(struct Settling settling, global ulong* state, global const ulong* candidates,
-                              global const ulong* thresholds, global uint* heads, global uint* points)
+                              global const ulong* thresholds, global uint* heads, global uint* points BOX_PARAMETER)
 {
     if (get_global_id(0) != 0) return;
     const ulong attempts = settling.attempts;
@@ -193,11 +218,11 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
         if (w == 0) word &= ~0ul << skipped;
         for (; word != 0 && goes_on; word &= word - 1) {
             const ulong dart = first + (ulong)w * DARTS_A_WORD + lowest_bit(word);
-            goes_on =
-                fail(&progress, dart - progress.dart, attempts, low_level) && progress.level <= low_level;
+            goes_on = fail(&progress, dart - progress.dart, attempts, low_level) && progress.level <= low_level;
             if (!goes_on) break;
             ++looked_at;
-            const Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
+            Position position = dart_position(dart, (uint2)(settling.key_x, settling.key_y));
+            PLACE_IN_BOX(position);
             if (is_free(&position, heads, points, grid_bits, thresholds[progress.level - settling.first_level])) {
                 insert_point(&position, count, heads, points, grid_bits);
                 ++count;
@@ -209,8 +234,7 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
             }
         }
     }
-    if (goes_on)
-        fail(&progress, first + (ulong)settling.words * DARTS_A_WORD - progress.dart, attempts, low_level);
+    if (goes_on) fail(&progress, first + (ulong)settling.words * DARTS_A_WORD - progress.dart, attempts, low_level);
 
     state[NEXT_DART] = progress.dart;
     state[LEVEL] = progress.level;
@@ -224,9 +248,11 @@ kernel void settle_candidates(struct Settling settling, global ulong* state, glo
 /// The first work-item owns everything. Throws 8 blocks of darts `settling.words` times, one dart after the other, or
 /// until the level comes to `end_level`, or there are `target` points. Points since FIRST_NEW stay out of the table.
 kernel void throw_in_order(struct Settling settling, ulong end_level, global ulong* state,
-                           global const ulong* thresholds, global uint* heads, global uint* points)
+                           global const ulong* thresholds, global uint* heads,
+                           global uint* points BOX_PARAMETER REGION_PARAMETERS)
 {
     if (get_global_id(0) != 0) return;
+    REGION_OF_PARAMETERS
     ulong dart = state[NEXT_DART];
     ulong level = state[LEVEL];
     ulong failures = state[FAILURES];
@@ -248,7 +274,8 @@ kernel void throw_in_order(struct Settling settling, ulong end_level, global ulo
             const uint first = (uint)(dart % DARTS_A_BLOCK) * DIMENSION;
             Position position;
             FOR_EACH_AXIS(k) position.c[k] = (uint)words[first + k][lane];
-            if (is_free(&position, heads, points, settling.grid_bits, threshold)) {
+            PLACE_IN_BOX(position);
+            if (is_free(&position, heads, points, settling.grid_bits, threshold) && IS_ALLOWED(position)) {
                 insert_point(&position, count, heads, points, settling.grid_bits);
                 ++count;
                 failures = 0;
@@ -281,8 +308,7 @@ ALWAYS_INLINE VECTOR(ushort) farthest_units(uint coordinate, uint cell, uint gri
     const VECTOR(uint) antipode = 0x80000000u;
     const VECTOR(uint) farthest = select(ends, antipode, (forward ^ antipode) <= extent);
     const uint drop = 16 - grid_bits;
-    const VECTOR(uint) most =
-        65535; // a vector: oclgrind 21.10 does not know the min of a vector and a scalar
+    const VECTOR(uint) most = 65535; // a vector: oclgrind 21.10 does not know the min of a vector and a scalar
     const VECTOR(uint) length = min((farthest + ((1u << drop) - 1)) >> drop, most);
     return CONVERT(ushort)((length * length >> 17) + 1);
 }
@@ -358,11 +384,20 @@ kernel void cover_cells(global const ulong* state, global const uint* points, ui
 }
 
 /// One work-item owns one row of COVER_PARTS parts in the table and, where `cell_count` exceeds its number,
-/// the chain of one grid cell. Makes all cells empty.
-kernel void clear_cells(global ushort* table, uint row_count, global uint* heads, uint cell_count)
+/// the chain of one grid cell. Makes all cells empty, but for parts outside a region, which stay covered.
+kernel void clear_cells(global ushort* table, uint row_count, global uint* heads, uint cell_count,
+                        uint grid_bits REGION_PARAMETERS)
 {
     const uint id = get_global_id(0);
     if (id < row_count) STORE((VECTOR(ushort))NOT_COVERED, id, table);
+#if REGION
+    REGION_OF_PARAMETERS
+    const uint bits = grid_bits + COVER_BITS;
+    for (uint part = id * COVER_PARTS; id < row_count && part < (id + 1) * COVER_PARTS; ++part) {
+        const uint2 low = (uint2)(part & ((1u << bits) - 1), part >> bits) << (32 - bits);
+        if (region_side(&region, low, (uint2)((1u << (32 - bits)) - 1)) == REGION_OUTSIDE) table[part] = 0;
+    }
+#endif
     if (id < cell_count) heads[id] = 0;
 }
 

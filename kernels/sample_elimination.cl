@@ -12,8 +12,11 @@
 // wider. A point's removal changes no weight farther away than a cell, so that tiles of a colour never meet, and the
 // order does not depend on how many tiles there are, nor on which of them are done at once.
 //
+// With FACTORS the weights of a point's pairs are multiplied by a number of its own, which makes up for what lies beyond a
+// boundary: pairs then have two weights, one for either point.
+//
 // Points are sorted by grid cells, see point_grid.cl. Of equal weights, that of the lower id counts as the heavier.
-// Needs DIMENSION (2 or 3).
+// Needs DIMENSION (2 or 3) and FACTORS (1 or 0).
 
 #pragma OPENCL FP_CONTRACT OFF
 
@@ -21,6 +24,17 @@
 
 #include "kernels/common/optimized/sample_elimination.h"
 #include "kernels/common/torus.clh"
+
+// The last argument of kernels and functions, and what it makes of the weight that a pair has for a point.
+#if FACTORS
+#define FACTORS_PARAMETER , global const uint* factors
+#define FACTORS_ARGUMENT , factors
+#define TIMES_FACTOR(weight, item) ((weight) * (long)factors[item])
+#else
+#define FACTORS_PARAMETER
+#define FACTORS_ARGUMENT
+#define TIMES_FACTOR(weight, item) (weight)
+#endif
 
 typedef struct Elimination Elimination;
 typedef struct EliminationCounts EliminationCounts;
@@ -88,12 +102,13 @@ ALWAYS_INLINE bool is_heavier(global const long* weights, global const uint* ids
 
 /// One work-item owns one point. Nothing is known of heavier ones yet, which `heavier` says by the point itself.
 kernel void weigh_points(Elimination e, global const uint* coordinates, global const uint* starts,
-                         global long* weights, global uint* heavier)
+                         global long* weights, global uint* heavier FACTORS_PARAMETER)
 {
     const uint item = get_global_id(0);
     if (item >= e.points) return;
     long sum = 0;
     FOR_EACH_WITHIN_REACH(&e, item, coordinates, starts, true, { sum += weight_of(&e, squared); })
+    sum = TIMES_FACTOR(sum, item);
     weights[item] = sum;
     heavier[item] = item;
 }
@@ -108,11 +123,11 @@ uint find_heaviest(const Elimination* e, global const uint* coordinates, global 
 }
 
 void remove_point(const Elimination* e, global const uint* coordinates, global const uint* starts,
-                  global long* weights, uint item)
+                  global long* weights, uint item FACTORS_PARAMETER)
 {
     weights[item] = of_removed(weights[item]);
     FOR_EACH_WITHIN_REACH(e, item, coordinates, starts, weights[other] >= 0,
-                          { weights[other] -= weight_of(e, squared); })
+                          { weights[other] -= TIMES_FACTOR(weight_of(e, squared), other); })
 }
 
 /// A block of cells; beyond the last axis, one cell.
@@ -160,7 +175,8 @@ void mark_around(const Elimination* e, const Tile* t, global uchar* marks)
 /// removed. Again, until the point itself is removed, too light, or waits for another tile. `heavier` has a point that
 /// was heavier, for each: it is looked for anew only where it is no longer. The number of points removed.
 uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, global const uint* starts,
-           global const uint* ids, global long* weights, global uint* heavier, long least, uint from)
+           global const uint* ids, global long* weights, global uint* heavier, long least, uint from
+           FACTORS_PARAMETER)
 {
     uint removed = 0;
     uint item = from;
@@ -171,7 +187,7 @@ uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, 
             heavier[item] = next;
         }
         if (next == item) {
-            remove_point(e, coordinates, starts, weights, item);
+            remove_point(e, coordinates, starts, weights, item FACTORS_ARGUMENT);
             ++removed;
             item = from;
         } else if (is_inside(e, t, coordinates, next)) {
@@ -187,7 +203,8 @@ uint climb(const Elimination* e, const Tile* t, global const uint* coordinates, 
 /// `is_first`. No point that is lighter than `least` is removed.
 kernel void eliminate_tiles(Elimination e, uint colour, long least, uint is_first, global const uint* coordinates,
                             global const uint* starts, global const uint* ids, global long* weights,
-                            global uint* heavier, global uchar* marks, global EliminationCounts* counts)
+                            global uint* heavier, global uchar* marks, global EliminationCounts* counts
+                            FACTORS_PARAMETER)
 {
     uint tiles = 1;
     FOR_EACH_AXIS(k) tiles *= max(e.tiles / 2, 1u);
@@ -203,7 +220,7 @@ kernel void eliminate_tiles(Elimination e, uint colour, long least, uint is_firs
             for (uint y = t.begin[1]; y < t.end[1]; ++y) {
                 const uint row = (z * e.grid_size + y) * e.grid_size;
                 for (uint item = starts[row + t.begin[0]]; item < starts[row + t.end[0]]; ++item)
-                    removed += climb(&e, &t, coordinates, starts, ids, weights, heavier, least, item);
+                    removed += climb(&e, &t, coordinates, starts, ids, weights, heavier, least, item FACTORS_ARGUMENT);
             }
     } while (removed > before);
     if (removed > 0) {

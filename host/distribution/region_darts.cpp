@@ -3,15 +3,18 @@
 #include "base/errors/errors.hpp"
 #include "base/geometry/plane_delaunay.hpp"
 #include "base/geometry/relative_radius.hpp"
+#include "base/geometry/torus.hpp"
 #include "base/regions/obstacles.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/device/device_memory.hpp"
 #include "host/sampling/cells/cell_hierarchy.hpp"
+#include "host/sampling/regions/boundary_points.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,16 +24,6 @@ namespace {
 /// The attempt in whose place regions stand among streams: sets of the torus have none, and so share nothing with
 /// theirs.
 constexpr std::uint32_t region_stream = 1;
-
-/// What the minimum distance is enlarged by, so that points that far apart have coordinates whose computed distance is
-/// not below it: each coordinate is rounded twice, by half a unit in the last place of the largest one at most, and so
-/// are differences, squares and root.
-double rounding_of(double distance, const RegionBox& box)
-{
-    double largest = 0;
-    for (std::size_t k = 0; k < 2; ++k) largest = std::max({largest, std::abs(box.low[k]), std::abs(box.high[k])});
-    return 4 * largest * std::numeric_limits<double>::epsilon() + distance * 0x1p-50;
-}
 
 /// Obstacles are kept this part of the minimum distance away at least: slits between walls that all but touch would
 /// take points otherwise, and to find whether they do takes boxes as small as the slit.
@@ -79,11 +72,35 @@ KeptAway kept_away_of(const Obstacles& obstacles, const RegionBox& box, const Ob
     kept.points = points_within(obstacles, kept.box);
     const double side = FixedRegion::torus_side(kept.box);
     const auto margin = [&](double distance) {
-        return (distance + rounding_of(distance, kept.box)) / side + lost_by_rounding * 0x1p-32;
+        return (distance + distance_rounding(distance, kept.box)) / side + lost_by_rounding * 0x1p-32;
     };
     if (!kept.lines.empty()) kept.from_lines = margin(lines);
     if (!kept.points.empty()) kept.from_points = margin(points);
     return kept;
+}
+
+/// Samples the boundary, and lets darts keep away from its points.
+void begin_on_boundary(RegionDartRequest& request)
+{
+    request.on_boundary = boundary_points(*request.region, request.darts.min_distance);
+    if (request.darts.points) {
+        request.on_boundary.resize(std::min(request.on_boundary.size(), *request.darts.points));
+        *request.darts.points -= request.on_boundary.size();
+    }
+    for (const TorusPoint<2>& point : request.on_boundary) request.kept.points.push_back(request.region->own(point));
+    if (!request.on_boundary.empty())
+        request.kept.from_points =
+            std::max(request.kept.from_points, request.darts.min_distance + lost_by_rounding * 0x1p-32);
+    request.region = std::make_shared<const FixedRegion>(request.land->rest, 0, request.kept);
+    request.darts.region = request.region;
+}
+
+PointSet thrown(const DartThrowingRequest& request, const DistributionPlace& place)
+{
+    if (place.engine == Engine::reference) return reference::throw_darts(request);
+    Device& device = place.device();
+    check_fits("dart throwing", DartThrower::memory(request, device.info()), device.info());
+    return DartThrower(device).throw_darts(request);
 }
 
 double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
@@ -94,8 +111,9 @@ double squared_gap(const PointSet& points, std::size_t i, std::size_t j)
 
 }
 
-RegionLand region_land(const DartSettings& settings)
+std::shared_ptr<const RegionLand> region_land(const DartSettings& settings)
 {
+    if (settings.land) return settings.land;
     RegionLand land{read_region(settings.region, settings.is_planar), {}, {}};
     if (!settings.obstacles.empty()) land.obstacles = read_obstacles(settings.obstacles, settings.is_planar);
     const double longest = box_of(land.whole).longest();
@@ -104,14 +122,15 @@ RegionLand region_land(const DartSettings& settings)
                                      *settings.obstacle_distance, longest));
     land.rest = without_polygons(land.whole, land.obstacles.polygons);
     if (land.rest.polygons.empty()) throw InputError("they cover the region: nothing is left of it");
-    return land;
+    return std::make_shared<const RegionLand>(std::move(land));
 }
 
-RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed, RegionLand land)
+RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
+                                      std::shared_ptr<const RegionLand> land)
 {
     RegionDartRequest request;
     request.land = std::move(land);
-    const PlaneRegion &whole = request.land.whole, &plane = request.land.rest;
+    const PlaneRegion &whole = request.land->whole, &plane = request.land->rest;
     request.min_distance = settings.min_distance ? *settings.min_distance
                                                  : min_distance_for(settings.relative_radius, *settings.points, 2) *
                                                        std::sqrt(area_of(plane));
@@ -122,11 +141,12 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
                         request.min_distance, longest));
     KeptAway kept{{}, {}, 0, 0, box_of(whole)};
     if (!settings.obstacles.empty())
-        kept = kept_away_of(request.land.obstacles, kept.box, obstacle_distances(settings, request.min_distance));
+        kept = kept_away_of(request.land->obstacles, kept.box, obstacle_distances(settings, request.min_distance));
     request.near_obstacles = kept.lines.size() + kept.points.size();
     // A single point, or a few in a thin region, would be as far apart as one likes.
     const double side = FixedRegion::torus_side(kept.box);
-    const double distance = std::min(request.min_distance + rounding_of(request.min_distance, kept.box), side / 2);
+    const double distance =
+        std::min(request.min_distance + distance_rounding(request.min_distance, kept.box), side / 2);
     if (level_0_cells(distance / side, 2) > max_level_0_cells)
         throw InputError(
             fmt::format("a minimum distance of {:.3g} needs a finer grid than memory has room for; at least "
@@ -138,27 +158,19 @@ RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_
     request.region = std::make_shared<const FixedRegion>(
         plane, settings.boundary == RegionBoundary::disks ? request.darts.min_distance / 2 : 0, kept);
     request.darts.region = request.region;
+    request.kept = std::move(kept);
     return request;
 }
 
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place)
 {
-    RegionDarts darts{region_dart_request(settings, seed, region_land(settings)), {}, false};
+    RegionDarts darts{region_dart_request(settings, seed, region_land(settings)), {}, false, 0};
     const DartThrowingRequest& request = darts.request.darts;
-    PointSet fixed;
-    if (place.engine == Engine::reference) {
-        fixed = reference::throw_darts(request);
-    } else {
-        Device& device = place.device();
-        check_fits("dart throwing", DartThrower::memory(request, device.info()), device.info());
-        fixed = DartThrower(device).throw_darts(request);
-    }
-    const std::string among = settings.obstacles.empty() ? "" : " among the obstacles";
-    if (fixed.size() == 0)
-        throw InputError(settings.boundary == RegionBoundary::disks
-                             ? fmt::format("the region has no room for a disk of diameter {:.6g}{}",
-                                           darts.request.min_distance, among)
-                             : "the region has no room for a point" + among);
+    if (settings.boundary == RegionBoundary::on) begin_on_boundary(darts.request);
+    PointSet fixed = to_point_set<2>(std::span<const TorusPoint<2>>(darts.request.on_boundary));
+    if (request.points != 0)
+        std::ranges::copy(thrown(request, place).coordinates, std::back_inserter(fixed.coordinates));
+    if (fixed.size() == 0) fail_without_room(darts.request, settings);
     if (settings.points && fixed.size() < *settings.points) {
         const double share = static_cast<double>(fixed.size()) / static_cast<double>(*settings.points);
         const std::string less =
@@ -170,12 +182,29 @@ RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed,
                         fixed.size(), *settings.points, less));
     }
     darts.is_saturated = !settings.points;
-    darts.points.coordinates.reserve(fixed.coordinates.size());
-    for (std::size_t i = 0; i < fixed.size(); ++i)
-        for (const double c : darts.request.region->own(
-                 {static_cast<std::uint32_t>(fixed[i][0] * 0x1p32), static_cast<std::uint32_t>(fixed[i][1] * 0x1p32)}))
-            darts.points.coordinates.push_back(c);
+    darts.sure_distance = darts.request.min_distance;
+    darts.points = in_units_of(*darts.request.region, fixed);
     return darts;
+}
+
+PointSet in_units_of(const FixedRegion& region, const PointSet& fixed)
+{
+    PointSet points{2, {}};
+    points.coordinates.reserve(fixed.coordinates.size());
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+        for (const double c : region.own(
+                 {static_cast<std::uint32_t>(fixed[i][0] * 0x1p32), static_cast<std::uint32_t>(fixed[i][1] * 0x1p32)}))
+            points.coordinates.push_back(c);
+    return points;
+}
+
+void fail_without_room(const RegionDartRequest& request, const DartSettings& settings)
+{
+    const std::string among = settings.obstacles.empty() ? "" : " among the obstacles";
+    throw InputError(
+        settings.boundary == RegionBoundary::disks
+            ? fmt::format("the region has no room for a disk of diameter {:.6g}{}", request.min_distance, among)
+            : "the region has no room for a point" + among);
 }
 
 /// The nearest point is a neighbour in the Delaunay triangulation; points on one line have none.

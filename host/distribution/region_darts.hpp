@@ -27,14 +27,17 @@ struct RegionLand
     PlaneRegion rest; ///< without polygons among the obstacles
 };
 
-/// Reads both. Throws InputError, also where nothing is left or the distance from obstacles is too large.
-RegionLand region_land(const DartSettings& settings);
+/// Reads both, unless the settings have them. Throws InputError, also where nothing is left or the distance from
+/// obstacles is too large.
+std::shared_ptr<const RegionLand> region_land(const DartSettings& settings);
 
 /// What is asked for, in the units of the torus and in those of the region.
 struct RegionDartRequest
 {
-    RegionLand land;
+    std::shared_ptr<const RegionLand> land;
+    std::vector<TorusPoint<2>> on_boundary; ///< points that are there first
     std::size_t near_obstacles = 0; ///< lines, edges of polygons and points that are near enough to matter, nearly
+    KeptAway kept;                  ///< what the region keeps away from besides its boundary
     std::shared_ptr<const FixedRegion> region;
     double min_distance = 0; ///< in the region's units
     DartThrowingRequest darts;
@@ -45,14 +48,22 @@ struct RegionDarts
     RegionDartRequest request;
     PointSet points;           ///< in the region's units, in dart order
     bool is_saturated = false; ///< no further point fits
+    double sure_distance = 0;  ///< that any two points have at least, in the region's units; 0: nothing is said
 };
 
 /// Checks that the distance suits the region. Throws InputError.
-RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed, RegionLand land);
+RegionDartRequest region_dart_request(const DartSettings& settings, std::uint64_t seed,
+                                      std::shared_ptr<const RegionLand> land);
 
 /// Throws the darts. The distances of points, computed from their coordinates, are never below the one that was asked
 /// for. Throws InputError where there is no room for as many points as are asked for, or no memory.
 RegionDarts throw_region_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place);
+
+/// A point set in the region's fixed-point coordinates, in its units.
+PointSet in_units_of(const FixedRegion& region, const PointSet& fixed);
+
+/// Throws InputError, which says that there is no room for a single point.
+[[noreturn]] void fail_without_room(const RegionDartRequest& request, const DartSettings& settings);
 
 /// Distances of points from their nearest ones: the least and the mean. Of two points or more.
 struct NearestDistances

@@ -14,6 +14,7 @@ std::vector<Kind> listed_kinds()
                                  self_similar_kind,
                                  rank_kind,
                                  dart_kind,
+                                 region_point_kind,
                                  stippling_kind,
                                  hatching_kind,
                                  icon_kind,

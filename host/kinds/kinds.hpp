@@ -26,6 +26,7 @@ Kind object_kind();
 Kind self_similar_kind();
 Kind rank_kind();
 Kind dart_kind();
+Kind region_point_kind();
 Kind stippling_kind();
 Kind hatching_kind();
 Kind icon_kind();

@@ -8,7 +8,6 @@
 #include "host/sampling/darts/dart_memory.hpp"
 #include "host/sampling/darts/darts_in_blocks.hpp"
 #include "kernels/common/darts/dart_throwing.h"
-#include "kernels/common/regions/region_grid.h"
 
 #include <tbb/parallel_sort.h>
 
@@ -31,15 +30,6 @@ struct Point
 
     bool operator<(const Point& other) const { return std::tie(time, position) < std::tie(other.time, other.position); }
 };
-
-contract::regions::RegionGrid region_grid(const FixedRegion& region)
-{
-    contract::regions::RegionGrid grid{
-        .squared_margins = {}, .margins = {}, .bits = static_cast<unsigned>(region.bits())};
-    std::ranges::copy(region.squared_margins(), std::begin(grid.squared_margins));
-    std::ranges::copy(region.margins(), std::begin(grid.margins));
-    return grid;
-}
 
 KernelProgram throwing_program(const DartTorus& torus, bool has_region)
 {
@@ -76,7 +66,7 @@ public:
     {
         reserve(device, dart_buffers(buffers, request, settling, device.info().compute_units));
         buffers_.counters.write(std::array<std::uint32_t, COUNTERS>{});
-        if (request.region) write_region(*request.region);
+        if (request.region) buffers_.region.write(*request.region);
     }
 
     PointSet run()
@@ -131,13 +121,6 @@ private:
         }
     }
 
-    void write_region(const FixedRegion& region)
-    {
-        buffers_.region_cells.write(region.cells());
-        buffers_.region_edges.write({region.edges().data()->data(), region.edges().size() * 4});
-        buffers_.region_filled.write(region.filled());
-    }
-
     void write_thresholds(std::uint32_t batch)
     {
         if (batch > 0 && darts_per_cell(batch, D) == darts_per_cell(batch - 1, D)) return;
@@ -182,7 +165,7 @@ private:
                            local_words(contract::dart_throwing::GROUP_WORDS), region...);
             };
             if (request_.region)
-                run(region_grid(*request_.region), b.region_cells, b.region_edges, b.region_filled);
+                run(region_grid(*request_.region), b.region.cells, b.region.edges, b.region.filled);
             else
                 run();
             std::array<std::uint32_t, 2> counts;

@@ -5,6 +5,7 @@
 
 #include "base/geometry/torus.hpp"
 #include "host/device/needed_buffers.hpp"
+#include "host/sampling/cells/region_buffers.hpp"
 #include "kernels/common/darts/relaxation_dart_throwing.h"
 
 #include <algorithm>
@@ -111,18 +112,22 @@ struct RelaxationDartBuffers
     Buffer<std::uint16_t> table;      ///< a part of a grid cell each
     Buffer<std::uint32_t> heads;      ///< a grid cell each
     Buffer<std::uint32_t> points;
+    RegionBuffers region;
 
     NeededBuffers needed(const RelaxationDartThrowingRequest& request, std::size_t group_size)
     {
         const int d = request.dimension;
         const auto [cells, parts] = grid_sizes(grid_limits(request.points, d), d);
-        return {{state, contract::relaxation_dart_throwing::STATE_WORDS},
-                {thresholds, levels_of_table(request)},
-                {flags, most_blocks(d, group_size)},
-                {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
-                {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
-                {heads, cells},
-                {table, parts}};
+        NeededBuffers buffers{{state, contract::relaxation_dart_throwing::STATE_WORDS},
+                              {thresholds, levels_of_table(request)},
+                              {flags, most_blocks(d, group_size)},
+                              {candidates, largest_batch / contract::relaxation_dart_throwing::DARTS_A_WORD},
+                              {points, request.points * contract::relaxation_dart_throwing::POINT_WORDS(d)},
+                              {heads, cells},
+                              {table, parts}};
+        if (request.region)
+            for (const NeededBuffer& buffer : region.needed(*request.region)) buffers.push_back(buffer);
+        return buffers;
     }
 };
 
@@ -137,8 +142,9 @@ public:
         : buffers_(buffers), request_(request), group_size_(group_size), limits_(grid_limits(request.points, D)),
           is_cpu_(device.info().type == "CPU"), is_in_order_(is_cpu_), window_(request)
     {
-        const KernelProgram program =
-            kernel_program("relaxation_dart_throwing.cl", {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}});
+        const KernelProgram program = kernel_program(
+            "relaxation_dart_throwing.cl",
+            {{"DIMENSION", D}, {"COVER_BITS", limits_.cover_bits}, {"REGION", request.region != nullptr}});
         throw_ = device.kernel(program, "throw_darts");
         find_ = device.kernel(program, "find_candidates");
         settle_ = device.kernel(program, "settle_candidates");
@@ -147,6 +153,7 @@ public:
         link_ = device.kernel(program, "link_points");
         throw_in_order_ = device.kernel(program, "throw_in_order");
         reserve(device, buffers_.needed(request, group_size));
+        if (request.region) buffers_.region.write(*request.region);
     }
 
     RelaxationDarts run()
@@ -193,14 +200,37 @@ private:
                 .grid_bits = grid_bits_};
     }
 
+    /// Runs a kernel with the box that darts fall into, if there is one.
+    template <typename Run>
+    void with_box(const Run& run) const
+    {
+        if (!request_.region) return run();
+        const FixedBox& box = request_.region->extent();
+        run(contract::relaxation_dart_throwing::DartBox{.low_x = box.low[0],
+                                                        .low_y = box.low[1],
+                                                        .width = box.high[0] - box.low[0] + 1,
+                                                        .height = box.high[1] - box.low[1] + 1});
+    }
+
+    /// Runs a kernel with that box and the region, if there is one.
+    template <typename Run>
+    void with_region(const Run& run) const
+    {
+        const RegionBuffers& r = buffers_.region;
+        if (!request_.region) return run();
+        with_box([&](const auto&... box) { run(box..., region_grid(*request_.region), r.cells, r.edges, r.filled); });
+    }
+
     /// Ends at the level where grids become finer, and within the table of thresholds.
     void throw_in_order()
     {
         std::size_t end = state_[LEVEL] - window_.level() + 1;
         const std::size_t last = window_thresholds_.size() - levels_in_reach(request_);
         while (end < last && grid_bits_for(window_thresholds_[end]) == grid_bits_) ++end;
-        throw_in_order_.run(1, 1, settling(darts_in_order_ / darts_a_throwing_item), window_.level() + end,
-                            buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points);
+        with_region([&](const auto&... region) {
+            throw_in_order_.run(1, 1, settling(darts_in_order_ / darts_a_throwing_item), window_.level() + end,
+                                buffers_.state, buffers_.thresholds, buffers_.heads, buffers_.points, region...);
+        });
         darts_in_order_ = std::min(most_darts_in_order, 4 * darts_in_order_);
     }
 
@@ -219,10 +249,17 @@ private:
         RelaxationDartBuffers& b = buffers_;
         const std::uint32_t words = u32(batch_ / darts_a_word);
         const auto [key_x, key_y] = request_.stream;
-        throw_.run(batch_ / darts_a_throwing_item, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags);
-        find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points, grid_bits_,
-                  key_x, key_y, b.candidates);
-        settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.heads, b.points);
+        with_box([&](const auto&... box) {
+            throw_.run(batch_ / darts_a_throwing_item, group_size_, b.state, b.table, grid_bits_, key_x, key_y, b.flags,
+                       box...);
+        });
+        with_region([&](const auto&... region) {
+            find_.run(words, std::min<std::size_t>(group_size_, 4), b.state, b.flags, words, b.heads, b.points,
+                      grid_bits_, key_x, key_y, b.candidates, region...);
+        });
+        with_box([&](const auto&... box) {
+            settle_.run(1, 1, settling(words), b.state, b.candidates, b.thresholds, b.heads, b.points, box...);
+        });
         update_table();
     }
 
@@ -252,7 +289,11 @@ private:
         RelaxationDartBuffers& b = buffers_;
         const std::size_t cells = std::size_t{1} << D * bits;
         const std::size_t rows = std::size_t{1} << (D * bits + (D - 1) * static_cast<std::size_t>(limits_.cover_bits));
-        clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells));
+        if (request_.region)
+            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits, region_grid(*request_.region),
+                       b.region.cells, b.region.edges, b.region.filled);
+        else
+            clear_.run(rows, group_size_, b.table, u32(rows), b.heads, u32(cells), bits);
         link_.run(std::max<std::size_t>(1, state_[POINTS]), group_size_, b.state, b.heads, b.points, grid_bits_);
         if (!is_in_order_) update_table();
     }

@@ -5,17 +5,21 @@
 // sections 4.2.4.2 and 6.4. A dart becomes a point when no point is nearer than twice the radius. After
 // `attempts` failures in a row (a success starts the count again) the radius is multiplied by `factor`.
 //
+// In a region of the plane darts fall into the least box around it, and those outside the region fail as well.
+//
 // Darts are numbered. In 2D darts 2 j and 2 j + 1 are the first and the second two words of Philox at
 // counter j, in 3D dart j is the first three: coordinates in units of 2^-32.
 #pragma once
 
 #include "base/geometry/point_set.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/fixed_region.hpp"
 #include "host/sampling/device_method.hpp"
 #include "host/sampling/sampler.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace poissonlab {
 
@@ -27,6 +31,10 @@ struct RelaxationDartThrowingRequest
     double factor = 0.99;          ///< that the radius is multiplied by, in (0, 1)
     std::uint64_t attempts = 1000; ///< failures in a row until then, from 1 to max_relaxation_attempts
     StreamKey stream{};
+
+    /// In 2D: the points lie in this region, in its fixed-point coordinates; initial_radius is at most 1/4. Empty:
+    /// everywhere.
+    std::shared_ptr<const FixedRegion> region{};
 };
 
 /// Keeps counts of failures far from the end of 64 bits.

@@ -36,7 +36,7 @@ class Kinds(unittest.TestCase):
     def test_every_kind_is_there_with_its_keys(self):
         self.assertEqual(set(distribute.__all__) - {"Made"},
                          {"warp", "objects", "self_similar_tile", "rank", "stipple", "hatch", "icons", "instances",
-                          "darts"})
+                          "darts", "points"})
         self.assertIn("ink: The part of the ink that is printed: a number from 0.001 to 1; default: 1.",
                       distribute.stipple.__doc__)
 
@@ -47,6 +47,13 @@ class Kinds(unittest.TestCase):
         gaps = numpy.linalg.norm(made.points[:, None] - made.points[None], axis=2)
         self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 2)
         self.assertEqual(made.numbers["points"], len(made.points))
+
+    def test_methods_make_points_in_regions(self):
+        for method, keys in (("elimination", {"points": 60, "candidates": 3}), ("lloyd", {"points": 60, "iterations": 5}),
+                             ("relaxation", {"points": 60, "attempts": 100}), ("bridson", {"min_distance": 1})):
+            made = distribute.points(region="disk 0 0 5", method=method, engine="reference", **keys)
+            self.assertGreaterEqual(len(made.points), 60)
+            self.assertLessEqual(numpy.linalg.norm(made.points, axis=1).max(), 5)
 
     def test_regions_may_have_a_geo_interface(self):
         class Triangle:

@@ -43,7 +43,7 @@ void throw_darts(const DartOptions& o)
         fmt::format("{} points at least {:.17g} apart{}", darts.points.size(), darts.request.min_distance,
                     darts.is_saturated ? ", between which no further one fits" : "");
     o.say_note(what);
-    if (darts.request.land.obstacles.count() > 0 && darts.request.near_obstacles == 0)
+    if (darts.request.land->obstacles.count() > 0 && darts.request.near_obstacles == 0)
         o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
     for (const std::string& out : o.outs.names)
         write_points(out, darts.points,

@@ -1,12 +1,13 @@
-// kind = "darts": points in a region of the plane by dart throwing, and how far apart they are.
+// kind = "darts" and "points": points in a region of the plane, by dart throwing and by other methods, and how far
+// apart they are.
 //
-// Dissertation, section 4.2.4.1, without the torus. Spectra and relative radii of the torus say nothing about a region:
-// distances are what is measured.
+// Dissertation, sections 4.2.4.1, 4.2.4.2, 4.2.5, without the torus. Spectra and relative radii of the torus say
+// nothing about a region: distances are what is measured.
 #include "base/geometry/relative_radius.hpp"
 #include "base/points/point_file.hpp"
 #include "base/regions/region_text.hpp"
 #include "host/distribution/distribution_run.hpp"
-#include "host/distribution/region_darts.hpp"
+#include "host/distribution/region_points.hpp"
 #include "host/distribution/runs/run_numbers.hpp"
 #include "host/kinds/kinds.hpp"
 #include "host/settings/sampler_table.hpp"
@@ -35,7 +36,8 @@ void dart_keys(Keys& keys, DartSettings& s)
                 "of so many points: their distance over that of the densest packing of as many in the region's area")
         .excludes("min_distance");
     keys.word("boundary", s.boundary, region_boundary_names,
-              "what is inside: points, or whole disks of half the minimum distance around them");
+              "what is inside: points, whole disks of half the minimum distance around them, or points that lie on "
+              "the boundary first");
     keys.region("obstacles", s.obstacles,
                 "what points keep away from: a file of GeoJSON or WKT with points, lines and polygons")
         .otherwise("none");
@@ -45,17 +47,53 @@ void dart_keys(Keys& keys, DartSettings& s)
     if (!keys.is_read()) return;
     if (keys.is_given("obstacle_distance") && s.obstacles.empty())
         throw keys.invalid("obstacle_distance", "goes with " + keys.name_of("obstacles"));
-    RegionLand land;
     if (!s.obstacles.empty()) keys.check("region", [&] { read_region(s.region, s.is_planar); });
-    keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { land = region_land(s); });
+    keys.check(s.obstacles.empty() ? "region" : "obstacles", [&] { s.land = region_land(s); });
     if (!s.points && !s.min_distance)
         throw keys.problem(fmt::format("needs {} or {}", keys.name_of("points"), keys.name_of("min_distance")));
     if (keys.is_given("relative_radius") && !s.points)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
-    keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, std::move(land)); });
+    keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, s.land); });
+    if (s.boundary == RegionBoundary::on && s.obstacle_distance && !s.land->obstacles.points.empty())
+        throw keys.invalid("boundary", fmt::format("{} goes with {} where obstacles are no points",
+                                                   keys.shown("boundary", "on"), keys.name_of("obstacle_distance")));
+}
+
+void region_point_keys(Keys& keys, RegionPointSettings& s)
+{
+    keys.word("method", s.method, region_methods, "how points are made: see docs/regions.md");
+    dart_keys(keys, s.place);
+    const auto is_one_of = [&](auto... methods) { return ((s.method == methods) || ...); };
+    using enum RegionMethod;
+    keys.integer("attempts", s.attempts, 1, 1'000'000'000,
+                 "darts that fail in a row before the radius is reduced, or around a point before it is given up")
+        .otherwise("1000 of relaxation, 30 of bridson")
+        .only_if(is_one_of(relaxation, bridson), "method = relaxation or bridson");
+    keys.number("factor", s.factor, {0.01, 0.999999}, "what the radius is multiplied by")
+        .only_if(is_one_of(relaxation), "method = relaxation");
+    keys.integer("candidates", s.candidates, 1, 30, "random points to begin with, for each point that is kept")
+        .only_if(is_one_of(elimination), "method = elimination");
+    keys.integer("iterations", s.iterations, 0, 1'000'000, "steps to centroids")
+        .only_if(is_one_of(lloyd), "method = lloyd");
+    if (!keys.is_read() || is_one_of(darts)) return;
+    if (keys.is_given("relative_radius"))
+        throw keys.invalid("relative_radius", "goes with " + keys.shown("method", "darts"));
+    if (s.place.boundary == RegionBoundary::on)
+        throw keys.invalid("boundary",
+                           fmt::format("{} goes with {}", keys.shown("boundary", "on"), keys.shown("method", "darts")));
+    const bool takes_distance = is_one_of(bridson);
+    const std::string other = takes_distance ? "points" : "min_distance",
+                      needed = takes_distance ? "min_distance" : "points";
+    if (keys.is_given(other))
+        throw keys.invalid(other, fmt::format("{} takes {} alone", region_methods[s.method], keys.name_of(needed)));
 }
 
 std::string dart_label(const DartSettings& s) { return "Darts in " + name_of_input(s.region); }
+
+std::string region_point_label(const RegionPointSettings& s)
+{
+    return fmt::format("Points in {}, {}", name_of_input(s.place.region), region_methods[s.method]);
+}
 
 /// The region's outlines and holes as lines, obstacles beside them, and points as disks of a third of their distance.
 MarkPicture picture_of(const RegionDarts& darts)
@@ -75,14 +113,15 @@ MarkPicture picture_of(const RegionDarts& darts)
         for (std::size_t i = 0; i < ring.size(); ++i) add_line(group, ring[i], ring[(i + 1) % ring.size()]);
     };
     MarkGroup lines{"#8a8f98"}, dots{"#000000"}, obstacles{"#c2410c"};
-    for (const RegionPolygon& polygon : darts.request.land.rest.polygons) {
+    for (const RegionPolygon& polygon : darts.request.land->rest.polygons) {
         add_ring(lines, polygon.outline);
         for (const RegionRing& hole : polygon.holes) add_ring(lines, hole);
     }
-    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land.obstacles, box))
+    for (const auto& [x0, y0, x1, y1] : lines_within(darts.request.land->obstacles, box))
         add_line(obstacles, {x0, y0}, {x1, y1});
-    const double radius = std::min(darts.request.min_distance * scale / 6, picture_side / 100);
-    for (const auto& [x, y] : points_within(darts.request.land.obstacles, box)) {
+    const double distance = darts.sure_distance > 0 ? darts.sure_distance : darts.request.min_distance;
+    const double radius = std::min(distance * scale / 6, picture_side / 100);
+    for (const auto& [x, y] : points_within(darts.request.land->obstacles, box)) {
         const auto [left, top] = placed(x, y);
         obstacles.disks.push_back({left, top, radius});
     }
@@ -91,20 +130,18 @@ MarkPicture picture_of(const RegionDarts& darts)
         dots.disks.push_back({x, y, radius});
     }
     picture.groups = {std::move(lines), std::move(dots)};
-    if (darts.request.land.obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
+    if (darts.request.land->obstacles.count() > 0) picture.groups.push_back(std::move(obstacles));
     return picture;
 }
 
-DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
-                              DistributionFiles& files)
+DistributionResult result_of(const RegionDarts& darts, const DartSettings& settings, const std::string& how,
+                             DistributionFiles& files)
 {
-    const RegionDarts darts = throw_region_darts(settings, seed, place);
-    const PlaneRegion& plane = darts.request.land.rest;
+    const PlaneRegion& plane = darts.request.land->rest;
     DistributionResult result;
-    result.facts = {fmt::format("{} points", darts.points.size()),
-                    darts.is_saturated ? "saturated: no further point fits" : "stopped at that number",
+    result.facts = {fmt::format("{} points", darts.points.size()), how,
                     fmt::format("{} polygons, {} corners", plane.polygons.size(), corner_count(plane))};
-    if (const std::size_t obstacles = darts.request.land.obstacles.count(); obstacles > 0)
+    if (const std::size_t obstacles = darts.request.land->obstacles.count(); obstacles > 0)
         result.facts.push_back(fmt::format("{} obstacles", obstacles));
     if (settings.boundary == RegionBoundary::disks) result.facts.push_back("disks are inside whole");
     files.add_marks("points.json", picture_of(darts), "The points in their region.", result);
@@ -112,6 +149,20 @@ DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, 
     result.files.push_back("points.npy");
     result.numbers = dart_numbers(darts);
     return result;
+}
+
+DistributionResult make_darts(const DartSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                              DistributionFiles& files)
+{
+    const RegionDarts darts = throw_region_darts(settings, seed, place);
+    return result_of(darts, settings,
+                     darts.is_saturated ? "saturated: no further point fits" : "stopped at that number", files);
+}
+
+DistributionResult make_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place,
+                               DistributionFiles& files)
+{
+    return result_of(make_region_points(settings, seed, place), settings.place, region_methods[settings.method], files);
 }
 
 }
@@ -123,8 +174,9 @@ DistributionNumbers dart_numbers(const RegionDarts& darts)
     DistributionNumbers numbers;
     numbers.push_back({"points", "Points", count, "in the region"});
     numbers.push_back({"area", "Area", area, "of the region, in squares of its units"});
-    numbers.push_back(
-        {"min_distance", "Minimum distance", darts.request.min_distance, "that was asked for, in units of the region"});
+    if (darts.sure_distance > 0)
+        numbers.push_back({"min_distance", "Minimum distance", darts.sure_distance,
+                           "that points are sure to have, in units of the region"});
     if (darts.points.size() < 2) return numbers;
     const NearestDistances nearest = nearest_distances(darts.points);
     numbers.push_back({"least_distance", "Least distance", nearest.least, "of two points, in its units"});
@@ -142,6 +194,13 @@ Kind dart_kind()
     return make_kind<DartSettings>({"distribution", "darts", "distribute darts", "Darts in a region",
                                     "Throw darts into polygons with holes, to a number of points or until none fits"},
                                    dart_keys, dart_label, make_darts);
+}
+
+Kind region_point_kind()
+{
+    return make_kind<RegionPointSettings>({"distribution", "points", "distribute points", "Points in a region",
+                                           "Make points in polygons with holes by one of several methods"},
+                                          region_point_keys, region_point_label, make_points);
 }
 
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "host/device/needed_buffers.hpp"
+#include "host/sampling/cells/region_buffers.hpp"
 
 #include <cstdint>
 
@@ -16,7 +17,7 @@ struct DartBuffers
     Words parents, open;           ///< open cells before and after a batch
     Words darts, states, next;     ///< a dart of the batch each
     Words points, counters;
-    Words region_cells, region_edges, region_filled; ///< see FixedRegion
+    RegionBuffers region;
 
     // In order only.
     Words accepted;             ///< a bit of a level 0 cell each

@@ -54,11 +54,8 @@ NeededBuffers dart_buffers(DartBuffers& b, const DartThrowingRequest& request, D
                           {b.parents, most_open_cells(cells, d) * axes},
                           {b.open, most_open_cells(cells, d) * axes},
                           {b.darts, std::max(cells, most) * DART_WORDS(d)}};
-    if (request.region) {
-        buffers.push_back({b.region_cells, request.region->cells().size()});
-        buffers.push_back({b.region_edges, request.region->edges().size() * 4});
-        buffers.push_back({b.region_filled, request.region->filled().size()});
-    }
+    if (request.region)
+        for (const NeededBuffer& buffer : b.region.needed(*request.region)) buffers.push_back(buffer);
     for (const NeededBuffer& buffer : settling_buffers(b, settling, torus, compute_units, most))
         buffers.push_back(buffer);
     return buffers;

@@ -74,21 +74,23 @@ EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dim
     return {most, most * (1 - share * std::sqrt(share)) * 0.65};
 }
 
-PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order)
+PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order, double area)
 {
+    const double side = std::sqrt(area);
     std::vector<std::uint32_t> numbers(points.size());
     std::iota(numbers.begin(), numbers.end(), 0u);
     PointSet left = points;
     if (kept < points.size()) {
-        const auto removed =
-            removal_order(points, elimination_reach(kept, points.size(), points.dimension), points.size() - kept);
+        const EliminationReach reach = elimination_reach(kept, points.size(), points.dimension);
+        const auto removed = removal_order(points, {reach.most * side, reach.least * side}, points.size() - kept);
         numbers = without(removed, points.size());
         left = chosen_points(points, numbers);
     }
     std::vector<std::uint32_t> ordered = numbers;
     while (numbers.size() >= 3) {
         const std::size_t half = numbers.size() / 2;
-        const auto removed = removal_order(left, {max_min_distance(half, points.dimension), 0}, numbers.size() - half);
+        const auto removed =
+            removal_order(left, {max_min_distance(half, points.dimension) * side, 0}, numbers.size() - half);
         for (std::size_t i = 0; i < removed.size(); ++i) ordered[numbers.size() - 1 - i] = numbers[removed[i]];
         std::vector<std::uint32_t> rest = without(removed, numbers.size());
         left = chosen_points(left, rest);
@@ -103,7 +105,8 @@ struct EliminationBuffers
 {
     Buffer<std::int64_t> weights; ///< of removed points: one's complement of what they were
     Buffer<std::uint32_t> heavier;
-    Buffer<std::uint8_t> marks; ///< of tiles around which something has changed
+    Buffer<std::uint32_t> factors; ///< in sorted order, if there are any
+    Buffer<std::uint8_t> marks;    ///< of tiles around which something has changed
     Buffer<contract::sample_elimination::EliminationCounts> counts;
 
     NeededBuffers needed(std::size_t points, int dimension, std::uint32_t grid_size)
@@ -120,7 +123,7 @@ class EliminationRun
 {
 public:
     EliminationRun(Device& device, EliminationBuffers& buffers, const PointSet& points, const EliminationReach& reach,
-                   std::size_t work_group_size)
+                   std::span<const std::uint32_t> factors, std::size_t work_group_size)
         : buffers_(buffers), dimension_(points.dimension), work_group_size_(work_group_size),
           tile_group_size_(device.info().type == "CPU" ? 1 : work_group_size),
           grid_(device, points.dimension, points.size(), elimination_grid(reach, points.size(), points.dimension),
@@ -138,17 +141,21 @@ public:
             .grid_size = grid_.cells_per_axis(),
             .tiles = tiles_for(grid_.cells_per_axis(), dimension_, device.info().compute_units, tile_group_size_),
             .stride = grid_.stride()};
-        const KernelProgram program = kernel_program("sample_elimination.cl", {{"DIMENSION", dimension_}});
+        const KernelProgram program =
+            kernel_program("sample_elimination.cl", {{"DIMENSION", dimension_}, {"FACTORS", !factors.empty()}});
         weigh_ = device.kernel(program, "weigh_points");
         eliminate_ = device.kernel(program, "eliminate_tiles");
         reserve(device, buffers_.needed(points.size(), dimension_, elimination_.grid_size));
+        if (!factors.empty()) write_factors(device, factors);
     }
 
     /// The first `count` in the order of removal.
     std::vector<std::uint32_t> first(std::size_t count)
     {
-        weigh_.run(grid_.size(), work_group_size_, elimination_, grid_.fixed_point(), grid_.starts(), buffers_.weights,
-                   buffers_.heavier);
+        with_factors([&](const auto&... factors) {
+            weigh_.run(grid_.size(), work_group_size_, elimination_, grid_.fixed_point(), grid_.starts(),
+                       buffers_.weights, buffers_.heavier, factors...);
+        });
         buffers_.counts.write({{{0, 0}}});
         std::int64_t least = count < grid_.size() ? first_least(count) : 0;
         while (remove_down_to(least) < count) least /= weight_ratio;
@@ -156,6 +163,27 @@ public:
     }
 
 private:
+    void write_factors(Device& device, std::span<const std::uint32_t> factors)
+    {
+        const std::vector<std::uint32_t> ids = grid_.ids().read(0, grid_.size());
+        std::vector<std::uint32_t> sorted;
+        sorted.reserve(ids.size());
+        for (const std::uint32_t id : ids) sorted.push_back(factors[id]);
+        reserve(device, buffers_.factors, sorted.size());
+        buffers_.factors.write(sorted);
+        has_factors_ = true;
+    }
+
+    /// Runs a kernel with the factors, if there are any.
+    template <typename Run>
+    void with_factors(const Run& run) const
+    {
+        if (has_factors_)
+            run(buffers_.factors);
+        else
+            run();
+    }
+
     /// Points that are removed while the heaviest ones go have at most the weight that so many points have at first.
     std::int64_t first_least(std::size_t count) const
     {
@@ -188,9 +216,11 @@ private:
         const std::uint32_t colours = elimination_.tiles == 1 ? 1 : 1u << dimension_;
         const std::size_t tiles = lattice_cells(std::max(1u, elimination_.tiles / 2), dimension_);
         for (std::uint32_t colour = 0; colour < colours; ++colour)
-            eliminate_.run(tiles, tile_group_size_, elimination_, colour, least, std::uint32_t{is_first},
-                           grid_.fixed_point(), grid_.starts(), grid_.ids(), buffers_.weights, buffers_.heavier,
-                           buffers_.marks, buffers_.counts);
+            with_factors([&](const auto&... factors) {
+                eliminate_.run(tiles, tile_group_size_, elimination_, colour, least, std::uint32_t{is_first},
+                               grid_.fixed_point(), grid_.starts(), grid_.ids(), buffers_.weights, buffers_.heavier,
+                               buffers_.marks, buffers_.counts, factors...);
+            });
     }
 
     std::vector<std::uint32_t> heaviest_removed(std::size_t count) const
@@ -209,6 +239,7 @@ private:
     }
 
     EliminationBuffers& buffers_;
+    bool has_factors_ = false;
     int dimension_;
     std::size_t work_group_size_;
     std::size_t tile_group_size_; ///< tiles take long, and the cores of a processor work on one at a time
@@ -222,9 +253,9 @@ SampleElimination::SampleElimination(Device device, std::size_t work_group_size)
 {}
 
 std::vector<std::uint32_t> SampleElimination::removal_order(const PointSet& points, const EliminationReach& reach,
-                                                            std::size_t count)
+                                                            std::size_t count, std::span<const std::uint32_t> factors)
 {
-    return EliminationRun(device_, *buffers_, points, reach, work_group_size_).first(count);
+    return EliminationRun(device_, *buffers_, points, reach, factors, work_group_size_).first(count);
 }
 
 DeviceMemory SampleElimination::memory(int dimension, std::size_t points, std::size_t kept)

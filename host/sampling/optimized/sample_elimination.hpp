@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -36,12 +37,17 @@ EliminationReach elimination_reach(std::size_t kept, std::size_t points, int dim
 using RemovalOrder =
     std::function<std::vector<std::uint32_t>(const PointSet&, const EliminationReach&, std::size_t count)>;
 
-/// The points of a set that are kept, in progressive order.
-PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order);
+/// The points of a set that are kept, in progressive order. `area` is that of what they lie in.
+PointSet eliminate(const PointSet& points, std::size_t kept, const RemovalOrder& removal_order, double area = 1);
 
 namespace reference {
 /// By a heap.
 std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
+
+/// The same where the weights of each point's pairs, for that point alone, are multiplied by a factor in units of 1 /
+/// FACTOR_UNITS; none: by 1.
+std::vector<std::uint32_t> factored_removal_order(const PointSet& points, const EliminationReach& reach,
+                                                  std::size_t count, std::span<const std::uint32_t> factors);
 }
 
 /// The same, by kernels/sample_elimination.cl: the same order on every device.
@@ -51,7 +57,8 @@ public:
     /// `work_group_size` 0: the default.
     explicit SampleElimination(Device device, std::size_t work_group_size = 0);
 
-    std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count);
+    std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count,
+                                             std::span<const std::uint32_t> factors = {});
 
     /// The memory that eliminate() takes.
     static DeviceMemory memory(int dimension, std::size_t points, std::size_t kept);

@@ -9,9 +9,23 @@ namespace poissonlab::reference {
 namespace {
 
 template <int D>
+Darts<D> darts_of(const RelaxationDartThrowingRequest& request)
+{
+    if constexpr (D == 2)
+        if (request.region) return {request.stream, request.region->extent()};
+    return Darts<D>(request.stream);
+}
+
+template <int D>
+bool is_allowed(const RelaxationDartThrowingRequest& request, const TorusPoint<D>& dart)
+{
+    return !request.region || request.region->contains({dart[0], dart[1]});
+}
+
+template <int D>
 RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request)
 {
-    Darts<D> darts(request.stream);
+    Darts<D> darts = darts_of<D>(request);
     RadiusLevels levels(request);
     std::vector<TorusPoint<D>> points;
     RelaxingGrid<D> grid(points, request.points);
@@ -20,7 +34,7 @@ RelaxationDarts throw_darts(const RelaxationDartThrowingRequest& request)
     std::uint64_t failures = 0;
     while (points.size() < request.points) {
         const TorusPoint<D> dart = darts.next();
-        if (!grid.conflicts(dart, squared_min_distance)) {
+        if (!grid.conflicts(dart, squared_min_distance) && is_allowed<D>(request, dart)) {
             points.push_back(dart);
             grid.insert(static_cast<std::uint32_t>(points.size() - 1));
             failures = 0;

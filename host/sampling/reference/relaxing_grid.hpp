@@ -3,6 +3,7 @@
 
 #include "base/geometry/torus.hpp"
 #include "base/random/random.hpp"
+#include "base/regions/fixed_region.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,15 @@ template <int D>
 class Darts
 {
 public:
-    explicit Darts(const StreamKey& stream) : stream_(stream) {}
+    explicit Darts(const StreamKey& stream) : stream_(stream) { size_.fill(std::uint64_t{1} << 32); }
+
+    /// Those that fall into a box.
+    Darts(const StreamKey& stream, const FixedBox& box) : stream_(stream)
+    {
+        static_assert(D == 2);
+        low_ = box.low;
+        for (std::size_t k = 0; k < D; ++k) size_[k] = std::uint64_t{box.high[k]} - box.low[k] + 1;
+    }
 
     std::uint64_t thrown() const { return thrown_; }
 
@@ -32,12 +41,17 @@ public:
         }
         ++thrown_;
         TorusPoint<D> dart;
-        for (std::size_t k = 0; k < D; ++k) dart[k] = words_[place * D + k];
+        for (std::size_t k = 0; k < D; ++k) {
+            const std::uint64_t word = words_[place * D + k];
+            dart[k] = low_[k] + static_cast<std::uint32_t>(word * size_[k] >> 32);
+        }
         return dart;
     }
 
 private:
     StreamKey stream_;
+    TorusPoint<D> low_{};
+    std::array<std::uint64_t, D> size_{};
     std::array<std::uint32_t, 4> words_{};
     std::uint64_t thrown_ = 0;
 };

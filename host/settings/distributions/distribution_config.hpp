@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -110,11 +111,15 @@ struct StippleSettings
 enum class RegionBoundary
 {
     inside, ///< points are inside
-    disks   ///< disks of half the minimum distance around them are
+    disks,  ///< disks of half the minimum distance around them are
+    on      ///< points are inside, and first of all on the boundary
 };
 
-inline constexpr WordTable<RegionBoundary, 2> region_boundary_names{
-    {{{RegionBoundary::inside, "inside"}, {RegionBoundary::disks, "disks"}}}};
+inline constexpr WordTable<RegionBoundary, 3> region_boundary_names{
+    {{{RegionBoundary::inside, "inside"}, {RegionBoundary::disks, "disks"}, {RegionBoundary::on, "on"}}}};
+
+/// See host/distribution/region_darts.hpp.
+struct RegionLand;
 
 /// kind = "darts": see host/distribution/region_darts.hpp. Points, a minimum distance, or both.
 struct DartSettings
@@ -127,6 +132,34 @@ struct DartSettings
     RegionBoundary boundary = RegionBoundary::inside;
     std::string obstacles;                   ///< empty: none; else see read_obstacles()
     std::optional<double> obstacle_distance; ///< of points from them; none: min_distance from points, else 0
+    std::shared_ptr<const RegionLand> land;  ///< what both were read as; empty: they are not read yet
+};
+
+/// How points are made in a region.
+enum class RegionMethod
+{
+    darts,
+    relaxation,
+    elimination,
+    lloyd,
+    bridson
+};
+
+inline constexpr WordTable<RegionMethod, 5> region_methods{{{{RegionMethod::darts, "darts"},
+                                                             {RegionMethod::relaxation, "relaxation"},
+                                                             {RegionMethod::elimination, "elimination"},
+                                                             {RegionMethod::lloyd, "lloyd"},
+                                                             {RegionMethod::bridson, "bridson"}}}};
+
+/// kind = "points": see host/distribution/region_points.hpp.
+struct RegionPointSettings
+{
+    RegionMethod method = RegionMethod::darts;
+    DartSettings place;                    ///< the region, obstacles, how many points or how far apart
+    std::optional<std::uint32_t> attempts; ///< failures before the radius is reduced, or a point given up
+    double factor = 0.99;                  ///< of relaxation, that the radius is multiplied by
+    std::uint32_t candidates = 5;          ///< of elimination, for each point
+    std::uint32_t iterations = 50;         ///< of Lloyd's method
 };
 
 /// kind = "instances": see host/distribution/instances/instances.hpp.

@@ -43,4 +43,11 @@ struct Settling
     uint grid_bits;
 };
 
+/// The box that darts fall into, with a region; a width of 2^31 at most.
+struct DartBox
+{
+    uint low_x, low_y;
+    uint width, height;
+};
+
 END_CONTRACT

@@ -8,6 +8,12 @@ CONTRACT(sample_elimination)
 /// Weights are integers, in units of which the largest of a pair has so many: sums are exact, in any order.
 REAL(WEIGHT_UNITS, 0x1p40)
 
+/// What factors of points are in units of: a factor of 1 is so many.
+enum
+{
+    FACTOR_UNITS = 16
+};
+
 /// The arguments of the kernels, about a set. Lengths are in units of 2^-32.
 struct Elimination
 {

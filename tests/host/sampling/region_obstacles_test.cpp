@@ -69,6 +69,12 @@ TEST_P(DartsAmongObstacles, AreThoseOfTheReferenceAndLeaveNoRoom)
     }
 }
 
+// Oclgrind interprets these as well: see tests/CMakeLists.txt.
+INSTANTIATE_TEST_SUITE_P(Small, DartsAmongObstacles,
+                         testing::Values(ObstacleCase{"POINT (50 50)", 45, 0.05, 45},
+                                         ObstacleCase{"LINESTRING (10 10, 60 60)", 45, 3, 45},
+                                         ObstacleCase{"rectangle 40 -10 60 50", 45, 1, 45}));
+
 INSTANTIATE_TEST_SUITE_P(
     Kinds, DartsAmongObstacles,
     testing::Values(

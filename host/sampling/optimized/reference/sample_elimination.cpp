@@ -52,6 +52,15 @@ std::vector<std::vector<Partner>> partners_within(const PointSet& points, const 
 
 std::vector<std::uint32_t> removal_order(const PointSet& points, const EliminationReach& reach, std::size_t count)
 {
+    return factored_removal_order(points, reach, count, {});
+}
+
+std::vector<std::uint32_t> factored_removal_order(const PointSet& points, const EliminationReach& reach,
+                                                  std::size_t count, std::span<const std::uint32_t> factors)
+{
+    const auto weight_for = [&](std::uint32_t point, std::uint64_t weight) {
+        return factors.empty() ? weight : weight * factors[point];
+    };
     const auto partners = partners_within(points, reach);
     // The heaviest first; of equal weights, the lower number.
     using Entry = std::pair<std::uint64_t, std::uint32_t>;
@@ -62,8 +71,9 @@ std::vector<std::uint32_t> removal_order(const PointSet& points, const Eliminati
     std::set<Entry, decltype(heavier)> heap(heavier);
     for (const auto& pairs : partners) {
         weights.push_back(0);
-        for (const Partner& partner : pairs) weights.back() += partner.weight;
-        heap.emplace(weights.back(), static_cast<std::uint32_t>(weights.size() - 1));
+        const auto number = static_cast<std::uint32_t>(weights.size() - 1);
+        for (const Partner& partner : pairs) weights.back() += weight_for(number, partner.weight);
+        heap.emplace(weights.back(), number);
     }
     std::vector<std::uint32_t> order;
     while (order.size() < count) {
@@ -72,7 +82,7 @@ std::vector<std::uint32_t> removal_order(const PointSet& points, const Eliminati
         order.push_back(heaviest);
         for (const Partner& partner : partners[heaviest]) {
             if (heap.erase({weights[partner.point], partner.point}) == 0) continue; // removed before
-            weights[partner.point] -= partner.weight;
+            weights[partner.point] -= weight_for(partner.point, partner.weight);
             heap.emplace(weights[partner.point], partner.point);
         }
     }

@@ -55,6 +55,23 @@ TEST_P(SampleEliminationOrder, IsThatOfTheHeap)
     }
 }
 
+/// Pairs weigh more for one of their points than for the other.
+TEST_P(SampleEliminationOrder, IsThatOfTheHeapWithFactors)
+{
+    const auto [dimension, points, kept] = GetParam();
+    const PointSet set = random_set(points, dimension, 7);
+    const EliminationReach reach = elimination_reach(kept, points, dimension);
+    std::mt19937 random(3);
+    std::vector<std::uint32_t> factors(points);
+    for (std::uint32_t& factor : factors)
+        factor = contract::sample_elimination::FACTOR_UNITS + static_cast<std::uint32_t>(random() % 48);
+    const auto expected = reference::factored_removal_order(set, reach, points - kept, factors);
+    EXPECT_EQ(SampleElimination(Device::open()).removal_order(set, reach, points - kept, factors), expected);
+    factors.assign(points, contract::sample_elimination::FACTOR_UNITS);
+    EXPECT_EQ(reference::factored_removal_order(set, reach, points - kept, factors),
+              reference::removal_order(set, reach, points - kept));
+}
+
 // Oclgrind interprets these as well, see tests/CMakeLists.txt: one tile, and four of each colour.
 INSTANTIATE_TEST_SUITE_P(Small, SampleEliminationOrder,
                          ::testing::Values(EliminationCase{2, 40, 8}, EliminationCase{2, 160, 80},

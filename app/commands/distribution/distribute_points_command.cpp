@@ -1,0 +1,62 @@
+// poissonlab distribute points: points in a region of the plane by several methods, in its own units.
+#include "app/commands/kind_options.hpp"
+#include "base/errors/errors.hpp"
+#include "base/points/point_file.hpp"
+#include "host/distribution/region_points.hpp"
+#include "host/distribution/runs/run_numbers.hpp"
+#include "host/kinds/kinds.hpp"
+
+#include <fmt/format.h>
+
+namespace poissonlab {
+namespace {
+
+constexpr auto distribute_points_notes =
+    R"help(Regions and obstacles are those of distribute darts. --method is one of
+  darts         the same as distribute darts: --points, --min-distance, or both
+  relaxation    --points by darts whose radius is reduced where they keep failing: the file says the distance that all
+                points have at least; every prefix is well spread
+  elimination   --points of --candidates times as many random points, in an order whose every prefix is well spread;
+                neighbours that the boundary cuts off are made up for
+  lloyd         --points moved to the centroids of their cells in the region, --iterations times
+  bridson       darts around points, until none finds room at --min-distance
+Elimination and Lloyd's method promise no distance; --json and reports have the one that was found.
+  poissonlab distribute points --region park.geojson --planar --method elimination --points 500 --out trees.csv
+  poissonlab distribute points --region "disk 0 0 1" --method lloyd --points 1000 --iterations 100 --out disk.npy)help";
+
+struct RegionPointOptions : KindOptions
+{
+    using KindOptions::KindOptions;
+    OutputFiles outs{{}, true};
+};
+
+void make_points_of_region(const RegionPointOptions& o)
+{
+    const KindSettings read = o.settings();
+    const auto& settings = read.as<RegionPointSettings>();
+    o.outs.check(o.command());
+    const RegionDarts made = make_region_points(settings, o.seed(), o.place());
+    std::string what = fmt::format("{} points", made.points.size());
+    if (made.sure_distance > 0) what += fmt::format(" at least {:.17g} apart", made.sure_distance);
+    if (made.is_saturated) what += ", between which no further one fits";
+    o.say_note(what);
+    if (made.request.land->obstacles.count() > 0 && made.request.near_obstacles == 0)
+        o.say_note("no obstacle is near enough to matter: are they in the units of the region?");
+    for (const std::string& out : o.outs.names)
+        write_points(out, made.points,
+                     fmt::format("poissonlab distribute points --region {} --method {} --seed {}: {}, in units of the "
+                                 "region",
+                                 shortened(printable(settings.place.region)), region_methods[settings.method], o.seed(),
+                                 what));
+    if (o.prints_json()) print_numbers(dart_numbers(made));
+}
+
+}
+
+Command distribute_points_command()
+{
+    const auto o = std::make_shared<RegionPointOptions>(*find_kind("distribution", "points"));
+    return kind_command(o, {o->outs.option()}, distribute_points_notes, make_points_of_region);
+}
+
+}

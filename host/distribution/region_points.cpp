@@ -1,0 +1,171 @@
+#include "host/distribution/region_points.hpp"
+
+#include "base/errors/errors.hpp"
+#include "base/geometry/relative_radius.hpp"
+#include "base/geometry/torus.hpp"
+#include "host/device/device_memory.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
+#include "host/sampling/regions/region_bridson.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
+#include "host/sampling/regions/region_lloyd.hpp"
+#include "host/sampling/relaxation_dart_throwing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poissonlab {
+namespace {
+
+/// As for darts: sets of the torus share no random numbers with those of regions.
+constexpr std::uint32_t region_attempt = 1;
+
+class RegionPointWork
+{
+public:
+    RegionPointWork(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+        : settings_(settings), seed_(seed),
+          place_(place), points_{region_dart_request(settings.place, seed, region_land(settings.place)),
+                                 {2, {}},
+                                 false,
+                                 0},
+          region_(*points_.request.region)
+    {}
+
+    RegionDarts run()
+    {
+        switch (settings_.method) {
+        case RegionMethod::relaxation:
+            return made_of(relaxed_darts());
+        case RegionMethod::elimination:
+            return made_of(eliminated());
+        case RegionMethod::lloyd:
+            return made_of(relaxed());
+        default:
+            return made_of(bridson());
+        }
+    }
+
+private:
+    StreamKey stream(Purpose purpose) const { return stream_key(seed_, purpose, 0, region_attempt); }
+    bool is_reference() const { return place_.engine == Engine::reference; }
+    std::size_t wanted() const { return settings_.place.points.value_or(0); }
+
+    /// The side of the torus in units of the region.
+    double side() const { return region_.unit() * 0x1p32; }
+
+    RegionDarts made_of(const PointSet& fixed)
+    {
+        if (fixed.size() == 0) fail_without_room(points_.request, settings_.place);
+        points_.points = in_units_of(region_, fixed);
+        return std::move(points_);
+    }
+
+    /// Random points, all of which are allowed, and the part of the box around the region that is.
+    std::vector<TorusPoint<2>> candidates(std::size_t count, Purpose purpose, double& share) const
+    {
+        RegionCandidates candidates(region_, stream(purpose));
+        std::vector<TorusPoint<2>> places = candidates.next(count);
+        if (places.size() < count) fail_without_room(points_.request, settings_.place);
+        share = candidates.share();
+        return places;
+    }
+
+    /// The area of the box around the region, on the torus.
+    double box_area() const
+    {
+        const FixedBox& box = region_.extent();
+        return (box.high[0] - box.low[0] + 1.0) * (box.high[1] - box.low[1] + 1.0) * 0x1p-64;
+    }
+
+    PointSet relaxed_darts()
+    {
+        double share = 0;
+        candidates(least_candidates, Purpose::random_points, share);
+        RelaxationDartThrowingRequest request;
+        request.points = wanted();
+        request.factor = settings_.factor;
+        request.initial_radius =
+            std::min(0.25, max_min_distance(request.points, 2) * std::sqrt(box_area() * share) / 2);
+        // Darts outside the region fail as well.
+        const double attempts = settings_.attempts.value_or(usual_attempts) / share;
+        request.attempts = static_cast<std::uint64_t>(std::min(attempts + 0.5, 0x1p40));
+        request.stream = stream(Purpose::relaxation_dart_throwing);
+        request.region = points_.request.region;
+        RelaxationDarts darts;
+        if (is_reference()) {
+            darts = reference::throw_relaxation_darts(request);
+        } else {
+            check_fits("relaxation dart throwing", RelaxationDartThrower::memory(request), place_.device().info());
+            darts = RelaxationDartThrower(place_.device()).throw_darts(request);
+        }
+        const double distance = 2 * darts.radius * side();
+        points_.sure_distance = std::max(0.0, distance - 2 * distance_rounding(distance, region_.box()));
+        return darts.points;
+    }
+
+    PointSet eliminated()
+    {
+        double share = 0;
+        const std::vector<TorusPoint<2>> places =
+            candidates(wanted() * settings_.candidates, Purpose::sample_elimination, share);
+        const PointSet all = to_point_set<2>(std::span<const TorusPoint<2>>(places));
+        std::optional<SampleElimination> elimination;
+        if (!is_reference()) {
+            check_fits("sample elimination", SampleElimination::memory(2, all.size(), wanted()),
+                       place_.device().info());
+            elimination.emplace(place_.device());
+        }
+        const RemovalOrder order = [&](const PointSet& points, const EliminationReach& reach, std::size_t count) {
+            const std::vector<std::uint32_t> factors = boundary_factors(region_, points, reach);
+            return elimination ? elimination->removal_order(points, reach, count, factors)
+                               : reference::factored_removal_order(points, reach, count, factors);
+        };
+        return eliminate(all, wanted(), order, box_area() * share);
+    }
+
+    PointSet relaxed()
+    {
+        double share = 0;
+        const std::vector<TorusPoint<2>> start = candidates(wanted(), Purpose::random_points, share);
+        if (is_reference()) return relaxed_from(start, reference::integrate_cells);
+        check_fits("Lloyd relaxation", RegionLloyd::memory(SiteGrid(region_, start.size())), place_.device().info());
+        RegionLloyd lloyd(place_.device());
+        return relaxed_from(start, [&](const SiteGrid& grid) { return lloyd.integrate_cells(grid); });
+    }
+
+    PointSet relaxed_from(const std::vector<TorusPoint<2>>& start, const CellIntegrals& integrals) const
+    {
+        const std::vector<TorusPoint<2>> sites = relax_in_region(region_, start, settings_.iterations, integrals);
+        return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
+    }
+
+    PointSet bridson()
+    {
+        points_.sure_distance = points_.request.min_distance;
+        return throw_bridson_darts(region_, {.min_distance = points_.request.darts.min_distance,
+                                             .attempts = settings_.attempts.value_or(usual_bridson_attempts),
+                                             .stream = stream(Purpose::bridson)});
+    }
+
+    static constexpr std::size_t least_candidates = 10'000; ///< that tell a share
+    static constexpr std::uint32_t usual_attempts = 1000;
+    static constexpr std::uint32_t usual_bridson_attempts = 30;
+
+    const RegionPointSettings& settings_;
+    std::uint64_t seed_;
+    const DistributionPlace& place_;
+    RegionDarts points_;
+    const FixedRegion& region_;
+};
+
+}
+
+RegionDarts make_region_points(const RegionPointSettings& settings, std::uint64_t seed, const DistributionPlace& place)
+{
+    if (settings.method == RegionMethod::darts) return throw_region_darts(settings.place, seed, place);
+    return RegionPointWork(settings, seed, place).run();
+}
+
+}

@@ -1,0 +1,119 @@
+#include "host/sampling/regions/region_bridson.hpp"
+
+#include "base/programs/interrupt.hpp"
+#include "host/sampling/classics/torus_grid.hpp"
+#include "host/sampling/regions/region_candidates.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+namespace {
+
+/// What random words are for: the last word of Philox' counter.
+constexpr std::uint32_t choice_use = 1, dart_use = 2; // 0: of candidates
+
+class BridsonInRegion
+{
+public:
+    BridsonInRegion(const FixedRegion& region, const RegionBridsonRequest& request)
+        : region_(region), request_(request), candidates_(region, request.stream),
+          distance_(static_cast<std::uint64_t>(std::ceil(request.min_distance * 0x1p32))),
+          grid_(static_cast<std::size_t>(1 / (request.min_distance * request.min_distance)), 2)
+    {}
+
+    PointSet run()
+    {
+        for (std::uint32_t turn = 0;; ++turn) {
+            if (active_.empty() && !begin_anew()) return grid_.point_set();
+            if (turn % 4096 == 0) stop_if_interrupted();
+            const std::uint64_t random = philox({turn, 0, 0, choice_use}, request_.stream)[0];
+            const std::size_t chosen = static_cast<std::size_t>(random * active_.size() >> 32);
+            if (throws_well(grid_[active_[chosen]], turn)) continue;
+            active_[chosen] = active_.back();
+            active_.pop_back();
+        }
+    }
+
+private:
+    bool has_room(const TorusPosition& dart) const
+    {
+        return grid_.size() == 0 || grid_.squared_nearest(dart, distance_ * distance_ - 1) >= distance_ * distance_;
+    }
+
+    void add(const TorusPosition& dart)
+    {
+        active_.push_back(static_cast<std::uint32_t>(grid_.size()));
+        grid_.add(dart);
+    }
+
+    /// A first point, or one of a part of the region that points do not reach.
+    bool begin_anew()
+    {
+        for (std::uint32_t failures = 0; failures < request_.starts; ++failures) {
+            const std::optional<TorusPoint<2>> start = candidates_.next();
+            if (!start) return false;
+            const TorusPosition dart{(*start)[0], (*start)[1], 0};
+            if (!has_room(dart)) continue;
+            add(dart);
+            return true;
+        }
+        return false;
+    }
+
+    /// A place in the ring of one to two distances around a point: the first of uniform ones in the square around that.
+    /// Nothing where it is so far away that it would come around the torus.
+    std::optional<TorusPosition> dart_around(const TorusPosition& around, std::uint32_t turn, std::uint32_t& word) const
+    {
+        __extension__ using Wide = unsigned __int128;
+        const Wide least = Wide{distance_} * distance_;
+        for (;; ++word) {
+            const auto words = philox({turn, word, 0, dart_use}, request_.stream);
+            TorusPosition dart = around;
+            Wide squared = 0;
+            bool is_far = false;
+            for (std::size_t k = 0; k < 2; ++k) {
+                const std::int64_t offset =
+                    static_cast<std::int64_t>(distance_ * words[k] >> 30) - static_cast<std::int64_t>(2 * distance_);
+                squared += static_cast<Wide>(offset) * static_cast<Wide>(offset);
+                is_far |= std::abs(offset) >= std::int64_t{1} << 31;
+                dart[k] = around[k] + static_cast<std::uint32_t>(offset);
+            }
+            if (squared < least || squared >= 4 * least) continue;
+            ++word;
+            if (is_far) return {};
+            return dart;
+        }
+    }
+
+    /// Adds the first dart around a point that is allowed and not too near to any.
+    bool throws_well(TorusPosition around, std::uint32_t turn)
+    {
+        std::uint32_t word = 0;
+        for (std::uint32_t attempt = 0; attempt < request_.attempts; ++attempt) {
+            const std::optional<TorusPosition> dart = dart_around(around, turn, word);
+            if (!dart || !region_.contains({(*dart)[0], (*dart)[1]}) || !has_room(*dart)) continue;
+            add(*dart);
+            return true;
+        }
+        return false;
+    }
+
+    const FixedRegion& region_;
+    const RegionBridsonRequest& request_;
+    RegionCandidates candidates_;
+    std::uint64_t distance_; ///< in units of 2^-32
+    TorusGrid grid_;
+    std::vector<std::uint32_t> active_; ///< points around which darts still fall
+};
+
+}
+
+PointSet throw_bridson_darts(const FixedRegion& region, const RegionBridsonRequest& request)
+{
+    return BridsonInRegion(region, request).run();
+}
+
+}

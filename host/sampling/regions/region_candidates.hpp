@@ -1,0 +1,43 @@
+// Random points in a region, and what a region's boundary takes from the neighbourhood of points.
+#pragma once
+
+#include "base/random/random.hpp"
+#include "base/regions/fixed_region.hpp"
+#include "host/sampling/optimized/sample_elimination.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace poissonlab {
+
+/// Independent uniform points: darts into the least box around the region, of which those outside are left out. The
+/// next one: nothing where not one of ten million lies inside.
+class RegionCandidates
+{
+public:
+    /// The region must outlive this.
+    RegionCandidates(const FixedRegion& region, const StreamKey& stream) : region_(region), stream_(stream) {}
+
+    std::optional<TorusPoint<2>> next();
+
+    /// So many, or as many as are found.
+    std::vector<TorusPoint<2>> next(std::size_t count);
+
+    /// The part of the box that darts found inside.
+    double share() const { return static_cast<double>(found_) / static_cast<double>(thrown_); }
+
+private:
+    const FixedRegion& region_;
+    StreamKey stream_;
+    std::uint64_t thrown_ = 0, found_ = 0;
+};
+
+/// What the weights of each point are multiplied by in sample elimination, in FACTOR_UNITS, so that points beside the
+/// boundary are as crowded as if the set went on beyond it: one over the part of the weight of a disk around the point
+/// that lies inside, by 128 places in it.
+std::vector<std::uint32_t> boundary_factors(const FixedRegion& region, const PointSet& points,
+                                            const EliminationReach& reach);
+
+}

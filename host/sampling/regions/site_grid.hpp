@@ -1,0 +1,57 @@
+// Sites in a region and the edges of its boundary, by the cells of a grid.
+#pragma once
+
+#include "base/regions/fixed_region.hpp"
+#include "kernels/common/regions/region_lloyd.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace poissonlab {
+
+class SiteGrid
+{
+public:
+    /// For so many sites. The region must outlive this.
+    SiteGrid(const FixedRegion& region, std::size_t sites);
+
+    /// Sorts sites by cells, and in each by their numbers. They lie in the region's box.
+    void sort(std::span<const TorusPoint<2>> sites);
+
+    const contract::region_lloyd::SiteGrid& grid() const { return grid_; }
+
+    /// Of sorted sites: their positions, their numbers, and whether they lie in the region when they are moved by
+    /// (e^2, e).
+    std::span<const TorusPoint<2>> sites() const { return sites_; }
+    std::span<const std::uint32_t> numbers() const { return numbers_; }
+    std::span<const std::uint8_t> is_inside() const { return is_inside_; }
+    std::span<const std::uint32_t> starts() const { return starts_; } ///< the first site of each cell, and the end
+
+    /// The boundary, with the region on the left; positions count from the grid's lowest one.
+    std::span<const FixedEdge> edges() const { return edges_; }
+    std::span<const std::uint32_t> edge_starts() const { return edge_starts_; }
+    std::span<const std::uint32_t> edge_numbers() const { return edge_numbers_; }
+
+private:
+    void list_edges();
+    void find_filled();
+    double half_box() const;
+    std::size_t cells() const { return std::size_t{grid_.columns} * grid_.rows; }
+
+    const FixedRegion& region_;
+    contract::region_lloyd::SiteGrid grid_{};
+    std::vector<TorusPoint<2>> sites_;
+    std::vector<std::uint32_t> numbers_, starts_;
+    std::vector<std::uint8_t> is_inside_;
+    std::vector<FixedEdge> edges_;
+    std::vector<std::uint32_t> edge_starts_, edge_numbers_;
+    std::vector<std::uint8_t> is_filled_; ///< cells that are not outside
+};
+
+/// The grid's columns that an edge is in, and a little more, within a row.
+std::array<std::uint32_t, 2> columns_of(const contract::region_lloyd::SiteGrid& grid, const FixedEdge& edge,
+                                        std::uint32_t row);
+
+}

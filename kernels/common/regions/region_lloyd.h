@@ -1,0 +1,32 @@
+// The contract of region_lloyd.cl and its host code, host/sampling/regions/region_lloyd.cpp.
+#pragma once
+
+#include "kernels/common/contract.h"
+
+CONTRACT(region_lloyd)
+
+enum
+{
+    MAX_LINES = 40 ///< of a cell; the host takes cells that have more while they are cut
+};
+
+/// Square cells over the box of a region: 2^shift positions along each axis, from a lowest position on.
+struct SiteGrid
+{
+    double half_box; ///< what a site's cell has of the region lies in a square of twice this side around it
+    uint low_x, low_y;
+    uint columns, rows;
+    uint shift;
+    uint sites;
+};
+
+/// A cell's part of the region, relative to its site; lengths in positions.
+struct CellMoments
+{
+    double twice_area;
+    double x, y;    ///< six times the integrals of the coordinates
+    uint is_known;  ///< 0: the cell has too many lines
+    uint unused;
+};
+
+END_CONTRACT
