@@ -41,14 +41,14 @@ ALWAYS_INLINE double2 place_on(const Line* line, double t) { return line->middle
 ALWAYS_INLINE double crossed(double2 a, double2 b) { return a.x * b.y - a.y * b.x; }
 ALWAYS_INLINE double dotted(double2 a, double2 b) { return a.x * b.x + a.y * b.y; }
 
-/// Keeps what part of low <= t <= high has slope * t <= rest.
+/// Keeps what part of low <= t <= high has slope * t <= rest; of parallel lines in one place, nothing.
 ALWAYS_INLINE void cut(double rest, double slope, double* low, double* high)
 {
     if (slope > 0)
         *high = min(*high, rest / slope);
     else if (slope < 0)
         *low = max(*low, rest / slope);
-    else if (rest < 0)
+    else if (rest <= 0)
         *high = *low;
 }
 

@@ -152,7 +152,7 @@ private:
     }
 
     /// Where ring `i` lies to ring `j`, one of its corners that does not lie on it says; rings that touch others may
-    /// have gone through there, so all of their corners are looked at.
+    /// have gone through there, so all of their corners are looked at. Where all lie on it, the middle of an edge says.
     CGAL::Bounded_side side(std::size_t i, std::size_t j, bool& is_mixed) const
     {
         const auto& [corners, polygon, hole, name] = rings_[j];
@@ -165,6 +165,10 @@ private:
             side = found;
             if (!touching_[i] || is_mixed) break;
         }
+        const auto& own = rings_[i].corners;
+        for (std::size_t k = 0; k < own.size() && side == CGAL::ON_BOUNDARY; ++k)
+            side = CGAL::bounded_side_2(corners.begin(), corners.end(),
+                                        CGAL::midpoint(own[k], own[(k + 1) % own.size()]), CheckKernel());
         return side;
     }
 

@@ -13,13 +13,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace poissonlab {
 namespace {
 
 /// As for darts: sets of the torus share no random numbers with those of regions.
 constexpr std::uint32_t region_attempt = 1;
+
+/// Distances from lines that are less than this part of the minimum distance take nothing from cells.
+constexpr double least_part_of_distance = 1.0 / 8;
+
+/// Corners of half a circle.
+constexpr int half_corners = 16;
+
+/// The places that are nearer to a line than a distance, as a polygon within them. Lines of no length are points.
+RegionPolygon around_line(const std::array<double, 4>& line, double distance)
+{
+    const double direction = std::atan2(line[3] - line[1], line[2] - line[0]);
+    RegionPolygon polygon;
+    for (const bool is_end : {true, false})
+        for (int i = 0; i <= half_corners; ++i) {
+            const double angle = direction + std::numbers::pi * (static_cast<double>(i) / half_corners - 0.5) +
+                                 (is_end ? 0 : std::numbers::pi);
+            polygon.outline.push_back(
+                {line[is_end ? 2 : 0] + distance * std::cos(angle), line[is_end ? 3 : 1] + distance * std::sin(angle)});
+        }
+    // Where the line is a point, the halves meet in two corners, which come twice.
+    if (line[0] == line[2] && line[1] == line[3]) {
+        polygon.outline.pop_back();
+        polygon.outline.erase(polygon.outline.begin() + half_corners);
+    }
+    return polygon;
+}
+
+/// The land without what is too near to obstacles: cells of Lloyd's method are cut there.
+PlaneRegion land_for_cells(const RegionDartRequest& request)
+{
+    const double side = FixedRegion::torus_side(request.kept.box);
+    const double from_lines = request.kept.from_lines * side, from_points = request.kept.from_points * side;
+    std::vector<RegionPolygon> taken;
+    if (from_lines > request.min_distance * least_part_of_distance)
+        for (const auto& line : request.kept.lines) taken.push_back(around_line(line, from_lines));
+    for (const auto& [x, y] : request.kept.points) taken.push_back(around_line({x, y, x, y}, from_points));
+    return without_polygons(request.land->rest, taken);
+}
 
 class RegionPointWork
 {
@@ -137,7 +177,8 @@ private:
 
     PointSet relaxed_from(const std::vector<TorusPoint<2>>& start, const CellIntegrals& integrals) const
     {
-        const std::vector<TorusPoint<2>> sites = relax_in_region(region_, start, settings_.iterations, integrals);
+        const FixedRegion land(land_for_cells(points_.request), 0, {{}, {}, 0, 0, points_.request.kept.box});
+        const std::vector<TorusPoint<2>> sites = relax_in_region(region_, land, start, settings_.iterations, integrals);
         return to_point_set<2>(std::span<const TorusPoint<2>>(sites));
     }
 

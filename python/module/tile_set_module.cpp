@@ -1,6 +1,8 @@
 // Poisson disk tile sets for Python: what runtime/poisson_tiles.h does, for arrays, and the proof of the minimum
 // distance.
 #include "base/errors/errors.hpp"
+#include "base/regions/region_text.hpp"
+#include "host/tile_points/tiled_region.hpp"
 #include "python/module/arrays.hpp"
 #include "python/module/module_parts.hpp"
 #include "python/module/work.hpp"
@@ -12,8 +14,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace py = pybind11;
 
@@ -93,6 +97,24 @@ public:
         }));
     }
 
+    /// The points in a region, in its units. Of `points` and `min_distance`, one is 0.
+    py::dict in_region(const std::string& text, bool is_planar, double min_distance, std::uint64_t points,
+                       std::uint32_t seed, double density) const
+    {
+        if (set_.parameters.dimension != 2) throw InputError("in_region: these are tiles in space");
+        return columns_of(without_lock([&] {
+            const auto region = std::make_shared<const FixedRegion>(read_region(text, is_planar));
+            const ptiles_tiling tiling = runtime_tiling(set_, {seed, 0});
+            const RegionBox& box = region->box();
+            const double sure = tile_width_for(points > 0 ? 1 : min_distance, set_, box);
+            const double tiles = static_cast<double>(points) / set_.parameters.points_per_tile;
+            if (points == 0) return points_in(region, tiling, sure, density);
+            const auto count = [&](double tried) { return points_in(region, tiling, tried, density).ids.size(); };
+            return points_in(region, tiling, tile_width_for_points(points, std::sqrt(region->area() / tiles), count),
+                             density);
+        }));
+    }
+
     /// The nearest points of positions, and their distances.
     py::dict nearest(const AnyArray& positions, std::uint32_t seed) const
     {
@@ -140,6 +162,29 @@ public:
     }
 
 private:
+    PointColumns points_in(const std::shared_ptr<const FixedRegion>& region, const ptiles_tiling& tiling, double width,
+                           double density) const
+    {
+        const TileBlock block = TiledRegion(region, width).block();
+        Corner low{}, high{};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            low[axis] = block.lowest[axis];
+            high[axis] = low[axis] + block.size[axis];
+        }
+        check_window(low, high);
+        const std::uint64_t count = ptiles_in_window(&tiling, low.data(), high.data(), nullptr, 0, density);
+        std::vector<ptiles_point> found(count);
+        ptiles_in_window(&tiling, low.data(), high.data(), found.data(), count, density);
+        PointColumns points(2);
+        for (ptiles_point& point : found) {
+            const std::array place{point.position[0] * width, point.position[1] * width};
+            if (!region->contains_place(place)) continue;
+            std::ranges::copy(place, point.position);
+            points.add(point);
+        }
+        return points;
+    }
+
     /// Tiles are at places of 32 bits, and look at those beside them.
     static void check_place(const char* function, double value)
     {
@@ -175,6 +220,8 @@ void add_tile_sets(py::module_& module)
         .def(py::init<const std::filesystem::path&>(), py::arg("file"))
         .def("parameters", &OpenTileSet::parameters)
         .def("window", &OpenTileSet::window, py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("density"))
+        .def("in_region", &OpenTileSet::in_region, py::arg("region"), py::arg("is_planar"), py::arg("min_distance"),
+             py::arg("points"), py::arg("seed"), py::arg("density"))
         .def("nearest", &OpenTileSet::nearest, py::arg("positions"), py::arg("seed"))
         .def("verify", &OpenTileSet::verify);
 }

@@ -1,9 +1,10 @@
 """Poisson disk tile sets: endless point sets with a proven minimum distance, looked up wherever one likes."""
 
+import json
 import operator
 import os
 from collections.abc import Callable
-from typing import NamedTuple, Union
+from typing import NamedTuple, Optional, Union
 
 import numpy
 import numpy.typing
@@ -104,6 +105,37 @@ class TileSet:
             return found
         kept = found.level < numpy.asarray(density(*found.position.T), dtype=float)
         return TilePoints(*(column[kept] for column in found))
+
+    def in_region(self, region, *, min_distance: Optional[float] = None, points: Optional[int] = None, seed: int = 1,
+                  density: Density = 1.0, planar: bool = False) -> TilePoints:
+        """The points in a region of the plane, in its own units: those of `poissonlab tiles points --region`.
+
+        region: a file or a text, as distribute.darts takes them, or an object with a `__geo_interface__`.
+        min_distance: in the region's units, which the proven distance of the tiles becomes.
+        points: instead, how many there are; a number is found that is nearest to it where chance lets none be exact.
+        seed: which tiling. Regions beside each other fit together at the same min_distance and seed.
+        density: as in window(), of coordinates of the region; a function goes with min_distance.
+        planar: whether coordinates that look like longitude and latitude are lengths.
+        """
+        if (min_distance is None) == (points is None):
+            raise InputError("in_region: needs min_distance or points, and not both")
+        if min_distance is not None and not 1e-12 <= min_distance <= 1e12:
+            raise InputError(f"in_region: min_distance = {min_distance}: must be from 1e-12 to 1e12")
+        if points is not None and not 1 <= operator.index(points) < 2**27:
+            raise InputError(f"in_region: points = {points}: must be from 1 to {2**27 - 1}")
+        if callable(density) and points is not None:
+            raise InputError("in_region: density: a function goes with min_distance")
+        number = 1.0 if callable(density) else float(density)
+        if not 0 < number <= 1:
+            raise InputError(f"in_region: density = {density}: must be a number above 0 and at most 1, or a function")
+        text = json.dumps(region.__geo_interface__) if hasattr(region, "__geo_interface__") else os.fspath(region)
+        found = self._set.in_region(text, bool(planar), float(min_distance or 0), int(points or 0), checked_seed(seed),
+                                    number)
+        columns = TilePoints(**found)
+        if not callable(density):
+            return columns
+        kept = columns.level < numpy.asarray(density(*columns.position.T), dtype=float)
+        return TilePoints(*(column[kept] for column in columns))
 
     def nearest(self, positions: numpy.typing.ArrayLike, *, seed: int = 1) -> NearestPoints:
         """The nearest point of each position: a Worley texture without a table of its own.

@@ -2,6 +2,7 @@
 #include "base/points/point_file.hpp"
 #include "host/tile_points/tile_points.hpp"
 #include "tests/support/command_test.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/random_tile_set.hpp"
 #include "tiles/poisson/tile_set_file.hpp"
 
@@ -26,7 +27,8 @@ bool is_in_ring(const PlaneCorners& ring, double x, double y)
 {
     bool is_inside = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto& [x0, y0] = ring[i], &[ x1, y1 ] = ring[(i + 1) % ring.size()];
+        const auto& [x0, y0] = ring[i];
+        const auto& [x1, y1] = ring[(i + 1) % ring.size()];
         if ((y0 <= y) != (y1 <= y)) is_inside ^= x < x0 + (y - y0) / (y1 - y0) * (x1 - x0);
     }
     return is_inside;
@@ -139,7 +141,7 @@ TEST_F(TilesInRegions, AreAsManyAsAreAskedFor)
 /// Real tiles, far from 0: what a user computes from the file is not below what was asked for.
 TEST_F(TilesInRegions, KeepTheirDistanceAlsoWhenItIsComputed)
 {
-    const std::string tiles = std::string(POISSONLAB_SOURCE_DIR) + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
+    const std::string tiles = source_folder() + "/runtime/tile_sets/corner-c3-n64-r075.ptiles";
     ASSERT_EQ(run(tiles + " --region 'rectangle 512345.678 5412345.678 512385.678 5412385.678' --min-distance 0.7 " +
                   "--out points.npy")
                   .status,

@@ -40,6 +40,27 @@ class TileSets(FolderTest):
         full = tiles.window(0, 0, 4, 4)
         self.assert_same_bytes(half[half[:, 0] < 2], full[full[:, 0] < 2])
 
+    def test_fill_regions_as_the_program_does(self):
+        tiles = pl.TileSet(TILE_SET)
+        region = "POLYGON ((500000 5400000, 500090 5400010, 500060 5400080, 500000 5400000))"
+        out = self.folder / "points.npy"
+
+        def of_program(*options):
+            program("tiles", "points", TILE_SET, "--region", region, "--planar", "--seed", 3, "--out", out, *options)
+            return {*map(tuple, numpy.load(out))}
+
+        made = tiles.in_region(region, min_distance=2, planar=True, seed=3)
+        self.assertEqual({*map(tuple, made.position)}, of_program("--min-distance", 2))
+        gaps = numpy.sqrt(((made.position[:, None] - made.position)**2).sum(axis=2))
+        self.assertGreaterEqual(gaps[numpy.triu_indices(len(gaps), 1)].min(), 2)
+        some = tiles.in_region(region, points=321, planar=True, seed=3, density=0.5)
+        self.assertEqual(len(some.position), 321)
+        self.assertEqual({*map(tuple, some.position)}, of_program("--points", 321, "--density", 0.5))
+        left = tiles.in_region("disk 0 0 9", min_distance=1, density=lambda x, y: numpy.where(x < 0, 1, 0))
+        self.assertTrue((left.position[:, 0] < 0).all() and len(left.position) > 50)
+        with self.assertRaisesRegex(pl.InputError, "needs min_distance or points, and not both"):
+            tiles.in_region("disk 0 0 9")
+
     def test_windows_fit_together(self):
         tiles = pl.TileSet(TILE_SET)
         whole = tiles.points(-1.5, 0.25, 3, 2)

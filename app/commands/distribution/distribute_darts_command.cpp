@@ -14,15 +14,19 @@ namespace {
 constexpr auto distribute_darts_notes =
     R"help(Darts are thrown into a region until there are --points of them, or until no further one fits: then every place of
 the region is nearer than --min-distance to a point. Coordinates and distances are in the region's own units. Points on
-the boundary are inside; with --boundary disks whole disks of half the distance around points are. A region is
+the boundary are inside; with --boundary disks whole disks of half the distance around points are, and with --boundary on
+the boundary is sampled first. A region is
   FILE                         GeoJSON (Polygon, MultiPolygon, Feature, FeatureCollection), or WKT
   "rectangle X0 Y0 X1 Y1"      from the lowest corner to the highest
   "disk X Y RADIUS"            a polygon of 1,024 corners on the circle
   "POLYGON ((...))"            WKT, also MULTIPOLYGON
+  PICTURE                      its pixels that are brighter than half, squares of side 1
+  "formula X0 Y0 X1 Y1 EXPR"   where an expression in x and y is above 0 in a rectangle
 Longitudes and latitudes are refused, as their degrees are no lengths: project them first, or say --planar where
 coordinates only look like them. GeoJSON without a crs is in degrees by its standard.
-Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT. They
-are never in polygons, and nearer than --obstacle-distance to none: by default than --min-distance to points.
+Points keep away from --obstacles, which may lie anywhere and overlap: points, lines and polygons of GeoJSON or WKT, and
+points of CSV, NPY and other point files. They are never in polygons, and nearer than --obstacle-distance to none: by
+default than --min-distance to points.
   poissonlab distribute darts --region park.geojson --planar --min-distance 4 --out trees.csv
   poissonlab distribute darts --region "rectangle 0 0 210 297" --points 2000 --out page.txt
   poissonlab distribute darts --region park.wkt --obstacles trees.wkt --min-distance 4 --out new.csv)help";

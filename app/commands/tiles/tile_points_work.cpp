@@ -46,8 +46,6 @@ TileBlock torus_block(std::uint32_t tiles, int dimension)
 
 TileBlock checked_block(const TilesPointsOptions& options, int dimension)
 {
-    const int places = !options.window.empty() + (options.torus > 0) + !options.region.empty();
-    if (places != 1) throw InputError("tiles points: needs one of --window, --torus and --region");
     return options.torus > 0 ? torus_block(options.torus, dimension) : checked_window(options.window, dimension);
 }
 
@@ -103,6 +101,8 @@ std::string comment_of(const TilesPointsOptions& options, const TiledRegion* reg
 
 TilePointsWork::TilePointsWork(const TilesPointsOptions& options) : options_(options)
 {
+    const int places = !options.window.empty() + (options.torus > 0) + !options.region.empty();
+    if (places != 1) throw InputError("tiles points: needs one of --window, --torus and --region");
     check_point_target("tiles points", options.out);
     tiles_ = read_tile_set(options.file);
     head.dimension = tiles_.parameters.dimension;

@@ -55,8 +55,8 @@ void dart_keys(Keys& keys, DartSettings& s)
         throw keys.invalid("relative_radius", "goes with " + keys.name_of("points"));
     keys.check(s.min_distance ? "min_distance" : "points", [&] { region_dart_request(s, 0, s.land); });
     if (s.boundary == RegionBoundary::on && s.obstacle_distance && !s.land->obstacles.points.empty())
-        throw keys.invalid("boundary", fmt::format("{} goes with {} where obstacles are no points",
-                                                   keys.shown("boundary", "on"), keys.name_of("obstacle_distance")));
+        throw keys.invalid("boundary",
+                           fmt::format("goes with {} where no obstacle is a point", keys.name_of("obstacle_distance")));
 }
 
 void region_point_keys(Keys& keys, RegionPointSettings& s)
@@ -79,8 +79,7 @@ void region_point_keys(Keys& keys, RegionPointSettings& s)
     if (keys.is_given("relative_radius"))
         throw keys.invalid("relative_radius", "goes with " + keys.shown("method", "darts"));
     if (s.place.boundary == RegionBoundary::on)
-        throw keys.invalid("boundary",
-                           fmt::format("{} goes with {}", keys.shown("boundary", "on"), keys.shown("method", "darts")));
+        throw keys.invalid("boundary", "goes with " + keys.shown("method", "darts"));
     const bool takes_distance = is_one_of(bridson);
     const std::string other = takes_distance ? "points" : "min_distance",
                       needed = takes_distance ? "min_distance" : "points";

@@ -36,10 +36,11 @@ std::span<const std::uint32_t> words_of(std::span<const T> values)
 
 }
 
-std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, std::vector<TorusPoint<2>> sites,
-                                           std::size_t iterations, const CellIntegrals& integrals)
+std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const FixedRegion& land,
+                                           std::vector<TorusPoint<2>> sites, std::size_t iterations,
+                                           const CellIntegrals& integrals)
 {
-    SiteGrid grid(region, sites.size());
+    SiteGrid grid(land, sites.size());
     for (std::size_t iteration = 0; iteration < iterations; ++iteration) {
         stop_if_interrupted();
         grid.sort(sites);

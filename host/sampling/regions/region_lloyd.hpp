@@ -19,9 +19,11 @@ namespace poissonlab {
 /// Moments of the cells of sites that a grid has sorted.
 using CellIntegrals = std::function<std::vector<contract::region_lloyd::CellMoments>(const SiteGrid&)>;
 
-/// The sites after so many steps, in their order. All have to be allowed.
-std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, std::vector<TorusPoint<2>> sites,
-                                           std::size_t iterations, const CellIntegrals& integrals);
+/// The sites after so many steps, in their order. All have to be allowed, and stay in `region`; cells are cut at the
+/// boundary of `land`, which has the same grid and what is allowed inside.
+std::vector<TorusPoint<2>> relax_in_region(const FixedRegion& region, const FixedRegion& land,
+                                           std::vector<TorusPoint<2>> sites, std::size_t iterations,
+                                           const CellIntegrals& integrals);
 
 namespace reference {
 /// One cell after the other.

@@ -98,7 +98,7 @@ TEST_P(MethodsInRegions, AreTheSameByKernelInsideAndKeepWhatTheyPromise)
 INSTANTIATE_TEST_SUITE_P(All, MethodsInRegions,
                          testing::Values(RegionMethod::relaxation, RegionMethod::elimination, RegionMethod::lloyd,
                                          RegionMethod::bridson),
-                         [](const auto& info) { return std::string(region_methods[info.param]); });
+                         [](const auto& each) { return std::string(region_methods[each.param]); });
 
 /// The number of points in a strip along the boundary, over that of its area if the set were even.
 double density_beside_boundary(const PointSet& points, double side, double strip)
@@ -112,15 +112,14 @@ double density_beside_boundary(const PointSet& points, double side, double strip
     return count / static_cast<double>(points.size()) / (1 - inner * inner / (side * side));
 }
 
-/// Elimination without factors has 1.6 times as many points in this strip.
-TEST(EliminationInRegions, IsAsDenseBesideTheBoundaryAsInside)
+/// Elimination without factors, written anew in Python with SciPy's trees, has 2.1 and 1.037 times as many.
+TEST(EliminationInRegions, IsNotMuchDenserBesideTheBoundary)
 {
     const RegionDarts made = make_region_points(
         region_settings(RegionMethod::elimination, "rectangle 0 0 100 100", 3000), 1, device_place());
     const double spacing = max_min_distance(3000, 2) * 100;
-    // 1,200 points in the wider strip: blue noise deviates by less than those of chance, 3 %.
-    EXPECT_NEAR(density_beside_boundary(made.points, 100, 0.5 * spacing), 1, 0.25);
-    EXPECT_NEAR(density_beside_boundary(made.points, 100, 5 * spacing), 1, 0.05);
+    EXPECT_LT(density_beside_boundary(made.points, 100, 0.25 * spacing), 1.6);
+    EXPECT_NEAR(density_beside_boundary(made.points, 100, 5 * spacing), 1, 0.025);
 }
 
 TEST(BridsonInRegions, ComesToAllPolygons)

@@ -10,8 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
+#include <set>
 
 namespace poissonlab {
 namespace {
@@ -66,9 +65,9 @@ TEST_P(RegionCells, AreTheSameByKernelAndTileTheRegion)
         for (std::size_t i = 0; i < found.size(); ++i) EXPECT_TRUE(found[i] == expected[i]) << i;
     }
     double area = 0;
+    std::set<TorusPoint<2>> places;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const bool is_second = i > 0 && grid.sites()[i] == grid.sites()[i - 1];
-        if (!is_second) area += expected[i].twice_area / 2;
+        if (places.insert(grid.sites()[i]).second) area += expected[i].twice_area / 2;
         EXPECT_GT(expected[i].twice_area, 0);
     }
     const double whole = region.area() / (region.unit() * region.unit());
@@ -119,7 +118,8 @@ void add_ring_moments(CellMoments& sum, const RegionRing& ring, double sign)
 {
     if (signed_area_of(ring) < 0) sign = -sign;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto& [ax, ay] = ring[i], &[ bx, by ] = ring[(i + 1) % ring.size()];
+        const auto& [ax, ay] = ring[i];
+        const auto& [bx, by] = ring[(i + 1) % ring.size()];
         const double cross = sign * (ax * by - ay * bx);
         sum.twice_area += cross;
         sum.x += cross * (ax + bx);
@@ -170,7 +170,7 @@ TEST(CellsInRegions, AreThoseOfCgal)
 TEST(RelaxationInRegions, ComesToKnownCentroids)
 {
     const FixedRegion region(read_region("rectangle 0 0 2 1"));
-    const auto sites = relax_in_region(region, sites_in(region, 2), 200, reference::integrate_cells);
+    const auto sites = relax_in_region(region, region, sites_in(region, 2), 200, reference::integrate_cells);
     std::vector<std::array<double, 2>> places{region.own(sites[0]), region.own(sites[1])};
     std::ranges::sort(places);
     EXPECT_NEAR(places[0][0], 0.5, 1e-6);
@@ -205,7 +205,7 @@ TEST(RelaxationInRegions, LowersTheEnergyAndStaysInside)
     std::vector<TorusPoint<2>> sites = sites_in(region, 40);
     double before = lattice_energy(region, sites);
     for (int step = 0; step < 6; ++step) {
-        sites = relax_in_region(region, sites, 1, reference::integrate_cells);
+        sites = relax_in_region(region, region, sites, 1, reference::integrate_cells);
         for (const auto& site : sites) EXPECT_TRUE(region.contains_plainly(site));
         const double energy = lattice_energy(region, sites);
         EXPECT_LT(energy, before * 1.001) << step;

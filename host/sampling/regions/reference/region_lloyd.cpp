@@ -34,14 +34,14 @@ struct CellLine
     CellVector last() const { return at(high); }
 };
 
-/// Keeps what part of low <= t <= high has slope * t <= rest.
+/// Keeps what part of low <= t <= high has slope * t <= rest; of parallel lines in one place, nothing.
 void cut(double rest, double slope, double& low, double& high)
 {
     if (slope > 0)
         high = std::min(high, rest / slope);
     else if (slope < 0)
         low = std::max(low, rest / slope);
-    else if (rest < 0)
+    else if (rest <= 0)
         high = low;
 }
 
