@@ -70,11 +70,13 @@ void NonuniformTransform::for_each_weight(const PointSet& points, std::size_t po
     }
 }
 
-HalfPlane NonuniformTransform::forward(const PointSet& points)
+HalfPlane NonuniformTransform::forward(const PointSet& points, std::span<const double> weights)
 {
     std::ranges::fill(plans_->spectrum, 0.0);
-    for (std::size_t j = 0; j < points.size(); ++j)
-        for_each_weight(points, j, [&](std::size_t place, double weight) { plans_->grid[place] += weight; });
+    for (std::size_t j = 0; j < points.size(); ++j) {
+        const double times = weights.empty() ? 1 : weights[j];
+        for_each_weight(points, j, [&](std::size_t place, double weight) { plans_->grid[place] += times * weight; });
+    }
     fftw_execute(plans_->forward.get());
     HalfPlane result(reach_);
     for (int v = -reach_; v <= reach_; ++v)

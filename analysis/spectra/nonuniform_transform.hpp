@@ -10,6 +10,7 @@
 #include <complex>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace poissonlab {
@@ -36,7 +37,10 @@ public:
     NonuniformTransform(NonuniformTransform&&) noexcept;
 
     /// F(f) = sum_j exp(-2 pi i f.x_j). Points in 2D, coordinates in [0, 1).
-    HalfPlane forward(const PointSet& points);
+    HalfPlane forward(const PointSet& points) { return forward(points, {}); }
+
+    /// The same of points with weights.
+    HalfPlane forward(const PointSet& points, std::span<const double> weights);
 
     /// G(x_j) = sum_f C(f) exp(2 pi i f.x_j) over all frequencies, with C(-f) the conjugate of C(f).
     std::vector<double> adjoint(const HalfPlane& coefficients, const PointSet& points);

@@ -1,0 +1,80 @@
+#include "analysis/regions/random_in_region.hpp"
+
+#include "analysis/regions/region_distances.hpp"
+#include "base/errors/errors.hpp"
+#include "base/random/random_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace poissonlab {
+namespace {
+
+constexpr std::size_t places_for_mean = 1 << 16;
+constexpr std::uint64_t envelope_seed = 0; ///< the same random sets for every series, so that envelopes compare
+
+}
+
+RegionDensity::RegionDensity(Density density, const FramedRegion& region)
+    : density_(std::move(density)), box_(box_of(region.polygons()))
+{
+    const RegionPlaces places(region, places_for_mean, 0);
+    double sum = 0;
+    for (const auto& place : places.places()) sum += static_cast<double>(weight(place));
+    mean_ = sum / static_cast<double>(places.places().size());
+    if (!(mean_ > 0)) throw InputError("is 0 in all of the region");
+}
+
+std::uint64_t RegionDensity::weight(const std::array<double, 2>& place) const
+{
+    const double x = (place[0] - box_.low[0]) / box_.width(), y = (place[1] - box_.low[1]) / box_.height();
+    return density_.at(std::clamp(x, 0.0, 1 - 0x1p-53), std::clamp(y, 0.0, 1 - 0x1p-53));
+}
+
+std::vector<double> RegionDensity::intensities(const PointSet& points, const FramedRegion& region,
+                                               const std::string& name) const
+{
+    std::vector<double> intensities;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::array place{points[i][0], points[i][1]};
+        const double density = at(place);
+        if (!(density > 0))
+            throw InputError(fmt::format("{}: point {}, ({}, {}), lies where the density is 0", name, i + 1,
+                                         region.own(place)[0], region.own(place)[1]));
+        intensities.push_back(density * static_cast<double>(points.size()) / region.area());
+    }
+    return intensities;
+}
+
+RandomInRegion::RandomInRegion(const FramedRegion& region, const RegionDensity* density)
+    : region_(region), density_(density)
+{
+    const auto cells = region.fixed().cells();
+    for (std::uint32_t cell = 0; cell + 1 < cells.size(); ++cell)
+        if (cells[cell] % 2 == 1 || cells[cell + 1] / 2 != cells[cell] / 2) cells_.push_back(cell);
+}
+
+/// A cell, a place in it, and again where that is outside or the density says so.
+PointSet RandomInRegion::points(std::size_t count, std::uint32_t realization) const
+{
+    RandomWords words(stream_key(envelope_seed, Purpose::region_envelope, realization), 0);
+    const int bits = region_.fixed().bits(), shift = FixedRegion::coordinate_bits - bits;
+    const auto within = [&] { return shift == 0 ? 0 : words.next() >> (32 - shift); };
+    PointSet points{2, {}};
+    while (points.size() < count) {
+        const std::uint32_t cell = cells_[words.below(static_cast<std::uint32_t>(cells_.size()))];
+        const std::uint32_t column = cell & ((1u << bits) - 1), row = cell >> bits;
+        const TorusPoint<2> position{column << shift | within(), row << shift | within()};
+        if (!region_.fixed().contains(position)) continue;
+        const std::array place{position[0] * 0x1p-31, position[1] * 0x1p-31};
+        if (density_) {
+            const std::uint64_t level = std::uint64_t{words.next()} << 8;
+            if (level >= density_->weight(place)) continue;
+        }
+        points.coordinates.insert(points.coordinates.end(), place.begin(), place.end());
+    }
+    return points;
+}
+
+}

@@ -1,0 +1,71 @@
+#include "analysis/regions/region_distances.hpp"
+
+#include "analysis/regions/plane_neighbours.hpp"
+#include "analysis/regions/product_limit.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace poissonlab {
+namespace {
+
+constexpr double golden = 0.6180339887498949;
+
+/// Fewer places than this are left where F is taken to be known: J is a quotient of what is left.
+constexpr double least_left = 1e-3;
+
+}
+
+NearestInPlane nearest_in_plane(const PointSet& points, const FramedRegion& region)
+{
+    const PlaneNeighbours sorted(points, region.area());
+    std::vector<double> nearest(sorted.size());
+    tbb::parallel_for(std::size_t{0}, nearest.size(),
+                      [&](std::size_t i) { nearest[i] = sorted.nearest(sorted.place(i), i); });
+    double sum = 0;
+    for (const double distance : nearest) sum += distance;
+    return {std::ranges::min(nearest), sum / static_cast<double>(nearest.size())};
+}
+
+RegionPlaces::RegionPlaces(const FramedRegion& region, std::size_t count, double reach)
+{
+    const RegionBox box = box_of(region.polygons());
+    const auto total =
+        static_cast<std::size_t>(std::ceil(static_cast<double>(count) * box.width() * box.height() / region.area()));
+    for (std::size_t i = 0; i < total; ++i) {
+        const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(total);
+        const double y = static_cast<double>(i) * golden;
+        const std::array place{box.low[0] + x * box.width(), box.low[1] + (y - std::floor(y)) * box.height()};
+        if (region.contains(place)) places_.push_back(place);
+    }
+    boundary_.resize(places_.size());
+    tbb::parallel_for(std::size_t{0}, places_.size(),
+                      [&](std::size_t i) { boundary_[i] = region.boundary().distance(places_[i], reach); });
+}
+
+DistanceCurves region_distances(const PointSet& points, const FramedRegion& region, const RegionPlaces& places,
+                                double step, std::size_t count)
+{
+    const double reach = 2 * step * static_cast<double>(count);
+    const PlaneNeighbours sorted(points, region.area());
+    std::vector<CensoredLength> of_points(sorted.size()), of_places(places.places().size());
+    tbb::parallel_for(std::size_t{0}, of_points.size(), [&](std::size_t i) {
+        const auto place = sorted.place(i);
+        of_points[i] = {sorted.nearest(place, i), region.boundary().distance(place, reach)};
+    });
+    tbb::parallel_for(std::size_t{0}, of_places.size(), [&](std::size_t i) {
+        of_places[i] = {sorted.nearest(places.places()[i]), places.boundary()[i]};
+    });
+    DistanceCurves curves;
+    curves.g = product_limit(std::move(of_points), step, count);
+    curves.f = product_limit(std::move(of_places), step, count);
+    for (std::size_t k = 0; k < count; ++k)
+        curves.j.push_back(curves.f[k] <= 1 - least_left ? (1 - curves.g[k]) / (1 - curves.f[k])
+                                                         : std::numeric_limits<double>::quiet_NaN());
+    return curves;
+}
+
+}
